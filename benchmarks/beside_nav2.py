@@ -89,7 +89,9 @@ HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | way, m
 
 @dataclass(frozen=True)
 class Comparison:
-    """How many runs of the node were compared with the model, and in how many both did the same."""
+    """The number of runs of the node that were compared with the model, and the number of equal
+    ones.
+    """
 
     runs: int = 0
     same: int = 0
@@ -231,7 +233,7 @@ def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scan
 
 
 def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[str]:
-    """How good the model is."""
+    """The section on the quality of the model."""
     yield "## Node and model"
     yield ""
     if lacking:
@@ -244,7 +246,7 @@ def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[st
 
 
 def lines(folder: Path) -> Iterator[str]:
-    """The page."""
+    """The lines of the page."""
     lacking = nav2_node.missing()
     how = "is the model of it" if lacking else f"{nav2_node.version()} is the node itself"
     guards = GUARDS.format(how=how, latency=LATENCY_S, stop=STOP_M)

@@ -1,6 +1,6 @@
-"""How long the command line takes to start, and to parse and check 100 rules.
+"""Measure the start of the command line, and the parsing and checking of 100 rules.
 
-What the queries about them cost is measured by `queries.py`.
+`queries.py` measures the queries about rules.
 """
 
 from __future__ import annotations

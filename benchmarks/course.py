@@ -36,7 +36,7 @@ DELAY_TICKS = 5
 
 BEAMS, RANGE_MIN, RANGE_MAX, NOISE = 360, 0.15, 12.0, 0.01
 TURNING = 2.0
-"""How fast the base can change its turning (rad/s^2)."""
+"""The angular acceleration of the base (rad/s^2)."""
 
 NEAR_M = SPEED**2 / (2 * BRAKING) + SPEED * 1.0
 """A stop is right if something is so near ahead: the way of braking, and of one second."""
@@ -69,7 +69,7 @@ class Scan:
 
 @dataclass(frozen=True)
 class Odometry:
-    """Where the base is and how fast, at an instant."""
+    """The pose and the velocity of the base at an instant."""
 
     stamp_ns: int
     pose: Pose
@@ -101,10 +101,13 @@ class Outcome:
     """The measurements of one run."""
 
     reaction_s: float
-    """From the instant at which the way of braking was as long as the free way (of an unguarded
-    base) to the first reduced command; NaN where either never was."""
+    """The time from the instant at which the braking distance equals the free distance (for an
+    unguarded base) to the first reduced command, in s; NaN if either never happened.
+    """
     blind_s: float
-    """From the instant at which the lidar fell silent to the first reduced command."""
+    """The time from the instant at which the lidar fell silent to the first reduced command, in
+    s.
+    """
     least_gap_m: float
     contact_speed: float
     """Above 0 where the base drove into something (m/s)."""
@@ -131,7 +134,9 @@ def run(scene: str, contender: Contender, seed: int) -> Outcome:
 
 @cache
 def _latest_instant_s(scene: str, seed: int) -> float:
-    """When the brakes of an unguarded base need all of the way that is free; NaN: never."""
+    """The instant at which an unguarded base needs the whole free distance for braking; NaN if
+    never.
+    """
     drive = _Drive(scene, unguarded, seed)
     drive.run()
     return drive.latest_s

@@ -32,7 +32,7 @@ class Person:
     """It stands still between these instants."""
 
     def at(self, time_s: float, pose: Pose) -> tuple[float, float]:  # noqa: ARG002
-        """Where it is."""
+        """The position at an instant."""
         walked = max(0.0, time_s - self.begins_s)
         since, until = self.stays_s
         walked -= max(0.0, min(time_s, until) - since) if time_s > since else 0.0
@@ -46,7 +46,7 @@ class Follower:
     behind_m: float
 
     def at(self, time_s: float, pose: Pose) -> tuple[float, float]:  # noqa: ARG002
-        """Where it is."""
+        """The position at an instant."""
         far = HALF_LENGTH + self.behind_m + PERSON_M
         return pose.x - far * math.cos(pose.heading), pose.y - far * math.sin(pose.heading)
 
@@ -77,7 +77,7 @@ class Scene:
 
 
 def arrival_s(way_m: float) -> float:
-    """When the front of an unhindered base has made a way of so many m."""
+    """The time at which the front of an unhindered base has travelled a distance in m."""
     return SECONDS_TO_SPEED + (way_m - METERS_TO_SPEED) / SPEED
 
 

@@ -18,7 +18,7 @@ Box = tuple[Point, Point]
 """The least and the greatest x, and the least and the greatest y."""
 
 Wall = tuple[float, float, float, float]
-"""From a point to another: x, y, x, y."""
+"""A line segment: x, y of its start, x, y of its end."""
 
 Round = tuple[float, float, float]
 """A middle, x and y, and a radius."""
@@ -122,7 +122,7 @@ def _inside(wall: Wall, box: Box) -> tuple[float, float] | None:
 
 
 def ranges(around: Around, angles: Floats) -> Floats:
-    """How far it is to the first thing along each beam; infinite where there is none."""
+    """The distance to the first thing along each beam in m; infinite if there is none."""
     beam_x, beam_y = np.cos(angles), np.sin(angles)
     found = np.full(len(angles), math.inf)
     for x, y, end_x, end_y in around.walls:

@@ -26,7 +26,7 @@ TREES = {
 
 
 def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
-    """What makes the first tick, and each later one."""
+    """A function for the first tick, and each later one."""
     from ezskiros import SkillDescription
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
@@ -79,7 +79,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
 
 
 def with_py_trees(tree: str, nodes: int) -> Callable[[], object]:
-    """What makes the first tick, and each later one."""
+    """A function for the first tick, and each later one."""
     from py_trees import composites
     from py_trees.behaviour import Behaviour
     from py_trees.common import ParallelPolicy, Status

@@ -37,7 +37,7 @@ Measured = dict[str, float]
 
 
 def measured(command: Sequence[object], environment: Mapping[str, str]) -> Measured | None:
-    """What a program says; None if it is not there or failed."""
+    """The output of a program; None if the program is missing or failed."""
     done = subprocess.run(
         [str(word) for word in command],
         capture_output=True,

@@ -186,7 +186,7 @@ def _steps(compiled: Machine, columns: Columns, start: Callable[[], Engine]) -> 
 
 
 def _active_samples(compiled: Machine, events: Sequence[Event], end_ns: int) -> list[int]:
-    """For how many samples each rule was active: rules change at the instants of samples here."""
+    """The number of samples for which each rule was active. Here rules change only at samples."""
     counts = [0] * len(compiled.rules)
     for event in events:
         if isinstance(event, Verdict):

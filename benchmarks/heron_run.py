@@ -1,4 +1,6 @@
-"""How fast the experiments run, and what the monitor costs in them: writes the table as a page."""
+"""Measure the speed of the experiments, and the cost of the monitor in them; write the table as a
+page.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,7 @@ class Laps:
         carrier: InProcess,  # noqa: ARG002
         guard: Guard | None,  # noqa: ARG002
     ) -> list[Laps]:
-        """As an observer of an episode."""
+        """Observe an episode: return the observers."""
         return [self]
 
     def tick(self, now_ns: int) -> None:  # noqa: ARG002

@@ -1,4 +1,4 @@
-"""How fast the insertion is simulated and learned: writes the tables as a page."""
+"""Measure the simulation and the learning of the insertion; write the tables as a page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A model of Nav2's collision monitor: what it makes of a scan and a command.
+"""A model of Nav2's collision monitor: its answer to a scan and a command.
 
 After `nav2_collision_monitor` 1.3.13 of Jazzy (github.com/ros-navigation/navigation2, commit
 f4108e5b1c2b): `process`, `processStopSlowdownLimit` and `processApproach` of
@@ -116,7 +116,9 @@ class _Area:
         return is_in
 
     def _collision_s(self, points: Floats, command: Command) -> float | None:
-        """When enough points will be in the zone, if the base drives on like that."""
+        """The time until enough points are in the zone, if the base continues to drive like this,
+        in s.
+        """
         if self._has(points):
             return 0.0
         zone = self.zone

@@ -1,4 +1,4 @@
-"""Settings of Nav2's collision monitor for the base of the course: its zones, and what they do.
+"""Settings of Nav2's collision monitor for the base of the course: its zones and their actions.
 
 Names and defaults are those of its parameters, in Jazzy.
 """
@@ -108,7 +108,7 @@ SHIPPED = Settings(
     ),
     source_timeout=1.0,
 )
-"""As `nav2_bringup` sets it up, with the outline of this base."""
+"""The settings of `nav2_bringup`, with the outline of this base."""
 
 ZONES = Settings(
     "Nav2: zones",

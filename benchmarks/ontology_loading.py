@@ -79,7 +79,9 @@ THING = "http://www.w3.org/2002/07/owl#Thing"
 
 
 def most_memory() -> float:
-    """What Linux says of this program (`getrusage` would count what started it, too)."""
+    """The peak memory of this process in MiB, from Linux (`getrusage` would include the parent
+    process).
+    """
     lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
     (most,) = (line for line in lines if line.startswith("VmHWM:"))
     return int(most.split()[1]) / 1024

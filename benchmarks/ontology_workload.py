@@ -27,12 +27,12 @@ TYPE = RDF + "type"
 USED_CLASSES = 80
 USED_RELATIONS = 8
 USED_VALUES = 4
-"""What skills use: the first so many of each."""
+"""The numbers of values that skills use: the first ones of each kind."""
 
 
 @dataclass(frozen=True)
 class Size:
-    """How much an ontology declares."""
+    """The number of declarations in an ontology."""
 
     triples: int
     classes: int
@@ -95,7 +95,7 @@ def _class(name: str, parents: list[str]) -> list[Triple]:
 
 
 def _restriction(name: str, relation: str, target: str) -> list[Triple]:
-    """What is so related to things of a class has a value of another."""
+    """A restriction: the related thing of a class has a value of another class."""
     node = BlankNode(f"only_{name}")
     return [
         _triple(_own(name), RDFS + "subClassOf", node),

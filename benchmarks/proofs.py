@@ -28,7 +28,7 @@ SECONDS = 120
 
 
 def processor_seconds() -> float:
-    """What all programs that have run so far have used."""
+    """The CPU seconds of all child processes so far."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -72,7 +72,7 @@ def digest(example: str) -> str:
 
 
 def link(example: str) -> str:
-    """How the page names a rules file."""
+    """The name of a rules file on the page, as a link."""
     return f"[{Path(example).name}](../../{example})"
 
 

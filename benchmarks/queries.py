@@ -1,4 +1,4 @@
-"""What the queries about rules cost, by how many rules there are: writes the table as a page."""
+"""Measure the queries about rules by the number of rules; write the table as a page."""
 
 from __future__ import annotations
 

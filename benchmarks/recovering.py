@@ -1,4 +1,6 @@
-"""Recovery trees in real SkiROS2: how soon a primitive is preempted after a rule became active."""
+"""Recovery trees in real SkiROS2: the delay from the activation of a rule to the preemption of a
+primitive.
+"""
 
 from __future__ import annotations
 
@@ -178,7 +180,7 @@ def _verdict(sensor: Ears, change: int) -> float:
 
 
 def _instants(notes: Path) -> list[float]:
-    """When the skills noted something."""
+    """The instants that the skills recorded."""
     text = notes.read_text(encoding="utf-8")
     return [float(line.rpartition(" ")[2]) for line in text.splitlines()]
 

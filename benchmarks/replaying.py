@@ -1,4 +1,5 @@
-"""A replay of a long recording beside rosbags alone, and beside the way that replays went before.
+"""A replay of a long recording beside rosbags alone, and beside the former implementation of
+replays.
 
 Each runs in a process of its own, which tells its CPU time and its peak memory. The contenders run
 in turn. The recordings are kept in `build/bench/recordings`.

@@ -1,4 +1,4 @@
-"""The generated nodes: how late commands and actions come out of them, and what they cost."""
+"""The generated nodes: the latency of their commands and actions, and their cost."""
 
 from __future__ import annotations
 
@@ -208,7 +208,7 @@ class _Node:
         return found
 
     def _kill_round(self) -> float:
-        """How long after a SIGKILL the last command came, in ms; 0 if none did."""
+        """The delay of the last command after a SIGKILL, in ms; 0 if there was none."""
         command = [str(self._probe / "commands"), "100", "400", *FILTERED]
         with self._running(self._node) as node:
             probe = subprocess.Popen(
@@ -244,7 +244,7 @@ class _Node:
             process.end()
 
     def _measured(self, program: str, *arguments: object) -> list[Lateness]:
-        """What a program of the probe says, a line for each path."""
+        """The output of a program of the probe, one line for each path."""
         command = [str(self._probe / program), *map(str, arguments)]
         done = subprocess.run(
             command, env=self._ros.variables, capture_output=True, text=True, timeout=300
@@ -262,7 +262,9 @@ def _lost(late: Lateness, sent: int) -> str:
 
 
 def _priority() -> str:
-    """How the processes are scheduled that this one starts; `chrt` in front of it changes that."""
+    """The scheduling of the processes that this program starts; `chrt` in front of it changes
+    it.
+    """
     if os.sched_getscheduler(0) == os.SCHED_OTHER:
         return "the usual priority"
     return "real-time priority, so that other work on the machine counts for less"

@@ -62,7 +62,7 @@ class Outcome:
 
     @property
     def agreement(self) -> str:
-        """How the counts compare with those of the hand-written loop."""
+        """The comparison of the counts with those of the hand-written loop."""
         if self.counts == self.expected:
             return "equal"
         return ", ".join(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def written_page(description: str | None) -> Path:
-    """Where the page goes; ends the program where the command line does not say."""
+    """The path of the page. Ends the program if the command line does not give one."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--out", type=Path, required=True, help="the page to write")
     out: Path = parser.parse_args().out

@@ -51,7 +51,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Result:
-    """How a part ended; `day` is of the form 2026-01-31."""
+    """The result of a part. `day` has the form 2026-01-31."""
 
     part: Part
     code: int
@@ -143,7 +143,7 @@ def shown(command: Sequence[str]) -> str:
 
 
 def outcome(result: Result) -> str:
-    """How a part ended, in a word or two."""
+    """The result of a part, in a word or two."""
     return "passed" if result.code == 0 else f"failed, exit code {result.code}"
 
 
@@ -197,7 +197,7 @@ def passed(wanted: Sequence[Part]) -> dict[Part, Result]:
 
 
 def reminder(wanted: Sequence[Part]) -> str:
-    """Whether all parts have passed on these sources."""
+    """A reminder whether all parts have passed on these sources."""
     if len(passed(wanted)) == len(wanted):
         return "make deep: has passed on this generator and these nodes"
     return "make deep: is due, it has not passed on this generator and these nodes"

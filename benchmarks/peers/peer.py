@@ -1,4 +1,4 @@
-"""What the peers in Python share: the arguments, the trace, and the line of JSON they print."""
+"""The code that all Python peers share: the arguments, the trace, and the printed line of JSON."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Arguments:
 
     @classmethod
     def read(cls) -> Arguments:
-        """From the command line."""
+        """Read the arguments from the command line."""
         folder, samples, copies, rounds = sys.argv[1:]
         return cls(Path(folder), int(samples), int(copies), int(rounds))
 

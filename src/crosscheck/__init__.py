@@ -1,5 +1,5 @@
-"""The rules and the skills of one robot, looked at together.
+"""Joint checks of the rules and the skills of one robot.
 
-Each language checks its own files. Here stands all that only both together can tell: exemptions and
-permissions, skills that rules never let work, rules and skills that fight.
+Each language checks its own files. This package finds errors that only both together show:
+exemptions and permissions, skills that rules never let work, rules and skills that fight.
 """

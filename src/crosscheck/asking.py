@@ -1,4 +1,4 @@
-"""Predicates about a state of the machine in which a skill is known to run, for z3."""
+"""Predicates for z3 about states of the machine in which a skill is known to run."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.analysis.terms import YES
 
 
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
-    """Say that the context is there, and tells that a skill runs. Others may run beside it."""
+    """The fact that the context is known, and that a skill runs. Others may run beside it."""
     asked = queries(state.machine)
     yes = {
         slot: skill in step.skills and not step.arguments and not step.is_ahead
@@ -24,8 +24,8 @@ def runs(state: Encoding, skill: str) -> z3.BoolRef:
 
 
 def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
-    """Say that the context is there, and tells that a skill does not run, nor one that is asked for
-    together with it.
+    """The fact that the context is known, and that neither a skill runs nor one in the same
+    query.
     """
     asked = queries(state.machine)
     no = {
@@ -36,13 +36,13 @@ def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
 
 
 def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
-    """Say that one of these rules becomes active, if none was."""
+    """The fact that one of these rules becomes active, if none was."""
     return z3.Or([becomes_active(state, rule) for rule in rules])
 
 
 def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.BoolRef]:
-    """Say that the context is there, and answers the queries in these slots, which are all; None
-    stands for any answer.
+    """The facts that the context is known, and gives these answers to the queries in all slots;
+    None stands for any answer.
     """
     for slot, answer in answers.items():
         number = state.slot(slot)
@@ -56,7 +56,7 @@ def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.Bo
 
 
 def queries(machine: ir.Machine) -> dict[int, ir.Doing]:
-    """The slots that ask which skills run, and what each asks."""
+    """The slots with queries about running skills, and the query of each."""
     found = {}
     for index, slot in enumerate(machine.slots):
         step = slot.path[0] if slot.path else None
@@ -78,8 +78,8 @@ def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
 
 
 def rests_on_skills(machine: ir.Machine, rule: ir.Rule) -> bool:
-    """Say whether a rule hears which skills run or can start: in its condition, or in what clears
-    it.
+    """Say whether a rule depends on the skills that run or can start: in its condition, or in its
+    release.
     """
     inputs = machine.inputs
     heard = {

@@ -1,8 +1,8 @@
-"""The world as conditions of skills tell it: facts and changes, said of the parameters of skills
-that run.
+"""The world as conditions of skills describe it: facts and changes about the parameters of running
+skills.
 
-A primitive changes the world when it succeeds. So its pre-conditions hold as long as it runs, but
-for what other skills change. A compound changes the world by the skills in its trees.
+A primitive changes the world when it succeeds. So its pre-conditions stay true while it runs,
+except for changes by other skills. A compound changes the world by the skills in its trees.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Names = Mapping[str, str]
 
 @dataclass(frozen=True)
 class Said:
-    """A statement of a condition, with other names for the parameters of the skill."""
+    """A statement of a condition, with new names for the parameters of the skill."""
 
     statement: Statement
     condition: Condition
@@ -34,11 +34,13 @@ class Said:
 
 
 class UnreadableConditionError(Exception):
-    """A condition in the file of skills that is none; the text says whose, and why."""
+    """A condition in the file of skills that is not valid. The text names its skill, and the
+    reason.
+    """
 
 
 class Beliefs:
-    """Reads the conditions of skills. Collects the names that it makes, with their classes."""
+    """Reads the conditions of skills. Collects the new names, with their classes."""
 
     def __init__(self, robot: Robot, iris: Mapping[str, str]) -> None:
         self._robot, self._iris = robot, iris
@@ -65,9 +67,7 @@ class Beliefs:
         }
 
     def names_of_tree(self, run: TreeRun, running: Mapping[str, Names]) -> Names:
-        """The names for the parameters of a tree: those that it takes from skills that run, and new
-        ones.
-        """
+        """The names for the parameters of a tree: names from running skills, and new ones."""
         own = self.names_of(run.skill, f"tree {run.skill.name}")
         passed = {
             name: running[skill][parameter]
@@ -92,7 +92,7 @@ class Beliefs:
     def facts(
         self, skill: Skill, conditions: Iterable[Condition], names: Names
     ) -> dict[Statement, Origin]:
-        """The statements of conditions of a skill that hold."""
+        """The statements of a skill's conditions that are true."""
         said = self.said(skill, conditions, names)
         return {each.statement: Origin(each.span, "pre") for each in said}
 

@@ -1,5 +1,5 @@
-"""Topics and servers that rules, skills and system models tell of: types that differ, and messages
-that nobody reads (thesis, Paper IV, section 5).
+"""Topics and servers in rules, skills and system models: different types, and messages without a
+reader (thesis, Paper IV, section 5).
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class Mention:
-    """A place in the rules that tells the type of a topic or server."""
+    """A place in the rules with the type of a topic or server."""
 
     type: str
     span: Span
 
 
 def find_types_that_differ(robot: Robot) -> Iterator[Diagnostic]:
-    """An error for each topic or server of a skill that is of another type to the rules."""
+    """An error for each topic or server of a skill whose type differs in the rules."""
     reported = dict(_reported_types(robot.machine))
     for skill in robot.skills.skills.values():
         for use in skill.uses:
@@ -60,8 +60,8 @@ def _reported_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], 
 
 
 def find_unread(robot: Robot) -> Iterator[Diagnostic]:
-    """A warning for each topic on which rules or skills send, and that no node of the system models
-    subscribes to; none where no system model has nodes.
+    """A warning for each topic that rules or skills publish, and that no node of the system models
+    subscribes to; none if no system model has nodes.
     """
     readers = dict(_readers(robot))
     if not readers:

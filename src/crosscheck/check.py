@@ -1,4 +1,4 @@
-"""All queries about a robot, in their order."""
+"""All queries about a robot, in order."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
 
-if TYPE_CHECKING:  # for those who name a scene only
+if TYPE_CHECKING:  # only for users with a scene
     from crosscheck.scene import Scene
 
 _QUERIES = (
@@ -33,7 +33,7 @@ _QUERIES = (
     find_tree_conditions,
 )
 LONGEST_S = 600.0
-"""The queries about one robot are given up after this, in seconds of processor time."""
+"""The time limit of the queries about one robot, in seconds of CPU time."""
 
 
 def check_robot(
@@ -43,8 +43,8 @@ def check_robot(
     message_folders: Sequence[Path] = (),
     scene: Path | None = None,
 ) -> tuple[Diagnostic, ...]:
-    """All findings on rules, on the skills that they name, and on a scene that the robot starts in.
-    Raises `OSError` if the scene cannot be read.
+    """All findings on rules, on the skills that they name, and on the robot's start scene. Raises
+    `OSError` if the scene cannot be read.
     """
     loaded = load(rules, systems=systems, message_folders=message_folders)
     if loaded.robot is None:
@@ -59,7 +59,7 @@ def check_robot(
 
 
 def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
-    """The findings that only rules and skills together give, in a scene or in any."""
+    """The findings that only rules and skills together show, in a given scene or in any."""
     yield from find_types_that_differ(robot)
     yield from find_unread(robot)
     yield from find_unused(robot)

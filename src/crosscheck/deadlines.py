@@ -1,4 +1,6 @@
-"""Deadlines of the steps of behavior trees that rules run, against the time that the rules give."""
+"""Deadlines of the steps of behavior trees that rules run, compared with the time limits of the
+rules.
+"""
 
 from __future__ import annotations
 
@@ -28,16 +30,18 @@ from rossmarie.skills.trees import (
 )
 
 _MOST_LEVELS = 32
-"""Compounds in compounds that are looked into: what is deeper has no deadline that is known."""
+"""The most levels of nested compounds that are searched. Deeper steps have no known deadline."""
 _FEW = 2
-"""Steps without a deadline: from so many on, one can take what another needs."""
+"""The number of steps without a deadline from which one can use up the time of another."""
 
 Values = Mapping[str, float | None]
-"""The numbers of parameters; None of those that nobody knows."""
+"""The numbers of parameters; None for unknown ones."""
 
 
 def find_without_deadline(robot: Robot) -> Iterator[Diagnostic]:
-    """A warning for each step that can use up all the time of the rule, if others need some."""
+    """A warning for each step that can use up all the time of the rule, if other steps need time,
+    too.
+    """
     open_steps = _OpenSteps(robot.skills.skills)
     reported: set[tuple[str, Place | None]] = set()
     for run in tree_runs(robot):
@@ -49,7 +53,7 @@ def find_without_deadline(robot: Robot) -> Iterator[Diagnostic]:
 
 
 def find_too_long(robot: Robot) -> Iterator[Diagnostic]:
-    """An error for each tree whose deadlines are longer, all in all, than the rule has time."""
+    """An error for each tree whose deadlines exceed the time limit of the rule in total."""
     for run in tree_runs(robot):
         given = {name: _number(text) for name, text in run.arguments.items()}
         try:
@@ -87,7 +91,7 @@ def _too_long(robot: Robot, run: TreeRun, time: Time) -> Diagnostic:
 
 @dataclass(frozen=True)
 class _Open:
-    """Steps without a deadline, each once; `number` are those that can run in one way through."""
+    """Steps without a deadline, each once. `number` is the largest number of them on one path."""
 
     number: int
     steps: tuple[Step, ...]
@@ -98,7 +102,7 @@ _NONE = _Open(0, ())
 
 @dataclass
 class _OpenSteps:
-    """Finds the primitives in trees over which no timeout stands."""
+    """Finds the primitives in trees without a timeout above them."""
 
     skills: Mapping[str, Skill]
     _known: dict[str, _Open] = field(default_factory=dict)
@@ -136,7 +140,7 @@ def _once(found: Sequence[_Open]) -> tuple[Step, ...]:
 
 
 class _UnknownLimitError(Exception):
-    """A deadline, a number of tries, or a node that nobody knows before the tree runs."""
+    """A deadline, a number of tries, or a node that is unknown before the tree runs."""
 
 
 @dataclass

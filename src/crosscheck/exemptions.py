@@ -1,4 +1,4 @@
-"""Exemptions of rules against the permissions of the skills that they are for."""
+"""Exemptions of rules, compared with the permissions of their skills."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class Exempted:
-    """An exemption of a rule, by its number in the machine, and the skills that it is for."""
+    """An exemption of a rule, by its number in the machine, and its skills."""
 
     rule: int
     written: ast.Exemption
@@ -47,7 +47,7 @@ def exemptions_of(robot: Robot) -> Iterator[Exempted]:
 
 
 def find_unused(robot: Robot) -> Iterator[Diagnostic]:
-    """A warning for each exemption whose skills stand in no tree."""
+    """A warning for each exemption whose skills are in no tree."""
     for exempted in exemptions_of(robot):
         if any(any(robot.callers(skill.name)) for skill in exempted.skills):
             continue
@@ -59,7 +59,7 @@ def find_unused(robot: Robot) -> Iterator[Diagnostic]:
 
 
 def find_wider(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """An error for each exemption by which a skill may do more than it permits."""
+    """An error for each exemption that lets a skill do more than its permissions."""
     for exempted in exemptions_of(robot):
         for kind in KINDS:
             signals = signals_of(robot.machine, exempted.rule, kind)

@@ -1,5 +1,5 @@
-"""All that depends on the description of one skill: trees and rules (thesis, Paper IV, section 7:
-dependencies and changes).
+"""Everything that depends on the description of one skill: trees and rules (thesis, Paper IV,
+section 7: dependencies and changes).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rossmarie.skills import Skill
 
 @dataclass(frozen=True)
 class Dependent:
-    """Something that a change of a skill may break: what it is, how it depends, and where."""
+    """A part that a change of a skill may break: its name, its dependency, and its place."""
 
     what: str
     how: str
@@ -25,8 +25,8 @@ class Dependent:
 
 
 def dependents(robot: Robot, skill: Skill) -> Iterator[Dependent]:
-    """All that depends on a skill: what is derived from it, the compounds that lead to it, and the
-    rules that ask for it, are not applied while it runs, or take away what it uses.
+    """Everything that depends on a skill: skills derived from it, compounds above it, and rules
+    that query it, are not applied while it runs, or take away its resources.
     """
     below = {each.name for each in _derived(robot, skill)} | {skill.name}
     for name in sorted(below - {skill.name}):

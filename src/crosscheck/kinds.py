@@ -1,4 +1,4 @@
-"""The numbers that a permission is about, by their dimension."""
+"""The numbers that a permission limits, by their dimension."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from rossmarie.units import UnknownUnitError, parse_unit
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of deed: in words, the kinds of permissions that permit it, the units of its numbers,
-    and an example. Of a closeness less is more.
+    """A kind of deed: its name, the kinds of permissions that permit it, the units of its numbers,
+    and an example. For a closeness, less is more.
     """
 
     words: str
@@ -35,7 +35,7 @@ KINDS = (
 
 
 def signals_of(machine: Machine, rule: int, kind: Kind) -> tuple[int, ...]:
-    """The numbers of a kind that the condition of a rule compares, constants left out."""
+    """The numbers of a kind that the condition of a rule compares, without constants."""
     return tuple(
         signal
         for signal in compared_by(machine, rule)
@@ -67,7 +67,7 @@ def permissions_of(skill: Skill, kind: Kind) -> tuple[Permission, ...]:
 
 
 def widest(permissions: Sequence[Permission], kind: Kind) -> tuple[Permission, Limit] | None:
-    """The permission that goes farthest, of those with a limit."""
+    """The most permissive permission among those with a limit."""
     limited = [(each, each.limit) for each in permissions if each.limit is not None]
     sign = -1.0 if kind.is_least else 1.0
     return max(limited, key=lambda each: sign * each[1].si, default=None)
@@ -76,14 +76,14 @@ def widest(permissions: Sequence[Permission], kind: Kind) -> tuple[Permission, L
 def is_beyond(
     state: ArbitraryState, signals: Sequence[int], limit: Limit, kind: Kind
 ) -> z3.BoolRef:
-    """Say that one of some numbers is known, and beyond what is permitted."""
+    """The fact that one of some numbers is known, and beyond the limit."""
     return z3.Or(NO, *(_beyond(state, signal, limit, kind) for signal in signals))
 
 
 def is_within(
     state: ArbitraryState, signals: Sequence[int], limit: Limit, kind: Kind
 ) -> z3.BoolRef:
-    """Say that all of some numbers are known, and within what is permitted."""
+    """The fact that all of some numbers are known, and within the limit."""
     known = [state.signal(signal).known for signal in signals]
     return z3.And(*known, z3.Not(is_beyond(state, signals, limit, kind)))
 

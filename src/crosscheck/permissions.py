@@ -1,4 +1,4 @@
-"""Permissions that rules do not grant: they hinder a skill before it has done all that it may."""
+"""Permissions that rules do not grant: rules that hinder a skill within its permissions."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from rossmarie.skills import Limit, Permission, Skill
 
 
 def find_not_granted(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """A warning for each permission and each rule that hinders the skill all the same."""
+    """A warning for each permission and each rule that hinders the skill nevertheless."""
     for skill in robot.skills.skills.values():
         names = {use.name for use in skill.uses}
         hindering = [
@@ -53,7 +53,7 @@ def touched(machine: Machine, rule: int) -> set[str | None]:
 def _hinders(
     robot: Robot, inquiry: Inquiry, skill: Skill, rule: int, limit: Limit, kind: Kind
 ) -> bool:
-    """Say whether a rule can be active while a skill runs, and does only what it may."""
+    """Say whether a rule can be active while a skill runs within its permissions."""
     machine = robot.machine
     signals = by_dimension(signals_of(machine, rule, kind), machine, limit)
     if not signals:

@@ -1,4 +1,4 @@
-"""A robot as a list: which skills there are, what each uses, and what rules have to do with it."""
+"""A robot as a list: its skills, the resources of each, and the related rules."""
 
 from __future__ import annotations
 

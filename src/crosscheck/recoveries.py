@@ -1,6 +1,6 @@
-"""Behavior trees that rules run, and what the same rules take away from them meanwhile.
+"""Behavior trees that rules run, and the resources that the same rules take away from them.
 
-An effect that nobody awaits stays in force: what stands before a tree in its rule, or beside it, is
+An effect that is not awaited stays in force: effects before a tree in its rule, or beside it, are
 in force while the tree runs.
 """
 
@@ -17,7 +17,7 @@ from rossmarie.skills import Skill
 
 
 def find_hindered(robot: Robot) -> Iterator[Diagnostic]:
-    """An error for each tree that needs something that its own rule takes away."""
+    """An error for each tree that needs a resource that its own rule takes away."""
     for run in tree_runs(robot):
         for skill in skills_below(robot, run.skill):
             for taking in takings(robot.machine, skill.uses):

@@ -1,4 +1,4 @@
-"""The end of rules: what clears a rule once its condition is false."""
+"""The end of rules: the clearing of a rule after its condition has become false."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from rossmarie.ir import Literal, Machine, Rule, reachable_propositions
 
 
 def is_cleared_at_once(machine: Machine, rule: Rule) -> bool:
-    """Say whether nothing holds a rule once its condition is false."""
+    """Say whether a rule is cleared as soon as its condition is false."""
     if rule.release is None:
         return False
     node = machine.propositions[rule.release].node

@@ -1,4 +1,4 @@
-"""A robot, as far as files tell: its rules, and the skills that they know."""
+"""A robot in files: its rules, and their file of skills."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Robot:
 
 @dataclass(frozen=True)
 class Loaded:
-    """The robot, None if there are errors; and all that was found on the way."""
+    """The robot, None if there are errors, and all findings."""
 
     robot: Robot | None
     diagnostics: tuple[Diagnostic, ...]

@@ -1,4 +1,4 @@
-"""The picture of a robot: skills on the left, what they use in the middle, rules on the right."""
+"""The picture of a robot: skills on the left, their resources in the middle, rules on the right."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Guards that are woven into tasks: which rules each primitive waits for before it starts.
+"""Guards in tasks: the rules that each primitive waits for before it starts.
 
 A primitive that starts while a rule takes away what it uses would only fail. `ezskiros run` reads
 the file, docs/reference/crosscheck.md.

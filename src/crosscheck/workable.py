@@ -1,4 +1,4 @@
-"""Skills that can never work, because rules take away what they use whenever they run."""
+"""Skills that can never work, because rules take away their resources whenever they run."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rossmarie.skills import Skill
 
 
 def find_unworkable(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """An error for each skill of which one thing that it uses is taken away whenever it runs."""
+    """An error for each skill with a resource that is taken away whenever it runs."""
     for skill in robot.skills.skills.values():
         of_use: dict[str, list[Taking]] = {}
         for taking in takings(robot.machine, skill.uses):
@@ -56,8 +56,8 @@ def _finding(
 
 
 def _shown(about: Inquiry, skill: str) -> list[Remark]:
-    """A trace of events, borne out by the interpreter, in which the skill runs and the only rule
-    is active.
+    """A trace of events, confirmed by the interpreter, in which the skill runs and the only rule is
+    active.
     """
     machine = about.machine
     condition = machine.rules[0].condition

@@ -1,5 +1,5 @@
-"""The ground floor of both languages: where things are written, and what is wrong with them.
+"""The common base of both languages: source files, and findings about them.
 
-Knows no domain. `dslkit.source` holds files and spans; `dslkit.diagnostics` holds findings as data
-and their renderers; `dslkit.campaign` runs many episodes and keeps a journal.
+It knows no domain. `dslkit.source` holds files and spans; `dslkit.diagnostics` holds findings as
+data and their renderers; `dslkit.campaign` runs many episodes and keeps a journal.
 """

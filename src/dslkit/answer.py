@@ -18,10 +18,10 @@ if TYPE_CHECKING:  # a command that prints text needs neither
 class Answer:
     """The answer of one run of a command.
 
-    `command` is the program with the name of the command, `files` the number of files that the
-    user named. `is_printed` is False where the command prints text instead: nothing is collected
-    then. `result` is the output of the command, None if there is none; `error` is the reason why
-    the command ended before it had one.
+    `command` is the program with the name of the command, `files` the number of files that the user
+    named. If `is_printed` is False, the command prints text instead, and nothing is collected.
+    `result` is the output of the command, None if there is none; `error` is the reason why the
+    command ended before it had one.
     """
 
     command: str

@@ -1,7 +1,7 @@
-"""The manners of a command line: all that is the same in the commands of both languages.
+"""The common behavior of the commands of both languages.
 
-Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; what went
-wrong with the command itself goes to standard error.
+Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; errors of
+the command itself go to standard error.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ class _Permission:
 
 @dataclass(frozen=True)
 class CommandLine:
-    """The voice of one command.
+    """The output of one command.
 
-    `subject` is what its users write, `internal_code` that of the diagnostic for its own defects;
-    errors with a code of `unreadable` mean that a file could not be read. The catalog is loaded
-    when it is needed.
+    `subject` is the kind of its input, `internal_code` the code of the diagnostic for its own
+    defects. Errors with a code in `unreadable` mean that a file could not be read. The catalog is
+    loaded on demand.
     """
 
     tool: str
@@ -121,7 +121,7 @@ class CommandLine:
             typer.echo(render_text(found).plain, nl=False, file=console.file)
 
     def print_page(self, text: str) -> None:
-        """A page in Markdown: laid out on a terminal, as it is elsewhere."""
+        """Print a page in Markdown: laid out on a terminal, unchanged elsewhere."""
         from rich.console import Console
 
         console = Console()
@@ -158,7 +158,7 @@ class CommandLine:
         raise typer.Exit(self.exit_code(found))
 
     def complain(self, message: str) -> None:
-        """One line on standard error."""
+        """Print one line on standard error."""
         typer.echo(f"{self.tool}: {message}", err=True)
 
     def fail(self, message: str, *, exit_code: int) -> NoReturn:
@@ -180,8 +180,8 @@ class CommandLine:
 
     @contextmanager
     def answering(self, form: enum.Enum, command: str, *, files: int) -> Iterator[Answer]:
-        """Within, a command whose `form` is JSON prints nothing on standard output; at the end it
-        prints one JSON object with all findings and the result of the answer.
+        """While the context is active, a command whose `form` is JSON prints nothing on standard
+        output. At the end it prints one JSON object with all findings and the result of the answer.
 
         `command` is the name of the command, `files` the number of files that the user named. The
         object is printed after an error as well. An answer within another one is that other one.
@@ -200,7 +200,7 @@ class CommandLine:
             typer.echo(answer.text(), nl=False)
             raise
         except (OSError, KeyboardInterrupt):
-            raise  # nobody may be there to read an answer
+            raise  # there may be no reader for the answer
         except Exception as error:
             lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
             defect = f"this is a defect of {self.tool}; standard error has the details"
@@ -321,7 +321,7 @@ class CommandLine:
 
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
-        """Within, a file that cannot be written ends the run."""
+        """While the context is active, a file that cannot be written ends the run."""
         try:
             yield
         except OSError as error:
@@ -329,7 +329,7 @@ class CommandLine:
 
     @contextmanager
     def writing_to(self, folder: Path) -> Iterator[None]:
-        """Within, a folder that cannot be written to ends the run."""
+        """While the context is active, a folder that cannot be written to ends the run."""
         try:
             yield
         except OSError as error:

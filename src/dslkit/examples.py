@@ -16,11 +16,11 @@ Example = TypeVar("Example")
 
 
 class UnknownExampleError(LookupError):
-    """There is no example of this name; the message says so to a user."""
+    """There is no example of this name. The message is for the user."""
 
 
 class FilesAreThereError(Exception):
-    """Files of this name are there already: `paths`. None was written."""
+    """Files of this name exist already: `paths`. No file was written."""
 
     def __init__(self, paths: Sequence[Path]) -> None:
         super().__init__(", ".join(map(str, paths)))
@@ -39,7 +39,7 @@ def named(known: Mapping[str, Example], name: str, kind: str) -> Example:
 
 
 def files_of(folder: Path) -> Sequence[Path]:
-    """All files of an example, by their paths in its folder, in the order of their names."""
+    """All files of an example, as paths in its folder, sorted by name."""
     inside = (path for path in folder.rglob("*") if path.is_file())
     return sorted(path.relative_to(folder) for path in inside if "__pycache__" not in path.parts)
 

@@ -1,6 +1,6 @@
-"""Functions that one package asks of another that it does not know: by entry points.
+"""Functions that one package calls in another without importing it: by entry points.
 
-The package that offers one names it in its metadata (`[project.entry-points."ezskiros.check"]`).
+The package with the function names it in its metadata (`[project.entry-points."ezskiros.check"]`).
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from typing import Any
 
 
 def extension(group: str, name: str) -> Callable[..., Any] | None:
-    """The function that an installed package offers under a name; None if none does, or if its
-    package has gone.
+    """The function of an installed package under a name; None if there is none, or if its package
+    has been removed.
     """
     found = next(iter(entry_points(group=group, name=name)), None)
     if found is None:

@@ -1,6 +1,6 @@
-"""Extras of our distributions: the modules that each one brings, and the advice to install it.
+"""Extras of the distributions of this project: the modules of each, and the advice to install it.
 
-Every message that advises `pip install` of one of our distributions comes from here.
+Every message that advises `pip install` of one of these distributions comes from here.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ class Extras:
         return [name for name in self.modules[extra] if not _is_installed(name)]
 
     def explained(self, error: ModuleNotFoundError) -> str | None:
-        """The message for a user whose environment lacks a module; None if no extra brings it."""
+        """A message for a user whose environment does not have a module; None if no extra contains
+        it.
+        """
         name = (error.name or "").partition(".")[0]
         extra = next((each for each, modules in self.modules.items() if name in modules), None)
         if extra is None:

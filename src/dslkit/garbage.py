@@ -1,4 +1,6 @@
-"""Python looks for garbage seldom: a command makes much at its start, and keeps nearly all."""
+"""Less frequent garbage collection: a command creates many objects at its start, and keeps nearly
+all.
+"""
 
 from __future__ import annotations
 
@@ -7,22 +9,28 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 _NEW_OBJECTS = 50_000
-"""Python's own number is below a thousand: then a tenth of a short run goes into looking."""
+"""The number of new objects between two collections. With Python's own number, below a thousand, a
+tenth of a short run is spent on collections.
+"""
 
 
 def look_seldom() -> None:
-    """From now on, look after so many new objects. Cycles still do not fill the memory."""
+    """Collect garbage less often from now on. Cycles still do not fill the memory."""
     gc.set_threshold(_NEW_OBJECTS)
 
 
 def look_no_more() -> None:
-    """From now on, what is there stays: the system takes it back when the process ends."""
+    """Exclude all present objects from garbage collection. The system frees them when the process
+    ends.
+    """
     gc.freeze()
 
 
 @contextmanager
 def not_now() -> Iterator[None]:
-    """Within, do not look at all: most of what is made is needed, or there is time later."""
+    """While the context is active, do not collect: most new objects are needed, or there is time
+    later.
+    """
     was_enabled = gc.isenabled()
     gc.disable()
     try:

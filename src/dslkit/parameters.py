@@ -1,8 +1,9 @@
-"""Parameters of commands whose values are plainly right, without what typer loads to check them.
+"""Fast conversion of valid parameters of commands, without the modules that typer loads to check
+them.
 
-Typer checks each value of a command, its defaults included, with pydantic: to import that takes
-as long as to import typer. A value that is a string, a path, or one of some words needs no such
-thing. Whatever is not plainly right goes to typer, which then says what is wrong.
+Typer checks each value of a command, including defaults, with pydantic, whose import takes as long
+as the import of typer. A value that is a string, a path, or one of some words does not need it. Any
+other value goes to typer, which then reports the error.
 """
 
 from __future__ import annotations
@@ -38,7 +39,9 @@ class Group(TyperGroup):
 
 
 def _look_first_at_values_of(command: Any) -> None:
-    """Also at the option `--help`, which typer makes when it is asked for the parameters."""
+    """Wrap the parameters of a command, including the option `--help`, which typer makes when it is
+    asked for the parameters.
+    """
     typers = command.get_params
 
     def get_params(ctx: Any) -> list[Any]:
@@ -51,21 +54,23 @@ def _look_first_at_values_of(command: Any) -> None:
 
 
 class _NotPlainError(ValueError):
-    """Typer has to say what a value means, or what is wrong with it."""
+    """Typer has to convert this value, or report the error in it."""
 
 
 class _Plain:
-    """Makes of what was typed what the command takes; in the place of typer's own."""
+    """Converts the typed text to the value for the command, in place of typer's own conversion."""
 
     def __init__(self, parameter: Any) -> None:
         self._parameter = parameter
 
     def itself(self) -> _Plain:
-        """Itself: typer asks each parameter for an object with the method `coerce`."""
+        """Return itself: typer asks each parameter for an object with the method `coerce`."""
         return self
 
     def coerce(self, value: Any, **rest: Any) -> Any:
-        """The value that the command gets; typer's own, with its errors, if it is not plain."""
+        """The value for the command; for a value that is not plain, typer's own result, or its
+        error.
+        """
         try:
             return self._of(value)
         except ValueError:
@@ -112,7 +117,7 @@ def _plain_words(message: str, value: object) -> str:
 
 
 def _path(value: str | Path, declared: Any) -> Path:
-    """The path, if it is what was declared."""
+    """The path, if it fits its declaration."""
     path = Path(value)
     doubts = (
         declared.resolve_path or declared.allow_dash or declared.writable,

@@ -1,7 +1,7 @@
-"""SIGINT (Ctrl-C) and SIGTERM end a command, from its first instant to its last: with 128 plus the
-number of the signal as a shell counts it, and without a traceback.
+"""SIGINT (Ctrl-C) and SIGTERM end a command, from its first instant to its last, without a
+traceback. The exit code is 128 plus the number of the signal, as in shells.
 
-Imports little, so that a command can call `end_at_once` before it imports the rest of itself.
+This module imports little, so that a command can call `end_at_once` before its other imports.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ _came: list[int] = []
 
 
 def end_at_once() -> None:
-    """From now on, a signal ends the process where it is: there is nothing to tidy up."""
+    """Let a signal end the process immediately from now on: there is nothing to clean up."""
     _handle(_end)
 
 
 def raise_interrupts() -> None:
-    """From now on, a signal raises `KeyboardInterrupt`, so that work tidies up as it ends."""
+    """Let a signal raise `KeyboardInterrupt` from now on, so that work cleans up as it ends."""
     _handle(_interrupt)
     sys.unraisablehook = _interrupt_again
 
 
 def ask_to_end() -> Callable[[], bool]:
-    """From now on, a signal ends nothing: what is returned says whether one came. For work that
-    goes on until somebody ends it, and then has something to tell.
+    """Let a signal end nothing from now on. The returned function says whether one came. Use it for
+    work that continues until a user ends it, and that has results to print then.
     """
     asked: list[int] = []
     _handle(lambda number, _: asked.append(number))
@@ -46,7 +46,7 @@ def exit_code() -> int | None:
 
 def _handle(handler: signal._HANDLER) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
-        if signal.getsignal(number) is not signal.SIG_IGN:  # whoever started us wants it so
+        if signal.getsignal(number) is not signal.SIG_IGN:  # the parent process wants it so
             signal.signal(number, handler)
 
 
@@ -65,8 +65,8 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 
 
 def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
-    """Where Python cannot raise an interrupt, as in a callback of its import system, it would print
-    a traceback and go on.
+    """Ask again for a lost interrupt. If Python cannot raise an interrupt, as in a callback of its
+    import system, it would print a traceback and continue.
     """
     if _came and issubclass(lost.exc_type, KeyboardInterrupt):
         _ask_again()
@@ -75,7 +75,7 @@ def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
 
 
 def _ask_again() -> None:
-    # Not by `threading`: the interrupt may have come where the main thread holds its locks.
+    # Not by `threading`: the interrupt may have come while the main thread held its locks.
     _thread.start_new_thread(_signal_later, (_thread.get_ident(), _came[0]))
 
 

@@ -1,4 +1,4 @@
-"""The standard streams of a command: open, and able to take any text."""
+"""The standard streams of a command: open, and able to write any text."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ _ASCII = "plain-ascii"
 
 
 def make_ready() -> None:
-    """Make the standard streams such that nothing has to look at how the command was started.
+    """Prepare the standard streams, so that no other code depends on how the command was started.
 
-    Characters that the encoding of a stream lacks, and bytes of file names that are no text, are
-    written with their numbers, as in strings of Python. A stream that is closed leads nowhere.
+    Characters outside the encoding of a stream, and invalid bytes of file names, are written as
+    escapes, as in Python strings. A closed stream is replaced by one that leads nowhere.
     """
     codecs.register(_plain_ascii)
     for number in range(3):
@@ -30,11 +30,13 @@ def make_ready() -> None:
 
 
 def _open_if_closed(number: int) -> None:
-    """Otherwise the next file that is opened would get the number, and be written to."""
+    """Open a closed stream: otherwise the next opened file would get its number, and be written
+    to.
+    """
     try:
         os.fstat(number)
     except OSError:
-        os.open(os.devnull, os.O_RDWR)  # the lowest number that is free
+        os.open(os.devnull, os.O_RDWR)  # the lowest free number
 
 
 def _let_take_any_text(stream: io.TextIOWrapper) -> None:
@@ -44,7 +46,7 @@ def _let_take_any_text(stream: io.TextIOWrapper) -> None:
 
 
 def _plain_ascii(name: str) -> codecs.CodecInfo | None:
-    """ASCII by another name: Typer takes a stream in ASCII for one in UTF-8."""
+    """ASCII under another name: Typer takes a stream in ASCII for one in UTF-8."""
     if name.replace("_", "-") != _ASCII:
         return None
     found = codecs.lookup("ascii")

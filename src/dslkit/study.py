@@ -24,7 +24,7 @@ VERSION = 1
 
 
 class StudyLogError(ValueError):
-    """A file that is no study log, with the reason and the line (counted from 1; 0 for none)."""
+    """A file that is not a study log, with the reason and the line (counted from 1; 0 for none)."""
 
     def __init__(self, reason: str, line: int = 0) -> None:
         super().__init__(reason)
@@ -35,7 +35,8 @@ class StudyLogError(ValueError):
 def try_log(path: Path) -> None:
     """Try to append to a log without a change to it.
 
-    Raises `StudyLogError` for a file that is no log, and `OSError` for a log that nobody can write.
+    Raises `StudyLogError` for a file that is not a log, and `OSError` for a log that cannot be
+    written.
     """
     if not os.path.lexists(path):
         if not path.parent.is_dir():
@@ -60,7 +61,7 @@ def append(
 ) -> None:
     """Append one run: its time, its command, the digests of its files, and its findings.
 
-    Raises `OSError` for a log that nobody can write.
+    Raises `OSError` for a log that cannot be written.
     """
     folder = path.resolve().parent
     run = {
@@ -130,7 +131,7 @@ def _name(path: str | Path, folder: Path) -> str:
 
 
 def _digest(path: Path) -> str | None:
-    """The SHA-256 of a file in hexadecimal, or none for a file that nobody can read."""
+    """The SHA-256 of a file in hexadecimal; None for an unreadable file."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:

@@ -1,4 +1,4 @@
-"""Files that are written as a whole or stay as they are, and what is known of them before that."""
+"""Atomic writing of files, and checks before the writing."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ _ERRORS = "backslashreplace"
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that, whatever happens, it holds either all of `content` or what it held
-    before. Its permissions stay. Text is written in UTF-8; a file name in it that is no text is
-    written with escapes. Raises `OSError`.
+    """Write a file so that, whatever happens, it has either all of `content` or its old content.
+    Its permissions stay. Text is written in UTF-8; invalid file names in it are written with
+    escapes. Raises `OSError`.
     """
     with replacing(path) as stream:
         stream.write(content.encode(errors=_ERRORS) if isinstance(content, str) else content)
@@ -43,7 +43,7 @@ def replacing(path: Path) -> Iterator[IO[bytes]]:
         with temporary.open("wb") as stream:
             yield stream
             stream.flush()
-            os.fsync(stream.fileno())  # some file systems notice only now that they are full
+            os.fsync(stream.fileno())  # some file systems only now report that they are full
         if is_there:
             shutil.copymode(target, temporary)
         temporary.replace(target)
@@ -71,7 +71,7 @@ def write_texts(folder: Path, texts: Mapping[str, str]) -> None:
 
 
 def try_writing(path: Path) -> None:
-    """Begin to write a file, and leave all as it is. Raises `OSError` as `write_whole` would."""
+    """Begin to write a file, and undo it. Raises the `OSError` that `write_whole` would raise."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
@@ -108,7 +108,7 @@ def is_stream(path: Path) -> bool:
 
 
 def _begin(target: Path) -> Path:
-    """The file beside it that is to replace it."""
+    """A file beside the target, which is going to replace it."""
     if target.exists():
         target.open("r+b").close()  # replacing it would get around its write protection
     temporary = target.with_name(f".rossmarie-{os.getpid()}.tmp")
@@ -117,6 +117,6 @@ def _begin(target: Path) -> Path:
 
 
 def reason(error: OSError) -> str:
-    """Why something could not be done, in words."""
+    """The reason why something failed, in words."""
     words = error.strerror or str(error) or "it cannot be done"
     return words[:1].lower() + words[1:]

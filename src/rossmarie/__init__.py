@@ -1,12 +1,12 @@
 """ROSSMARie: safety rules for robots, checked before launch and monitored at run time.
 
-`rossmarie.load("rules.ross")` gives a running `Monitor`, and `guard(...)` of that a guard between a
-policy and its robot; `docs/reference/python.md` has their use.
+`rossmarie.load("rules.ross")` returns a running `Monitor`, and `guard(...)` puts that monitor
+between a policy and its robot. `docs/reference/python.md` shows how to use both.
 """
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # not from `typing`: while Python imports that, Ctrl-C is a traceback
+TYPE_CHECKING = False  # not from `typing`: Ctrl-C during that import prints a traceback
 if TYPE_CHECKING:
     from rossmarie.driver.monitor import Monitor, load
     from rossmarie.driver.pipeline import RulesError
@@ -16,7 +16,7 @@ __all__ = ["ColumnError", "Monitor", "RulesError", "load"]
 
 
 def __getattr__(name: str) -> object:
-    """Import the compiler only when somebody asks for it: every subpackage imports this one."""
+    """Import the compiler at the first access: every subpackage imports this package."""
     try:
         return _public(name)
     except ModuleNotFoundError as error:

@@ -1,20 +1,20 @@
 """Kept files: compiled monitors and tables of the parser, for the next run.
 
-The content of a kept file runs, or decides what a rule means. Therefore `kept` gives nothing but
-what this user's own processes have kept, byte for byte:
+The content of a kept file is executed, or determines the meaning of a rule. Therefore `kept`
+returns only content that this user's own processes have stored, byte for byte:
 
 - The folder and the file belong to this user, and nobody else can write to them. Both are looked at
-  through open descriptors, so nobody can exchange them after the look.
+through open descriptors, so nobody can exchange them after the look.
 - The file begins with a hash (HMAC-SHA256) of its name and its content under a random key of this
   user. So a file that was changed, cut off, renamed, or copied from elsewhere does not fit.
 - The bytes that were checked are the bytes that `kept` returns. Nobody reads the file again.
 
-The key lies outside the cache folder, so that an archive of a cache cannot bring its own key. Who
-can read the files of this user can read the key: against programs of the same user, and against
-root, nothing here helps. They could as well change this program.
+The key lies outside the cache folder, so that an archive of a cache cannot bring its own key. A
+program that can read the files of this user can read the key: nothing here protects against
+programs of the same user, or against root. These could also change this program.
 
-What does not fit is made again, and a warning says why. Where nothing can be kept, it is made each
-time.
+Content that fails a check is made again, and a warning gives the reason. If nothing can be stored,
+the content is made each time.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ from pathlib import Path
 _LOG = logging.getLogger(__name__)
 _KEY = "cache.key"
 _SIZE = hashlib.sha256().digest_size
-"""Of the key, and of a hash under it."""
+"""The size of the key, and of a hash under the key, in bytes."""
 
 _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 
 
 class _DistrustError(OSError):
-    """Something that somebody else may have put there; the message names it, and the reason."""
+    """A file or folder that another user may have written. The message names it, and the reason."""
 
 
 def cache_folder() -> Path:
-    """`$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`; it need not exist.
+    """`$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`; the folder need not exist.
 
     Raises `OSError` if there is no home directory.
     """
@@ -50,10 +50,10 @@ def cache_folder() -> Path:
 
 
 def kept(name: str, make: Callable[[], bytes], *, anew: bool = False) -> bytes:
-    """The content that was kept under this name. If there is none that can be trusted, or if
-    `anew`, `make` makes it, and it is kept.
+    """The content stored under this name. If there is no trusted content, or if `anew` is set,
+    `make` makes the content, which is then stored.
 
-    Raises what `make` raises.
+    Raises the errors of `make`.
     """
     content = None if anew else _read(name)
     if content is None:
@@ -74,12 +74,12 @@ def _read(name: str) -> bytes | None:
     except _DistrustError as distrust:
         _tell(distrust)
     except OSError:
-        pass  # nothing was kept, or nothing can be
+        pass  # nothing was stored, or nothing can be stored
     return None
 
 
 def _write(name: str, content: bytes) -> None:
-    with suppress(OSError):  # `_read` has reported what is not to be trusted
+    with suppress(OSError):  # `_read` has reported the distrusted file
         key = _key()
         with _Folder(cache_folder()) as folder:
             folder.write(_named(name, key), _tag(key, name, content) + content)
@@ -90,7 +90,7 @@ def _tell(distrust: _DistrustError) -> None:
 
 
 def _named(name: str, key: bytes) -> str:
-    """The name of the file. One that was kept under another key is no reason to warn."""
+    """The name of the file. A file that was stored under another key causes no warning."""
     return f"{name}.{hashlib.sha256(key).hexdigest()[:8]}"
 
 
@@ -99,7 +99,7 @@ def _tag(key: bytes, name: str, content: bytes) -> bytes:
 
 
 def _key() -> bytes:
-    """The key of this user: a new one if there is none that only this user can know."""
+    """The key of this user. A new key is made if there is none that only this user can read."""
     with _Folder(_folder("XDG_STATE_HOME", ".local/state")) as folder:
         with suppress(FileNotFoundError):
             try:
@@ -107,7 +107,7 @@ def _key() -> bytes:
             except _DistrustError as distrust:
                 _tell(distrust)
         folder.write(_KEY, os.urandom(_SIZE))
-        return _whole(folder)  # of two processes that make one, both take the later one
+        return _whole(folder)  # if two processes make a key, both use the later one
 
 
 def _whole(folder: _Folder) -> bytes:
@@ -118,7 +118,7 @@ def _whole(folder: _Folder) -> bytes:
 
 
 def _folder(variable: str, usual: str) -> Path:
-    """The folder of this program below the one that a variable names, or below the usual one."""
+    """The folder of this program below the folder that a variable names, or below the default."""
     named = os.environ.get(variable)
     try:
         base = Path(named) if named else Path.home() / usual
@@ -132,9 +132,9 @@ def _is_own(found: os.stat_result) -> bool:
 
 
 class _Folder:
-    """An open folder of this user that nobody else can write to; it is made if there is none.
+    """An open folder of this user to which no other user can write. A missing folder is made.
 
-    Its methods raise `OSError`, and `_DistrustError` for what somebody else may have put there.
+    Its methods raise `OSError`, and `_DistrustError` for files that another user may have written.
     """
 
     def __init__(self, path: Path) -> None:
@@ -157,7 +157,7 @@ class _Folder:
             raise _DistrustError(f"{self.path}: the folder belongs to another user")
         if found.st_mode & _OTHERS_WRITE:
             os.fchmod(self._opened, stat.S_IMODE(found.st_mode) & ~_OTHERS_WRITE)
-        if os.fstat(self._opened).st_mode & _OTHERS_WRITE:  # some file systems do not care
+        if os.fstat(self._opened).st_mode & _OTHERS_WRITE:  # some file systems do not support this
             raise _DistrustError(f"{self.path}: other users can write to the folder")
 
     def __enter__(self) -> _Folder:
@@ -167,8 +167,8 @@ class _Folder:
         os.close(self._opened)
 
     def read(self, name: str) -> bytes:
-        """The content of a file that nobody else can read or write."""
-        # Not blocking: a pipe in place of the file must not hold us up.
+        """The content of a file that no other user can read or write."""
+        # Do not block: a pipe in place of the file must not stop the program.
         how = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
         try:
             opened = os.open(name, how, dir_fd=self._opened)
@@ -187,8 +187,8 @@ class _Folder:
             os.close(opened)
 
     def write(self, name: str, content: bytes) -> None:
-        """Write a file aside, see to it that it is on the disk, and move it into place: whatever
-        ends the process or the power, the file is whole or is not there.
+        """Write a temporary file, sync it to disk, and move it into place: after a crash or power
+        failure, the file is complete or missing.
         """
         aside = f".{name}.{os.urandom(8).hex()}"
         how = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
@@ -199,14 +199,14 @@ class _Folder:
                 file.flush()
                 os.fsync(opened)
             os.rename(aside, name, src_dir_fd=self._opened, dst_dir_fd=self._opened)
-        except BaseException:  # an interrupt as well: half a file must not stay
+        except BaseException:  # an interrupt as well: an incomplete file must not stay
             os.unlink(aside, dir_fd=self._opened)
             raise
         os.fsync(self._opened)
 
 
 def _fault(found: os.stat_result) -> str | None:
-    """Why a file is not to be trusted, if so."""
+    """The reason why a file is not trusted; None if it is trusted."""
     if not stat.S_ISREG(found.st_mode):
         return "this is no regular file"
     if not _is_own(found):

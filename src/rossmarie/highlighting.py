@@ -22,7 +22,7 @@ _DECLARATIONS = (
     *("action", "const", "entity", "frame", "hazard", "input", "motion", "node", "parameter"),
     *("resource", "rule", "system", "zone"),
 )
-"""The words that a name of the author's own follows."""
+"""The words before a name that the user declares."""
 _ENDINGS = frozenset(
     {"activation", "down", "drop", "margin", "replan", "resend", "reset", "resume", "retry", "up"}
 )
@@ -40,12 +40,12 @@ _WORDS = sorted(keywords())
 _ANY_WORD = words(_WORDS, suffix=r"\b").get()
 _FREE = sorted(keywords() - RESERVED - _ENDINGS - CONSTANTS)
 _UNITS = rf"(?!{_ANY_WORD}){_UNIT}(?:[.*/]{_UNIT})*"
-# A word that is free as a name is a keyword where a value or another name follows.
+# A word that may be a name is a keyword if a value or another name follows.
 _NO_NAME = r"\b(?!\(|\s*[;.,:=}\])]|\s+(?:and|else|or|over|then|unless)\b)"
 
 
 class RossLexer(RegexLexer):  # type: ignore[misc] # Pygments has no types
-    """The lexer of `.ross` files. It decides by near neighbours whether a word is a keyword."""
+    """The lexer of `.ross` files. Neighbouring words decide whether a word is a keyword."""
 
     name = "ROSSMARie"
     aliases: ClassVar = ["ross", "rossmarie"]

@@ -1,4 +1,4 @@
-"""Every diagnostic class: the one list that pages, SARIF and tests go by."""
+"""All diagnostic classes: the one list for pages, SARIF and tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The voice of the `crosscheck` command."""
+"""The output of the `crosscheck` command."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def run_show(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Print the skills with what rules have to do with them, or write them to `out`."""
+    """Print the skills with their rules, or write them to `out`."""
     with output.answering(form, "show", files=1) as answer:
         output.try_file(out)
         skills = list(pictured(loaded(rules, systems, message_folders)))
@@ -75,7 +75,7 @@ def run_impact(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Print what depends on a skill."""
+    """Print everything that depends on a skill."""
     with output.answering(form, "impact", files=1) as answer:
         if skill.endswith(".ross"):
             output.fail(f"name the skill first: `crosscheck impact {rules} {skill}`", exit_code=2)

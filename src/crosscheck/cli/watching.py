@@ -22,9 +22,9 @@ from dslkit.diagnostics.render_json import finding
 from dslkit.options import ReportFormat
 
 _LOOK = 0.1
-"""Seconds after which silence is looked for."""
+"""The seconds between two checks for silence."""
 _ABSENCE = 1.0
-"""Seconds between two looks from which on nobody has listened: the process was held up."""
+"""The seconds between two checks from which the process counts as suspended."""
 
 
 Print = Callable[[Reported], None]
@@ -38,7 +38,7 @@ def run_live(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Tell what happens on a robot until a signal comes, or some seconds are over."""
+    """Report the events on a robot until a signal comes, or until the time in seconds is over."""
     facts = facts_of(loaded(rules, systems, message_folders), namespace)
     has_to_end = signals.ask_to_end()
     try:

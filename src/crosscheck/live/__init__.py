@@ -1,1 +1,1 @@
-"""A robot that runs: what its skills and the node of its rules tell, looked at together."""
+"""A running robot: the reports of its skills and of the node of its rules, compared."""

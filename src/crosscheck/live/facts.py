@@ -1,4 +1,6 @@
-"""All that is known of a robot before it runs: names, and what rules have to do with skills."""
+"""The known facts about a robot before it runs: names, and the relations between rules and
+skills.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Messages of ROS as plain data. Nothing in them is trusted: texts are made such that terminals can
-show them, and what is too long is cut, or not read.
+"""Messages of ROS as plain data. They are not trusted: texts are made safe for terminals, and too
+long ones are cut or ignored.
 """
 
 from __future__ import annotations

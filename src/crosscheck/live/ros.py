@@ -1,5 +1,5 @@
-"""The messages of a robot over ROS 1 or ROS 2, whichever of them this Python has. Nothing of either
-is imported before that is asked for.
+"""The messages of a robot over ROS 1 or ROS 2, whichever this Python has. Nothing of either is
+imported before it is needed.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Take = Callable[[Any], None]
 
 
 class NoRosError(Exception):
-    """The robot cannot be listened to; the text says why."""
+    """The robot cannot be observed. The text gives the reason."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Ears:
 
 
 def listen(facts: Facts) -> Ears:
-    """Listen to a robot. Raises `NoRosError`."""
+    """Subscribe to a robot. Raises `NoRosError`."""
     library, topics = _found(facts)
     ears = Ears(queue.Queue(_MOST_WAITING), lambda: None)
 
@@ -69,7 +69,7 @@ def listen(facts: Facts) -> Ears:
         def take(message: Any) -> None:
             found = read(message)
             if found is not None:
-                with suppress(queue.Full):  # then nobody looks any more
+                with suppress(queue.Full):  # then there is no reader any more
                     ears.heard.put((time.monotonic(), found), timeout=_LONGEST_WAIT)
 
         return take
@@ -109,7 +109,7 @@ def _life_of(node: str) -> Read:
 
 
 def _imported(name: str) -> Any:
-    """A module of ROS; None if it is not there."""
+    """A module of ROS; None if it is missing."""
     try:
         return importlib.import_module(name)
     except ImportError:

@@ -1,4 +1,4 @@
-"""Counts of how often something was so, and for how long."""
+"""Counts of states: how often each was entered, and for how long."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Name = TypeVar("Name", bound=Hashable)
 
 @dataclass
 class Count:
-    """The times that something was so, and the seconds in all."""
+    """The number of times that a state was entered, and the total seconds."""
 
     times: int = 0
     seconds: float = 0.0
@@ -19,18 +19,20 @@ class Count:
 
 @dataclass
 class Tally(Generic[Name]):
-    """Counts by names. Of one name several may be so at a time: each has a key of its own."""
+    """Counts by name. Several instances of one name may be active at a time: each has its own
+    key.
+    """
 
     counts: dict[str, Count] = field(default_factory=dict)
     since: dict[Name, tuple[str, float]] = field(default_factory=dict)
 
     def begin(self, key: Name, name: str, at: float) -> None:
-        """Something begins to be so."""
+        """A state begins."""
         self.counts.setdefault(name, Count()).times += 1
         self.since[key] = name, at
 
     def end(self, key: Name, at: float) -> float:
-        """It is so no longer; gives the seconds since it began."""
+        """A state ends. Returns the seconds since it began."""
         name, begun = self.since.pop(key)
         lasted = max(0.0, at - begun)
         self.counts[name].seconds += lasted

@@ -1,7 +1,8 @@
-"""A robot that runs, looked at: messages in, changes and findings out.
+"""The observation of a running robot: messages in, changes and findings out.
 
-Knows nothing of ROS, and no clock: each message comes with the time at which it was heard, in
-seconds of a clock that never goes back, and `pass_time` tells that time goes on without one.
+This module knows nothing about ROS and has no clock: each message has the time at which it was
+received, in seconds of a monotonic clock, and `pass_time` reports that time goes on without a
+message.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ _Call = tuple[str, str]
 
 
 class Watch:
-    """All that is known of a robot while it runs."""
+    """The state of a robot while it runs."""
 
     def __init__(self, facts: Facts, start: float) -> None:
         self._facts, self.start, self.now = facts, start, start
@@ -44,7 +45,7 @@ class Watch:
     # --- what happens -----------------------------------------------------------------------------
 
     def take(self, at: float, message: Message) -> list[Reported]:
-        """Take a message; gives all that it tells that is new."""
+        """Process a message. Returns everything new in it."""
         return [*self.pass_time(at), *self._counted(self._take(message))]
 
     def _take(self, message: Message) -> Iterator[Reported]:
@@ -58,7 +59,7 @@ class Watch:
                     self._node.speaks(self.now)
 
     def pass_time(self, at: float) -> list[Reported]:
-        """Let time go on; gives all that is new although nobody speaks."""
+        """Let time pass. Returns everything new without a message."""
         self.now = max(self.now, at)
         return self._counted(self._silences())
 
@@ -70,7 +71,7 @@ class Watch:
             yield from self._node_is_silent(node)
 
     def pause(self, seconds: float) -> None:
-        """Take a time in which nobody listened for none at all."""
+        """Exclude a time in which this process did not listen."""
         self._context.heard += seconds
         self._node.heard += seconds
 

@@ -1,7 +1,7 @@
-"""Campaigns: many episodes that do not know of each other, each with a key, in many processes.
+"""Campaigns: many independent episodes, each with a key, in many processes.
 
-What an episode is, only the function knows that is given here. Whatever happens, each result that
-was reported is on disk, and a campaign that was interrupted goes on where it was.
+Only the given function knows the content of an episode. Whatever happens, each reported result is
+on disk, and an interrupted campaign continues where it stopped.
 """
 
 from dslkit.campaign.journal import BusyError, ForeignError, Journal

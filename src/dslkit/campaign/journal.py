@@ -1,6 +1,6 @@
 """The journal of a campaign: one JSON line for each episode, on disk before it is reported.
 
-Its first line says of what it is a journal, so that results of other programs do not get in.
+Its first line identifies the campaign, so that results of other programs are not mixed in.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ _HEAD = b'{"journal_of": '
 
 
 class BusyError(Exception):
-    """Another process writes into this journal."""
+    """Another process writes to this journal."""
 
 
 class ForeignError(Exception):
-    """The journal is of another campaign, or no journal at all."""
+    """The journal belongs to another campaign, or is not a journal."""
 
 
 class Journal:
-    """To be used in a `with`: only one process at a time has it."""
+    """A journal, for use in a `with` statement: only one process at a time can open it."""
 
     def __init__(self, path: Path, subject: str) -> None:
         self._path = path
         self._subject = subject
         self._file: IO[bytes] | None = None
         self.values: dict[str, Value] = {}
-        """The rows that are in it, by key."""
+        """The rows in the journal, by key."""
 
     def __enter__(self) -> Journal:
         self._path.parent.mkdir(parents=True, exist_ok=True)
@@ -49,7 +49,7 @@ class Journal:
         self._file.close()
 
     def append(self, key: str, value: Value) -> None:
-        """A result; when this returns, it is on disk. A key that is there already stays."""
+        """Append a result, which is on disk on return. An existing key keeps its result."""
         if key not in self.values:
             self._write({"key": key, **value})
             self.values[key] = value
@@ -66,7 +66,7 @@ class Journal:
             self._read(whole)
         elif not _HEAD.startswith(text[: len(_HEAD)]):
             raise ForeignError(f"{self._path} is no journal of a campaign")
-        file.truncate(len(whole))  # a line that somebody was interrupted in
+        file.truncate(len(whole))  # a line that was interrupted while it was written
         if not whole:
             self._write({"journal_of": self._subject})
             _keep_entry(self._path.parent)
@@ -90,7 +90,7 @@ class Journal:
 
 
 def _keep_entry(folder: Path) -> None:
-    """That the file is there has to be on disk, too."""
+    """Sync the folder, so that the entry of the file is on disk, too."""
     number = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(number)

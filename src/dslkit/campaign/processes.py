@@ -1,4 +1,4 @@
-"""Workers that are processes of this machine."""
+"""Workers as processes of this machine."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from threading import Thread
 
 from dslkit.campaign.workers import Result, Work
 
-# Spawned, not forked: what draws the bar in this process has threads.
+# Spawn, not fork, because the progress bar in this process has threads.
 _CONTEXT = multiprocessing.get_context("spawn")
 _LOOK_S = 0.2
-"""The time between two looks at processes that say nothing."""
+"""The time in seconds between two checks of silent processes."""
 
 
 @dataclass(frozen=True)
 class Processes:
-    """`count` of them; an episode may take `limit_s` at most, if there is such a limit. One that
-    dies takes only its own episode with it.
+    """`count` processes. With a limit, an episode may take at most `limit_s` seconds. A process
+    that dies loses only its own episode.
     """
 
     count: int
@@ -66,19 +66,19 @@ class _Process:
         self._process = _CONTEXT.Process(target=_serve, args=(work, theirs), daemon=True)
         with undisturbed():
             self._process.start()
-        theirs.close()  # so that its end is seen here
+        theirs.close()  # so that this process sees its end
 
     def begin(self, key: str) -> None:
-        """Give it an episode."""
+        """Start an episode in the process."""
         self._key = key
         self._begun_s: float | None = None
-        with suppress(OSError):  # it has ended, which `result` tells
+        with suppress(OSError):  # the process has ended, which `result` reports
             self.pipe.send(key)
 
     def result(self) -> Result | None:
         """The result of the episode; None while the episode runs."""
-        has_ended = not self.is_alive()  # asked first: it may say something and end
-        with suppress(EOFError, OSError):  # it ended while it spoke
+        has_ended = not self.is_alive()  # checked first: the process may send a result and then end
+        with suppress(EOFError, OSError):  # the process ended while it sent
             while self.pipe.poll():
                 said = self.pipe.recv()
                 if isinstance(said, Result):
@@ -97,13 +97,13 @@ class _Process:
         return self._process.is_alive()
 
     def end(self) -> None:
-        """End it, whatever it does."""
+        """End the process, whatever it does."""
         self._process.kill()
         self._process.join()
         self.pipe.close()
 
     def _is_late(self) -> bool:
-        # Counted from when the process has the episode: to start takes some time as well.
+        # Counted from the start of the episode, because the process itself needs time to start.
         if self._limit_s is None or self._begun_s is None:
             return False
         return time.monotonic() - self._begun_s > self._limit_s
@@ -113,11 +113,11 @@ class _Process:
 
 
 _BEGUN = None
-"""The message of a process that has begun an episode."""
+"""The message of a process that has started an episode."""
 
 
 def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
-    """Run the episodes that come, until nobody is there who could send one."""
+    """Run the episodes that arrive, until no sender is left."""
     Thread(target=_end_with_parent, daemon=True).start()
     with suppress(EOFError, OSError):
         while True:
@@ -125,13 +125,13 @@ def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
             pipe.send(_BEGUN)
             try:
                 result = Result(key, work(key))
-            except Exception as error:  # an episode that fails is a result; the others go on
+            except Exception as error:  # a failed episode is a result; the others continue
                 result = Result(key, None, f"{type(error).__name__}: {error}")
             pipe.send(result)
 
 
 def _end_with_parent() -> None:
-    """Whatever ends the campaign ends its episodes, too."""
+    """End this process with its parent, whatever ends the campaign."""
     parent = multiprocessing.parent_process()
     assert parent is not None
     parent.join()
@@ -140,8 +140,9 @@ def _end_with_parent() -> None:
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Whoever interrupts means the campaign, which ends its workers: those that are started within
-    this do not hear of it, not even before they have begun.
+    """Protect new workers from interrupts: an interrupt concerns the campaign, which ends its
+    workers. Workers that are started in this context never see the signal, not even during their
+    start.
     """
     resource_tracker.ensure_running()  # it would let the signal through again when it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})

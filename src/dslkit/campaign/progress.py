@@ -1,4 +1,4 @@
-"""The bar that shows how far a campaign is, and the failures above it."""
+"""The progress bar of a campaign, and the failures above it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dslkit.campaign.workers import Result
 
 
 class Bar:
-    """To be used in a `with`."""
+    """A progress bar, for use in a `with` statement."""
 
     def __init__(self, console: Console, title: str) -> None:
         self._progress = Progress(
@@ -29,13 +29,13 @@ class Bar:
         self._progress.stop()
 
     def begin(self, count: int, done: int) -> None:
-        """Of `count` episodes, `done` were in the journal."""
+        """Begin with `count` episodes, of which `done` were in the journal."""
         self._progress.update(self._task, total=count, completed=done)
         if done:
             self._progress.console.print(f"{done} of {count} are done already", highlight=False)
 
     def hear(self, result: Result) -> None:
-        """One more."""
+        """Count one more result."""
         if result.value is None:
             words = f"{result.key} failed: {result.failure}"
             self._progress.console.print(words, markup=False, highlight=False)

@@ -1,4 +1,4 @@
-"""Workers that are the nodes of a Ray cluster; what episodes need has to be installed there."""
+"""Workers as nodes of a Ray cluster. The requirements of episodes have to be installed there."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ _PATIENCE_S = 20.0  # after 60 s without its head, Ray ends this process
 
 @dataclass(frozen=True)
 class RayCluster:
-    """The one at `address`, a host:port. Episodes of a node that dies are run again on others."""
+    """The cluster at `address`, a host:port. Episodes of a node that dies run again on other
+    nodes.
+    """
 
     address: str
 
@@ -31,7 +33,7 @@ class RayCluster:
             self._knock()
             ended = signal.getsignal(signal.SIGTERM)
             ray.init(address=self.address, log_to_driver=False, logging_level=logging.CRITICAL)
-            signal.signal(signal.SIGTERM, ended)  # Ray has put a handler of its own there
+            signal.signal(signal.SIGTERM, ended)  # Ray has installed its own handler there
         except (OSError, RuntimeError, ValueError) as error:
             reason = str(error).splitlines()[0]
             raise UnreachableError(f"no Ray cluster at {self.address}: {reason}") from None
@@ -48,7 +50,9 @@ class RayCluster:
             ray.shutdown()
 
     def _still_there(self, last: float) -> float:
-        """When the head was last there. Raises `UnreachableError` if that is too long ago."""
+        """The last time at which the head answered. Raises `UnreachableError` if that is too long
+        ago.
+        """
         now = time.monotonic()
         if now - last < _PERIOD_S:
             return last
@@ -61,7 +65,7 @@ class RayCluster:
         return now
 
     def _knock(self) -> None:
-        """Ray itself would try for minutes."""
+        """Try to connect. Ray itself would try for minutes."""
         host, _, port = self.address.rpartition(":")
         socket.create_connection((host, int(port)), timeout=5).close()
 

@@ -1,4 +1,6 @@
-"""Running a campaign: what is in the journal is not run again, what comes goes into it."""
+"""The run of a campaign: episodes in the journal are not run again, and new results are appended to
+it.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,7 @@ from dslkit.campaign.workers import Result, Value, Work, Workers
 
 @dataclass(frozen=True)
 class Failure:
-    """An episode that was not finished. It is not in the journal, so it will be tried again."""
+    """An episode that did not finish. It is not in the journal, so it will be tried again."""
 
     key: str
     reason: str
@@ -28,13 +30,13 @@ class Campaign:
 
 
 class Witness(Protocol):
-    """Hears how far it is."""
+    """An observer of the progress."""
 
     def begin(self, count: int, done: int) -> None:
-        """Of `count` episodes, `done` were in the journal."""
+        """Begin with `count` episodes, of which `done` were in the journal."""
 
     def hear(self, result: Result) -> None:
-        """One more."""
+        """Take one more result."""
 
 
 def run(

@@ -1,4 +1,4 @@
-"""Who runs episodes: what all kinds of workers have in common."""
+"""Workers, which run episodes: the interface of all kinds of workers."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Protocol
 
 Scalar = str | float | bool | None
 Value = dict[str, Scalar]
-"""The outcome of an episode: one row, as JSON has it."""
+"""The result of an episode: one row, in the types of JSON."""
 
 Work = Callable[[str], Value]
-"""Runs the episode of a key. To be found by its name in other processes."""
+"""A function that runs the episode of a key. Other processes have to find it by its name."""
 
 
 class UnreachableError(Exception):
-    """Those who were to run the episodes are not there."""
+    """The workers cannot be reached."""
 
 
 @dataclass(frozen=True)
@@ -31,4 +31,6 @@ class Workers(Protocol):
     """Processes, on this machine or elsewhere."""
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
-        """One result for each key, as they come. Closing it ends all that still run."""
+        """One result for each key, as they come. Closing the generator ends all running
+        episodes.
+        """

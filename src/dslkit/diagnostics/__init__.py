@@ -1,6 +1,6 @@
-"""Findings as data, and the ways to show them.
+"""Findings as data, and their renderers.
 
-The renderers are doors of their own: `dslkit.diagnostics.render_text`, `.render_json` and
+The renderers are separate modules: `dslkit.diagnostics.render_text`, `.render_json` and
 `.render_sarif`; importing this package does not import them.
 """
 

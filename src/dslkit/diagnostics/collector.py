@@ -1,4 +1,4 @@
-"""Where the stages of a compiler put their findings."""
+"""The collector of the findings of all stages of a compiler."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ class Collector:
         self._found: dict[Diagnostic, None] = {}
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """Keep a finding."""
+        """Store a finding."""
         self._found.setdefault(diagnostic)
 
     def extend(self, diagnostics: Iterable[Diagnostic]) -> None:
-        """Keep several findings."""
+        """Store several findings."""
         for diagnostic in diagnostics:
             self.add(diagnostic)
 
@@ -28,7 +28,9 @@ class Collector:
         return any(found.severity is Severity.ERROR for found in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """All findings, in the order of files as first met, and of places within each."""
+        """All findings, in the order in which their files were first met, and sorted by place
+        within each file.
+        """
         files: dict[int, int] = {}
         for found in self._found:
             files.setdefault(id(found.primary.span.file), len(files))

@@ -8,7 +8,7 @@ from dslkit.diagnostics.model import Diagnostic, Severity
 
 
 def count(diagnostics: Iterable[Diagnostic], severity: Severity) -> int:
-    """Count the findings that are that bad."""
+    """The number of findings of this severity."""
     return sum(found.severity is severity for found in diagnostics)
 
 

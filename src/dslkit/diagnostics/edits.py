@@ -1,4 +1,4 @@
-"""The text that comes of a text and a fix."""
+"""The application of a fix to a text."""
 
 from __future__ import annotations
 

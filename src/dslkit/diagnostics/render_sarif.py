@@ -31,7 +31,9 @@ class Rule:
 
 @dataclass(frozen=True)
 class Tool:
-    """Who found it. `rules` has an entry for each of its codes; those of others have none."""
+    """The tool that found the findings. `rules` has an entry for each of its codes; other tools'
+    codes have none.
+    """
 
     name: str
     version: str

@@ -50,7 +50,7 @@ class Template(Wording):
         help: Remark | None = None,
         notes: Iterable[Remark] = (),
     ) -> Diagnostic:
-        """The finding at `span`; `help` replaces the class's own text, `notes` add to it."""
+        """The finding at `span`. `help` replaces the class's own help, `notes` add to its notes."""
         values = vars(self)
         own_note = (self.note.format(**values),) if self.note else ()
         own_help = self.help.format(**values) if self.help else None
@@ -74,12 +74,12 @@ class Error(Template):
 
 
 class Warning(Template):
-    """A diagnostic that a user may live with."""
+    """A diagnostic that does not stop the compiler."""
 
     severity = Severity.WARNING
 
 
 class Note(Template):
-    """Something found out that is no fault."""
+    """A fact that is not an error."""
 
     severity = Severity.NOTE

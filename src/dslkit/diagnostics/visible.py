@@ -1,7 +1,7 @@
 """The look of a source text on a terminal: the width of its characters, and nothing sent raw.
 
-Whatever could move the cursor, change colours, turn the writing direction or is simply invisible is
-replaced by something that can be seen.
+A character that could move the cursor, change colours or the writing direction, or that is
+invisible, is replaced by a visible one.
 """
 
 from __future__ import annotations

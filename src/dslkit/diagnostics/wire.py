@@ -1,5 +1,5 @@
-"""Findings on their way from one process to another, as JSON: unlike a pickle, JSON runs no code of
-its sender when it is read.
+"""Findings as JSON messages between processes. Unlike a pickle, JSON runs no code of its sender
+when it is read.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dslkit.source import SourceFile, Span
 
 
 class Sender:
-    """Makes messages of findings. A file is sent once, before the first finding in it."""
+    """Converts findings to messages. A file is sent once, before the first finding in it."""
 
     def __init__(self, send: Callable[[list[Any]], object]) -> None:
         self._send = send
@@ -40,13 +40,13 @@ class Sender:
 
 
 class Receiver:
-    """Makes findings of messages. What is not of their form raises `ValueError`."""
+    """Converts messages to findings. A message of another form raises `ValueError`."""
 
     def __init__(self) -> None:
         self._files: dict[int, SourceFile] = {}
 
     def receive(self, message: list[Any]) -> Diagnostic | None:
-        """The finding that a message is; None if it is a file, which the next ones are about."""
+        """The finding in a message; None if the message is a file for later findings."""
         try:
             if message[0] == "file":
                 _, number, path, text, mark = message

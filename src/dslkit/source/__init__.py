@@ -1,4 +1,4 @@
-"""Where a thing was written: files and spans."""
+"""Source files, and spans of them."""
 
 from dslkit.source.file import Position, SourceFile
 from dslkit.source.paths import ending, is_file, is_folder, shown

@@ -1,5 +1,5 @@
-"""The questions of `if`, `while`, `for` and `assert`: Python takes the question to be all of the
-statement.
+"""The conditions of `if`, `while`, `for` and `assert`. Python gives the position of the whole
+statement instead.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _STATEMENTS = (ast.If, ast.While, ast.Assert, ast.For)
 
 
 def asked(span: Span) -> Span:
-    """The question of a statement that asks one; of anything else all of it."""
+    """The span of the condition of a statement that has one; otherwise the whole span."""
     if not span.file.text.startswith(_WORDS, span.start):
         return span
     return _questions(span.file).get(span.start, span)
@@ -24,7 +24,7 @@ def asked(span: Span) -> Span:
 
 @lru_cache(maxsize=64)
 def _questions(file: SourceFile) -> dict[int, Span]:
-    """The questions of a file, by where their statements begin."""
+    """The conditions of a file, by the starts of their statements."""
     try:
         tree = ast.parse(file.text)
     except (SyntaxError, ValueError):

@@ -1,8 +1,8 @@
-"""Where in the user's code something is being done right now: the call stack, left where it leaves
-our own packages.
+"""The place in the user's code that is being executed: the innermost frame of the call stack
+outside these packages.
 
-With the exact expression: Python knows it of each instruction (PEP 657); before Python 3.11 the
-library `executing` finds it out.
+The place is the exact expression: Python stores it for each instruction (PEP 657); before Python
+3.11 the library `executing` finds it.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ _OURS = f"{Path(__file__).parents[1]}{os.sep}"
 def call_site(*ours: str, but: tuple[str, ...] = ()) -> Span | None:
     """The expression in the user's code that led here; None if there is none with a source.
 
-    Frames of files in one of the folders `ours` are passed over, and those of this package; files
-    whose paths begin as `but` says are the user's all the same.
+    Frames of files in one of the folders `ours`, and of this package, are skipped. Files whose
+    paths begin with `but` belong to the user nevertheless.
     """
     passed = (_OURS, *ours, "<frozen")
     frame: FrameType | None = sys._getframe(1)  # noqa: SLF001
@@ -39,9 +39,9 @@ def call_site(*ours: str, but: tuple[str, ...] = ()) -> Span | None:
 
 
 def place_of(where: FrameType | TracebackType) -> Span | None:
-    """The expression that a frame is at, or was when an exception left it.
+    """The expression that a frame executes, or executed when an exception left it.
 
-    The line, if only that is known; None if there is no source.
+    Only the line, if the expression is unknown; None if there is no source.
     """
     frame = where.tb_frame if isinstance(where, TracebackType) else where
     line = where.tb_lineno if isinstance(where, TracebackType) else where.f_lineno
@@ -88,7 +88,9 @@ else:
 
     @lru_cache(maxsize=64)
     def _positions(code: CodeType) -> list[tuple[int | None, ...]]:
-        """By instruction: first and last line, counted from 1, begin and end column in bytes."""
+        """The position of each instruction: first and last line, counted from 1, begin and end
+        column in bytes.
+        """
         return list(code.co_positions())
 
 

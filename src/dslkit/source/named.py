@@ -1,4 +1,4 @@
-"""The uses of a name to which a module of Python assigns the value of an expression."""
+"""The uses of a name to which a Python module assigns the value of an expression."""
 
 from __future__ import annotations
 

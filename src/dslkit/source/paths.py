@@ -1,5 +1,5 @@
-"""Queries about paths, and the way to show them. Unlike the methods of `Path`, these never raise:
-a text that no path can be (too long, a NUL in it) leads nowhere.
+"""Queries about paths, and their display. Unlike the methods of `Path`, these never raise: an
+impossible path (too long, with a NUL) does not exist.
 """
 
 from __future__ import annotations
@@ -29,5 +29,5 @@ def ending(path: Path) -> str:
 
 
 def shown(path: str) -> str:
-    """A path as people read it: from the current folder if it is in it."""
+    """A path for display: relative to the current folder if it is inside."""
     return path.removeprefix(f"{Path.cwd()}{os.sep}")

@@ -1,4 +1,4 @@
-"""Files of Python, with the encoding and the line ends that they have."""
+"""Python files, with their encoding and line ends."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from dslkit.source.file import SourceFile
 from dslkit.source.span import Span
 
 DEEPEST = 200
-"""The depth to which brackets may lie in each other; Python itself takes no more."""
+"""The greatest depth of nested brackets; Python itself accepts no more."""
 MOST_PREFIXES = 1000
-"""The number of operators that may follow each other."""
+"""The greatest number of adjacent prefix operators."""
 
 _BRACKET = re.compile(r"([(\[{])|([)\]}])")
 _PREFIXES = re.compile(rf"(?:(?:not\b|await\b|lambda\s*:|[-+~*])\s*){{{MOST_PREFIXES}}}")
@@ -29,10 +29,9 @@ def read_python(path: Path) -> tuple[str, str]:
 
 
 def refusal(file: SourceFile) -> tuple[str, Span] | None:
-    """The reason for which Python refuses the text of a file, and the place; None if it takes it.
+    """The reason why Python rejects the text of a file, and the place; None if it accepts it.
 
-    Other parsers take some texts that Python refuses: bytes that are 0, and escapes in strings that
-    are no escapes.
+    Other parsers accept some texts that Python rejects: null bytes, and invalid escapes in strings.
     """
     nothing = file.text.find("\0")
     if nothing >= 0:
@@ -50,10 +49,10 @@ def refusal(file: SourceFile) -> tuple[str, Span] | None:
 
 
 def too_deep(text: str) -> int | None:
-    """The offset from which on the parts of a text lie too deep in each other for a parser, which
-    would end the process; None if they do not.
+    """The offset at which a text is nested too deeply for a parser, which would end the process;
+    None if it is not.
 
-    Brackets in strings count as well: the text need not be of Python.
+    Brackets in strings count as well, because the text need not be Python.
     """
     depth = 0
     for found in _BRACKET.finditer(text):

@@ -1,4 +1,4 @@
-"""A stretch of one source file."""
+"""A range of one source file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Span:
 
     @property
     def finish(self) -> Position:
-        """The position just behind the last character."""
+        """The position just after the last character."""
         return self.file.position(self.end)
 
     def to(self, other: Span) -> Span:
@@ -35,7 +35,7 @@ class Span:
         return Span(self.file, min(self.start, other.start), max(self.end, other.end))
 
     def contains(self, other: Span) -> bool:
-        """Say whether all of the other one lies in it."""
+        """Say whether the other span lies inside this one."""
         return self.file is other.file and self.start <= other.start and other.end <= self.end
 
     def __str__(self) -> str:

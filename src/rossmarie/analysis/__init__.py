@@ -1,5 +1,5 @@
-"""Queries about a machine, answered by a proof, by a witness, or not at all.
+"""Queries about a machine: each is answered by a proof, by a witness, or stays undecided.
 
-`queries.ask_all` asks them, `failures.losses` tells of inputs that are stale, `witness` knows
-what a witness is. Importing this package does not import the solver.
+`queries.ask_all` asks all of them, `failures.losses` finds the effects of stale inputs, and
+`witness` defines witnesses. Importing this package does not import the solver.
 """

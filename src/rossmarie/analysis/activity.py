@@ -1,4 +1,6 @@
-"""When rules are active, as predicates over one state, over a trace, and over what is seen."""
+"""Activity of rules, as predicates over one state, over a trace, and over the evaluations of a
+trace.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ from rossmarie.ir import Machine
 
 
 def propositions_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
-    """The propositions that some rules rest on: conditions and releases."""
+    """The propositions that some rules depend on: conditions and releases."""
     found = [machine.rules[rule].condition for rule in rules]
     found += [release for rule in rules if (release := machine.rules[rule].release) is not None]
     return tuple(dict.fromkeys(found))
@@ -23,12 +25,12 @@ def becomes_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
 
 
 def may_be_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Say whether a rule can be active after the evaluation: it is not cleared (S36 to S38)."""
+    """Say whether a rule can be active after the evaluation, that is, not cleared (S36 to S38)."""
     return z3.Not(is_cleared(state, rule))
 
 
 def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Say whether an active rule is cleared by the evaluation; a reset does not count."""
+    """Say whether an active rule is cleared by the evaluation; resets are ignored."""
     declared = state.machine.rules[rule]
     if declared.release is None:
         return NO
@@ -38,7 +40,7 @@ def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
 
 
 def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
-    """Say whether two rules, of which at most one was active before, can both be active now."""
+    """Say whether two rules can both be active now, if at most one was active before."""
     return z3.Or(
         z3.And(becomes_active(state, one), may_be_active(state, other)),
         z3.And(becomes_active(state, other), may_be_active(state, one)),

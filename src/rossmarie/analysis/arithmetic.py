@@ -1,8 +1,8 @@
-"""Functions of numbers (S3 to S6) over the reals, with what rounding can add.
+"""Functions of numbers (S3 to S6) over the reals, including rounding errors.
 
-Terms of the solver are real numbers, the machine computes with doubles. So the result of an
-operation that rounds is not its exact value `e` but any number within `|e| * 2^-53 + 2^-200` of it:
-that holds of every finite double, and small numbers in terms keep the solver fast.
+Terms of the solver are real numbers, but the machine computes with doubles. So the result of a
+rounded operation is any number within `|e| * 2^-53 + 2^-200` of the exact value `e`. This bound
+holds for every finite double, and small numbers in terms keep the solver fast.
 """
 
 from __future__ import annotations
@@ -31,15 +31,16 @@ def apply(
     *,
     rounded: bool,
 ) -> Number:
-    """The result of a function; what holds of it goes to `facts`.
+    """The result of a function. Facts about the result are added to `facts`.
 
-    With `rounded` it covers all that doubles can give; without, exact arithmetic.
+    With `rounded`, the result covers all values that doubles can give; otherwise arithmetic is
+    exact.
     """
     known = z3.And([operand.known for operand in operands])
     values = [operand.value for operand in operands]
     declared = row(function)
     if declared.bounds is not None:
-        # Of an orientation of zeros, and where squares are too large, nothing comes out.
+        # An orientation of zeros, and squares that are too large, give no result.
         known = z3.And(known, z3.FreshBool("finite")) if rounded else known
         return Number(known, _bounded(declared, values, facts))
     arithmetic = _Arithmetic(facts, rounded=rounded)
@@ -48,7 +49,7 @@ def apply(
 
 
 def _bounded(declared: Row, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]) -> z3.ArithRef:
-    """Any number that may be the result of a function which the solver cannot compute."""
+    """A free number for the result of a function that the solver cannot compute."""
     assert declared.bounds is not None, "asked before"
     result = z3.FreshReal("number")
     low, high = declared.range
@@ -61,7 +62,9 @@ def _bounded(declared: Row, values: Sequence[z3.ArithRef], facts: list[z3.BoolRe
 
 
 class _Arithmetic:
-    """The operations of one function; `needs` holds where their results are known."""
+    """The operations of one function. The condition `needs` is true where their results are
+    known.
+    """
 
     def __init__(self, facts: list[z3.BoolRef], *, rounded: bool) -> None:
         self.needs: list[z3.BoolRef] = []

@@ -1,7 +1,7 @@
-"""Answers of the skills that run, as facts: which of them go together (S58).
+"""Answers of the running skills, as facts: the combinations that are possible (S58).
 
-Any number of skills may run at a time. So what a machine is reported is the union of what calls
-give.
+Any number of skills may run at a time. So the machine receives the union of the answers that single
+calls give.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rossmarie.ir.calls import query_at
 
 
 class Calls:
-    """The calls that run when one message is sent; `name` sets its variables apart."""
+    """The calls that run when one message is sent. `name` distinguishes their variables."""
 
     def __init__(self, machine: ir.Machine, name: str) -> None:
         self._machine = machine
@@ -22,7 +22,9 @@ class Calls:
         ]
 
     def facts(self, slot: ir.Slot, value: z3.ArithRef) -> list[z3.BoolRef]:
-        """Say that a slot is what the calls that run answer, if it asks skills."""
+        """Say that a slot holds the answer of the running calls, if the slot is a query about
+        skills.
+        """
         step = query_at(slot.path)
         if step is None or not self._runs:
             return []

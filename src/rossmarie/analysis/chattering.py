@@ -1,4 +1,4 @@
-"""Rules that can toggle fast, because a number that lies at a threshold is never quite still."""
+"""Rules that can toggle fast, because noise moves a number back and forth across a threshold."""
 
 from __future__ import annotations
 
@@ -18,13 +18,14 @@ from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
 _LEGS = 4
-"""Active, cleared, active again, with the beginning before."""
+"""The legs of a trace: a beginning, then active, cleared, active again."""
 
 
 def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
-    """A warning of each rule that is shown to become active twice within a time. A rule whose
-    contract asks for time (`clear for`), or for a reset, is not asked about; nor one that stands
-    for an exemption, which has no contract.
+    """A warning for each rule that can be shown to become active twice within a given time.
+
+    Rules whose contract needs time (`clear for`) or a reset are skipped, and so are rules that
+    stand for an exemption, which have no contract.
     """
     machine = inquiry.machine
     for index, rule in enumerate(machine.rules):
@@ -65,7 +66,7 @@ def _alternates(trace: Trace, rule: int) -> z3.BoolRef:
 
 
 def _toggles(seen: Sequence[View], rule: int, within_ns: int) -> bool:
-    """Say whether a rule became active twice within a time, the second time just now."""
+    """Return True if a rule became active twice within a time, the second time just now."""
     starts = [
         view.at_ns
         for view, before in zip(seen[1:], seen, strict=False)

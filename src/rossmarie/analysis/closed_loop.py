@@ -1,8 +1,8 @@
-"""Rules with nothing from outside but the same messages over and over: what they publish
-arrives at their own inputs.
+"""Rules in a closed loop: the same outside messages arrive again and again, and the messages that
+the rules publish arrive at their own inputs.
 
-The monitor is the interpreter, and its reactor decides what is published. All that a node would
-await ends at once, well or badly. A message is on its way for a moment.
+The monitor is the interpreter, and its reactor decides which messages are published. Every action
+ends at once, with success or with failure. Each message takes a moment to arrive.
 """
 
 from __future__ import annotations
@@ -32,8 +32,9 @@ _MOST_EVENTS = 4000
 
 @dataclass(frozen=True)
 class Outside:
-    """The messages from outside, by channel, and how far apart they are. On some channels there is
-    `once` one, on some they end with the first message of a rule (`given_up`).
+    """The messages from outside, by channel, and the time between them. On the channels in `once`,
+    one message arrives. On the channels in `given_up`, messages end with the first message of a
+    rule.
     """
 
     messages: Mapping[int, ChannelValues]
@@ -45,10 +46,10 @@ class Outside:
 @dataclass
 class Loop:
     """Some rules of a machine, alone with their messages. `part` is the part of the machine that
-    they rest on, with these rules in this order.
+    the rules depend on, with these rules in this order.
 
-    With `is_closed`, what they publish arrives. Without it nothing arrives but what comes from
-    outside.
+    With `is_closed`, the messages that the rules publish arrive. Otherwise only messages from
+    outside arrive.
     """
 
     machine: Machine
@@ -60,7 +61,7 @@ class Loop:
     sent: list[Sending] = field(default_factory=list)
     starts: dict[int, list[int]] = field(default_factory=dict)
     has_gap: bool = False
-    """Tell whether an input was stale that had arrived."""
+    """True if an input that had arrived became stale."""
 
     def __post_init__(self) -> None:
         self._monitor = Interpreter(self.part)
@@ -82,8 +83,8 @@ class Loop:
         self.starts = {rule: [] for rule in self.rules}
 
     def run(self, until_ns: int, times: int) -> int | None:
-        """Goes on until each rule has become active so many times, and says at which instant;
-        None if that does not happen in time.
+        """Run until each rule has become active the given number of times. Returns that instant in
+        nanoseconds, or None if the count is not reached in time.
         """
         for at_ns in self._instants(until_ns):
             if all(len(starts) >= times for starts in self.starts.values()):
@@ -91,7 +92,7 @@ class Loop:
         return None
 
     def _instants(self, until_ns: int) -> Iterator[int]:
-        """Lets happen what comes next, again and again, and says at which instant it did."""
+        """Advance to the next event, again and again, and yield the instant of each event."""
         outside_ns = 0
         for _ in range(_MOST_EVENTS):
             wakes = [self._monitor.next_wake(), self._reactor.next_wake()]
@@ -122,8 +123,8 @@ class Loop:
         self._deliver(at_ns, messages)
 
     def _is_taken(self, channel: int) -> bool:
-        """Tell whether the messages that rules publish at a rate take the place of others: their
-        topic passes through the filter.
+        """Say whether messages that rules publish at a rate replace the messages of others: the
+        topic of the channel passes through the filter.
         """
         if channel in self._sent_by_rules and channel in self.outside.given_up:
             return True
@@ -157,7 +158,7 @@ class Loop:
         self._under_way[arrives_ns] = (channel, self._filtered(at_ns, effect, task, channel))
 
     def _filtered(self, at_ns: int, effect: Publish, task: int, channel: int) -> ChannelValues:
-        """The message as it leaves the filter, if its topic passes through that (R11)."""
+        """The message as it leaves the filter, if its topic passes through the filter (R11)."""
         values = values_of(self.machine, task, channel)
         if effect.command is None:
             return values
@@ -176,7 +177,7 @@ class Loop:
         return ChannelValues(slots, arrays)
 
     def _is_outside(self, at_ns: int) -> bool:
-        """Tell whether messages come from outside at an instant that others can avoid."""
+        """Say whether messages from outside arrive at an instant that other messages can avoid."""
         period_ns = self.outside.period_ns
         return period_ns > 2 * _STEP_NS and at_ns % period_ns == 0
 
@@ -208,7 +209,7 @@ class Loop:
             orders = following
 
     def _start(self, at_ns: int, task: int) -> list[Order]:
-        """Perform a task that starts: it publishes, or it ends at once."""
+        """Perform a task that starts: the task publishes, or ends at once."""
         effect = self.machine.reactions.tasks[task].effect
         if isinstance(effect, Publish):
             self._publish(at_ns, task)
@@ -218,6 +219,6 @@ class Loop:
 
 
 def _bounded(bounds: Mapping[Path, FieldBounds], path: Path, value: float) -> float:
-    """A number as the filter lets it pass; an element as its array."""
+    """A number after the filter has bounded it; an element is bounded as its array is."""
     lying = bounds.get(path) or bounds.get(path[:-1])
     return value if lying is None else lying.of(value)

@@ -1,7 +1,7 @@
-"""Any state at any evaluation while nothing comes from outside but the same messages over and over,
-and the topics on which rules publish carry what these publish.
+"""Any state at any evaluation of a closed loop: the same messages arrive from outside, and the
+topics on which rules publish carry only the messages of these rules.
 
-It covers too much, as `ArbitraryState` does, on which it rests.
+This state covers too much, as does `ArbitraryState`, on which it is based.
 """
 
 from __future__ import annotations
@@ -18,13 +18,15 @@ from rossmarie.analysis.terms import YES, Number, constant, constants_in, within
 from rossmarie.ir.carried import si_ends
 
 Ends = tuple[float, float]
-"""The least and the greatest raw number that a slot of a message may hold; NaN: it holds none."""
+"""The least and the greatest raw number that a slot of a message may hold; NaN if the slot holds no
+number.
+"""
 
 
 @dataclass(frozen=True)
 class Carried:
-    """The arrivals on a channel: messages that rules publish, each by its slots, and, where it is
-    open, the one from outside as well, which a filter may bring nearer to 0.
+    """The arrivals on a channel: messages that rules publish, each with its slots. If the channel
+    is open, a message from outside arrives as well, which a filter may move closer to 0.
     """
 
     messages: Sequence[Mapping[int, Ends]]
@@ -38,7 +40,7 @@ _OUTSIDE = ".outside"
 
 
 class ClosedState(ArbitraryState):
-    """A state in which the last message on some channels is one of those that rules publish."""
+    """A state in which the last message on some channels is one that rules publish."""
 
     def __init__(self, asked: Questioned, published: Published) -> None:
         super().__init__(asked)
@@ -57,7 +59,9 @@ class ClosedState(ArbitraryState):
     def _carried(
         self, index: int, channel: int, number: Number, fresh: z3.BoolRef
     ) -> Iterator[z3.BoolRef]:
-        """Predicate: a slot is of the message that arrived last, which is one for all slots."""
+        """Facts: a slot belongs to the message that arrived last, and this message is the same for
+        all slots.
+        """
         slot, carried = self.machine.slots[index], self._published[channel]
         message = z3.Int(f"channel{channel}.message")
         count = len(carried.messages)
@@ -74,14 +78,16 @@ class ClosedState(ArbitraryState):
         yield z3.Implies(message == count, z3.Or(above, below))
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Messages of rules have it; those from outside, either, at all moments."""
+        """Messages of rules have arrived. Messages from outside may have arrived or not, the same
+        at all moments.
+        """
         carried = self._published.get(channel)
         if carried is not None and not carried.is_open:
             return YES
         return super().has_arrived(channel)
 
     def age(self, channel: int) -> z3.ArithRef:
-        """Messages from outside come often enough."""
+        """The age of the last message. Messages from outside come often enough."""
         is_new = channel not in self._ages
         found = super().age(channel)
         if is_new and channel not in self._published:
@@ -90,8 +96,8 @@ class ClosedState(ArbitraryState):
         return found
 
     def at(self, moment: int, predicate: z3.BoolRef) -> z3.BoolRef:
-        """Predicate: another one holds in a state like this at one moment. Messages from
-        outside are the same at all moments; all else is of this one.
+        """A predicate evaluated in a state like this one at one moment. Messages from outside are
+        the same at all moments; all other variables belong to this moment.
         """
         term, shared = z3.And(*self.facts, predicate), self._shared
         constants = {each.decl().name(): each for each in constants_in(term)}
@@ -104,7 +110,7 @@ class ClosedState(ArbitraryState):
 
     @property
     def _shared(self) -> set[str]:
-        """The names of what comes from outside: what arrives at all, and its numbers."""
+        """The names of the variables for outside messages: the arrivals and their numbers."""
         outside = {
             index
             for index in self._slots

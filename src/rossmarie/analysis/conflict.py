@@ -1,4 +1,4 @@
-"""Rules that can be active together and need the same thing, with no order between them."""
+"""Rules that can be active together and need the same resource, with no order between them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine, overruled
 
 Needs = Mapping[int, frozenset[int]]
-"""The needs of a rule: each resource, and the actions that need it, by index."""
+"""The needs of a rule: each resource, and the indices of the actions that need it."""
 
 
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
-    """A warning of each rule that an earlier one is in conflict with, once for each resource.
+    """A warning for each rule that conflicts with an earlier rule, once for each resource.
 
-    With `thorough` all pairs are asked about, and proofs and orders are reported as well.
+    With `thorough`, all pairs are queried, and proofs and orders are reported as well.
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
@@ -63,16 +63,16 @@ def _needs(machine: Machine, rule: int) -> Needs:
 
 
 def _do_the_same(machine: Machine, first: int, second: int, resource: int) -> bool:
-    """Say whether both rules do one and the same thing with what they need, by whatever actions: it
-    is all the same which of them gets it.
+    """Say whether both rules do the same thing with a resource, whichever actions they use. If so,
+    the owner of the resource does not matter.
     """
     done = overruled.only_deed(machine.reactions, first, resource)
     return done is not None and done == overruled.only_deed(machine.reactions, second, resource)
 
 
 def ordered_pairs(machine: Machine) -> set[tuple[int, int]]:
-    """The pairs of which the first is put over the second, by way of others too, or the second
-    gives way to the first.
+    """The pairs of rules in which the first has priority over the second, directly or through other
+    rules, or in which the second gives way to the first.
     """
     below: dict[int, set[int]] = {rule: set() for rule in range(len(machine.rules))}
     for rule in reversed(machine.reactions.order):

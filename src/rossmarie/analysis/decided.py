@@ -1,6 +1,7 @@
-"""Rules that are never, or always, active, and parts of conditions that are constant.
+"""Rules that are never or always active, and parts of conditions that are constant.
 
-What a constant alone decides is said by the check; here it is what numbers can be.
+The check reports conditions that constants alone decide. This module asks which values numbers can
+have.
 """
 
 from __future__ import annotations
@@ -61,12 +62,12 @@ from rossmarie.ir import (
 from rossmarie.ir.carried import si_ends
 
 NEVER, ALWAYS = TruthValue.TRUE, TruthValue.FALSE
-"""Constant parts by the value that they cannot have."""
+"""The two kinds of constant parts, by the value that the part cannot have."""
 
 
 def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
-    """A warning of each rule that is never or always active, and of each other constant part of a
-    condition; with `thorough`, what is undecided about the rules.
+    """A warning for each rule that is never or always active, and for each other constant part of a
+    condition. With `thorough`, also the queries about the rules that stay undecided.
     """
     machine = inquiry.machine
     constant = _constant_parts(inquiry)
@@ -88,8 +89,8 @@ def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
 def _lacking(
     machine: Machine, constant: Mapping[int, TruthValue], proposition: int
 ) -> TruthValue | None:
-    """The value that a proposition lacks, if it does; `not` and `for` lack what is inside of them,
-    and `since` what begins it.
+    """The value that a proposition never has, if there is one. `not` and `for` inherit it from
+    their operand, `since` from the proposition that begins it.
     """
     if proposition in constant:
         return constant[proposition]
@@ -107,8 +108,8 @@ def _lacking(
 
 
 def _impossible(inquiry: Inquiry, proposition: int) -> TruthValue | None:
-    """The value, T or F, that a proposition is proved never to have; F not counting until it
-    settled.
+    """The value, T or F, that a proposition is proved never to have. F counts only after the
+    proposition has settled.
     """
     alone = inquiry.below(proposition)
     last = len(alone.machine.propositions) - 1
@@ -121,7 +122,9 @@ def _impossible(inquiry: Inquiry, proposition: int) -> TruthValue | None:
 
 
 def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
-    """Say whether the solver finds that a leaf can have a value; if so, it never refutes it."""
+    """Say whether the solver finds that a leaf can have a value. If so, the solver never refutes
+    it.
+    """
     alone = inquiry.below(proposition)
     last = len(alone.machine.propositions) - 1
     predicate = partial(
@@ -134,7 +137,9 @@ def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
 
 
 def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
-    """The innermost parts of conditions and releases that lack a value, and which one."""
+    """The innermost parts of conditions and releases that never have some value, each with that
+    value.
+    """
     machine = inquiry.machine
     found: dict[int, TruthValue] = {}
     rests_on = inquiry.asked.supports.propositions
@@ -167,7 +172,9 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
-    """Constant parts that users wrote: an `after` that never asks for an answer is always true."""
+    """The constant parts that users wrote: an `after` that never asks for an answer is always
+    true.
+    """
     reported = {
         proposition
         for rule in machine.rules
@@ -186,8 +193,8 @@ def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, 
 
 
 def _is_free(machine: Machine, proposition: int) -> bool:
-    """Say whether a number that a message carries, and nothing else, is compared with constants
-    that it can lie on both sides of.
+    """Say whether a proposition compares only one number from a message with constants, and the
+    number can lie on both sides of each constant.
     """
     nodes = [
         machine.signals[each].node
@@ -201,7 +208,9 @@ def _is_free(machine: Machine, proposition: int) -> bool:
 
 
 def _joins_apart(inquiry: Inquiry, proposition: int, varied: set[int]) -> bool:
-    """Say whether the parts of an `and` or `or` can be both, and rest on different messages."""
+    """Say whether the parts of an `and` or `or` can be true and false, and depend on different
+    messages.
+    """
     node = inquiry.machine.propositions[proposition].node
     operands = proposition_operands(node)
     if is_leaf(node) or not varied.issuperset(operands):
@@ -243,7 +252,7 @@ _WORDS = {NEVER: "never true", ALWAYS: "always true"}
 
 
 def _reasons(machine: Machine, proposition: int) -> tuple[Remark, ...]:
-    """Tell which values the numbers that a leaf compares can have."""
+    """The values that the numbers in a leaf can have, as notes."""
     node = machine.propositions[proposition].node
     if isinstance(node, Quantified):
         return _reasons(machine, node.element)
@@ -274,7 +283,7 @@ def _range(machine: Machine, signal: int) -> str:
 
 
 def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
-    """Tell which values a field of whole numbers can hold."""
+    """The values that a field of whole numbers can hold, in words."""
     assert source.limits is not None, "asked before"
     low, high = (shown_value(machine, signal, end) for end in si_ends(source, source.limits))
     what = "a whole number between" if source.scale == 1.0 else "between"
@@ -285,7 +294,9 @@ def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
 
 
 def _open_queries(inquiry: Inquiry, index: int) -> Iterator[Finding]:
-    """That it is not known whether a rule can be active, and inactive."""
+    """Findings on the queries about a rule that stay undecided: whether it can be active, and
+    inactive.
+    """
     machine = inquiry.machine
     rule = machine.rules[index]
     for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):

@@ -1,6 +1,6 @@
-"""From a model of the solver to a witness: a draft in numbers that can be turned like knobs.
+"""The step from a model of the solver to a witness: a draft whose numbers can be varied.
 
-An orientation is drafted by its angles, everything else by the numbers of the messages.
+A draft stores an orientation as angles, and everything else as the numbers of the messages.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _ANGLES = (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 
 @dataclass(frozen=True)
 class Knob:
-    """A number that a leg of a draft has: of a slot, an element (`cell`), or an angle of the
-    orientation in four slots. `unit` is the one that its user sees.
+    """A number in a leg of a draft that can be varied: the number of a slot, an element (`cell`),
+    or an angle of the orientation in four slots. `unit` is the unit that the user sees.
     """
 
     slots: tuple[int, ...]
@@ -37,8 +37,8 @@ class Knob:
 
 @dataclass(frozen=True)
 class DraftLeg:
-    """The messages of one leg: knobs with their values in SI. `shakes` are the slots that swing,
-    with how far.
+    """The messages of one leg: knobs with their values in SI. `shakes` are the slots that
+    oscillate, with their amplitudes.
     """
 
     channels: tuple[int, ...]
@@ -49,21 +49,21 @@ class DraftLeg:
 
 @dataclass(frozen=True)
 class Draft:
-    """Legs one after the other."""
+    """A sequence of legs."""
 
     legs: tuple[DraftLeg, ...]
     period_ns: int
     is_calm: bool
-    """True if all sensors work, and are to."""
+    """True if all sensors have to work, and do."""
 
     def with_value(self, leg: int, knob: Knob, value: float) -> Draft:
-        """The same with one knob turned."""
+        """Return the same draft with another value for one knob."""
         old = self.legs[leg]
         turned = replace(old, values={**old.values, knob: value})
         return replace(self, legs=(*self.legs[:leg], turned, *self.legs[leg + 1 :]))
 
     def with_leg(self, leg: int, new: DraftLeg | None) -> Draft:
-        """The same with another leg in the place of one, or with none."""
+        """Return the same draft with one leg replaced, or removed."""
         put = () if new is None else (new,)
         return replace(self, legs=(*self.legs[:leg], *put, *self.legs[leg + 1 :]))
 
@@ -127,7 +127,7 @@ def _values(
 
 
 def _orientations(machine: Machine) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """The angles that are taken of an orientation in a message, and its slots."""
+    """Each orientation in a message: the angles that rules take from it, and its slots."""
     for index, signal in enumerate(machine.signals):
         node = signal.node
         if isinstance(node, ir.Apply) and node.function in _ANGLES:
@@ -163,8 +163,8 @@ def _shakes(machine: Machine, leg: Leg, model: z3.ModelRef) -> Iterator[tuple[in
 
 
 def witness_of(machine: Machine, draft: Draft) -> Witness:
-    """The messages of a draft: on each leg one at its beginning and then at each period, the last
-    at its end.
+    """The messages of a draft: on each leg one at the beginning, then one per period, and the last
+    at the end.
     """
     events: list[Sending] = []
     start_ns = end_ns = 0
@@ -210,7 +210,7 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
 
 
 def quaternion(angles: Mapping[ir.AnyFunction, float]) -> tuple[float, float, float, float]:
-    """The orientation x, y, z, w with these angles, in radians; an angle that is not given is 0."""
+    """The orientation x, y, z, w with these angles in radians. Angles that are not given are 0."""
     roll, pitch, yaw = (angles.get(angle, 0.0) / 2.0 for angle in _ANGLES)
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
     cy, sy = math.cos(yaw), math.sin(yaw)

@@ -1,10 +1,10 @@
 """One evaluation of a machine (S11) as terms of the solver.
 
-Signals and propositions become terms node by node, as the interpreter evaluates them. What lies
-outside of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where
-memories hold anything that a trace could have left there, and `trace.Moment`, which is part of a
-trace of events. `testing.solve.World` is none of them, and says why; what they have in common lies
-in `terms`, `formulas` and `fields`.
+Signals and propositions become terms node by node, as the interpreter evaluates them. The two
+subclasses add the environment of the evaluation: in `state.ArbitraryState`, memories hold anything
+that a trace could have left there, and `trace.Moment` is part of a trace of events.
+`testing.solve.World` is not a subclass, and explains why. The code in common is in `terms`,
+`formulas` and `fields`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Cell:
 
 
 class Questioned:
-    """A machine, with what every query about it asks over and over."""
+    """A machine, with the results that every query about it needs."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine
@@ -53,8 +53,8 @@ class Questioned:
 
     @cached_property
     def array_uses(self) -> tuple[int, ...]:
-        """The number of nodes that look at each array: that many elements, and one, show whatever
-        an array of any length can show to all of them.
+        """The number of nodes that look at each array. This many elements, plus one, can show every
+        behavior that an array of any length can show to these nodes.
         """
         uses = [1] * len(self.machine.arrays)
         for signal in self.machine.signals:
@@ -78,21 +78,21 @@ class Questioned:
         return array
 
     def window_of(self, signal: int) -> int:
-        """The time that a signal looks back, in nanoseconds: its window, or its time constant; 0 if
-        it takes none.
+        """The time that a signal looks back, in nanoseconds: its window or its time constant; 0 if
+        it has none.
         """
         node = self.machine.signals[signal].node
         return node.window_ns if isinstance(node, ir.Sampled) else 0
 
     def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
-        """Say whether one of some inputs can be stale."""
+        """Say whether at least one of some inputs can be stale."""
         return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
 
 
 class Encoding(ABC):
-    """The signals and propositions of one evaluation; `facts` hold whatever they are.
+    """The signals and propositions of one evaluation. `facts` hold in all cases.
 
-    With `rounded`, numbers cover all that doubles can give; without, they are exact.
+    With `rounded`, numbers cover all values that doubles can give; otherwise they are exact.
     """
 
     rounded: bool
@@ -106,7 +106,7 @@ class Encoding(ABC):
 
     @property
     def known_signals(self) -> frozenset[int]:
-        """The signals that were asked for, by index."""
+        """The indices of the signals that were asked for."""
         return frozenset(self._signals)
 
     # --- what lies outside of one evaluation -------------------------------------------------
@@ -117,7 +117,7 @@ class Encoding(ABC):
 
     @abstractmethod
     def cells(self, array: int) -> Sequence[Cell]:
-        """The elements of an array; none is there if it has not arrived or has expired."""
+        """The elements of an array; none if the array has not arrived or has expired."""
 
     @abstractmethod
     def has_arrived(self, channel: int) -> z3.BoolRef:
@@ -145,7 +145,7 @@ class Encoding(ABC):
 
     @abstractmethod
     def oscillating(self, index: int) -> Fact:
-        """S32, where the signal is known."""
+        """S32, if the signal is known."""
 
     @abstractmethod
     def recurring(self, index: int, node: ir.Recurs) -> Fact:
@@ -155,7 +155,7 @@ class Encoding(ABC):
 
     @once_each
     def is_fresh(self, used: int) -> z3.BoolRef:
-        """Say whether an input is there and has not expired (S10)."""
+        """Say whether an input has arrived and has not expired (S10)."""
         declared = self.machine.inputs[used]
         arrived = self.has_arrived(declared.channel)
         if declared.timeout_ns is None:
@@ -195,7 +195,8 @@ class Encoding(ABC):
         result = arithmetic.apply(function, numbers, self.facts, rounded=self.rounded)
         support = self.asked.supports.signals[index]
         if self.rounded and (support.arrays or support.samples):
-            # An element may be infinite (S8), and what is computed from it is unknown then.
+            # An element may be infinite (S8). Results computed from an infinite element are
+            # unknown.
             return Number(z3.And(result.known, z3.FreshBool("finite")), result.value)
         return result
 
@@ -271,7 +272,7 @@ class Encoding(ABC):
         return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
 
     def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
-        """S30: whether an unknown leaf lacks an input with a timeout."""
+        """S30: whether an unknown leaf is unknown because of an input with a timeout."""
         support = self.asked.supports.propositions[index]
         if not self.asked.has_timeout(support.inputs):
             return NO
@@ -290,7 +291,7 @@ class Encoding(ABC):
         ]
         complete = z3.And(list(slots.values()))
         if support.folds or support.samples:
-            # These excuse a leaf as well where they are unknown, or infinite.
+            # Unknown or infinite inputs excuse a leaf as well.
             complete = z3.And(complete, z3.FreshBool("complete")) if self.rounded else NO
         return z3.Or(*lacking, complete)
 
@@ -348,8 +349,8 @@ class Encoding(ABC):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _beside(self, array: int, signal: int) -> Number:
-        """A number beside elements (S74): any that it may have been when they arrived. A proposed
-        trace of events has its value of now.
+        """A number beside elements (S74): any value that it may have had when they arrived. A
+        proposed trace of events uses its present value.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)

@@ -1,4 +1,4 @@
-"""ROSS7xx: what rules mean together, with a witness or a proof."""
+"""ROSS7xx: effects of rules together, each with a witness or a proof."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from dslkit.diagnostics import Error, Note, Remark, Template, Warning
 
 
 class WhileActive(Remark):
-    """The label of what a rule does to a command."""
+    """The label of the effect of a rule on a command."""
 
     says = "in force while the rule is active"
 
 
 class Escalated(Remark):
-    """The label of what an escalation does to a command."""
+    """The label of the effect of an escalation on a command."""
 
     says = "in force once the part before `else` has failed"
 
@@ -33,7 +33,7 @@ class Decided(Remark):
 
 
 class NumberIs(Remark):
-    """The note that tells what a number can be."""
+    """The note that tells which values a number can have."""
 
     says = "`{number}` is {range}"
     number: str
@@ -129,7 +129,7 @@ class AlwaysActive(Warning, code="ROSS704", name="always-active"):
 
 
 class ConstantPart(Warning, code="ROSS705", name="constant-part"):
-    """A part of a condition that has one outcome whatever is measured."""
+    """A part of a condition that has the same value whatever is measured."""
 
     title = "`{condition}` is {outcome}"
     label = "for all input values"
@@ -139,7 +139,7 @@ class ConstantPart(Warning, code="ROSS705", name="constant-part"):
 
 
 class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
-    """A rule that does what another one does whenever it is active."""
+    """A rule that does the same as another rule whenever it is active."""
 
     title = (
         "rule `{rule}` adds nothing: whenever it is active, `{other}` is active with the same "
@@ -161,7 +161,7 @@ class NoWayOut(Warning, code="ROSS707", name="no-way-out"):
 
 
 class Chattering(Warning, code="ROSS708", name="chattering"):
-    """A rule that can become active again within a short time."""
+    """A command that a simultaneous limit cuts to zero."""
 
     title = "rule `{rule}` can toggle within {within}"
     label = "active twice within {found}"
@@ -218,7 +218,7 @@ class LimitEndsCondition(Warning, code="ROSS720", name="limit-ends-condition"):
 
 
 class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
-    """A rule that never gets what it needs."""
+    """A rule that never gets the resource that it needs."""
 
     title = (
         "rule `{rule}` never gets {resource}: whenever it is active, `{other}` is active and has "
@@ -235,7 +235,7 @@ class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
 
 
 class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
-    """An input with a timeout on whose loss no rule becomes active."""
+    """An input with a timeout whose loss activates no rule."""
 
     title = "no rule reacts when `{input}` is stale"
     label = "no rule becomes active after the timeout of this input"
@@ -244,7 +244,7 @@ class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
 
 
 class LatchReleased(Warning, code="ROSS716", name="latch-released"):
-    """A latched rule that the effect `reset` of a rule releases, where no operator looks."""
+    """A latched rule that the effect `reset` of another rule releases, without an operator."""
 
     title = "rule `{rule}` can reset {latched} without an operator"
     label = "its action `{action}` resets all latched rules"
@@ -289,7 +289,7 @@ class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
 
 
 class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
-    """Rules that become active again and again by what they publish."""
+    """Rules that activate each other again and again by the messages that they publish."""
 
     title = "{rules} {whom} off again and again by publishing"
     label = "this rule publishes on {topic}, which {reader} reads"
@@ -314,7 +314,7 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
 
 
 class NotInTime(Error, code="ROSS721", name="not-in-time"):
-    """A rule that is not active when it is too late to brake."""
+    """A rule that is not active before it is too late to brake."""
 
     title = "rule `{rule}` acts too late: `{motion}` can arrive faster than {speed}"
     label = "braking is too late here, but the condition of the rule is still false"
@@ -344,7 +344,7 @@ class InTime(Note, code="ROSS722", name="in-time"):
 
 
 class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
-    """A rule that keeps a speed, of which nobody knows whether it acts in time."""
+    """A rule that keeps a speed, without a proof that it acts in time."""
 
     title = "cannot decide whether rule `{rule}` acts in time"
     label = "{reason}"
@@ -357,7 +357,7 @@ class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
 
 
 class Undecided(Note, code="ROSS729", name="undecided"):
-    """A query to which neither a proof nor a witness was found."""
+    """A query with neither a proof nor a witness."""
 
     title = "undecided: {query}"
     label = "{reason}"

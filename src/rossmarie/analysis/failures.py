@@ -1,4 +1,4 @@
-"""The loss of an input, and the rules that become active by it."""
+"""The loss of an input, and the rules that become active because of the loss."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rossmarie.ir import AgeReaches, Machine, reachable_propositions, supports
 
 
 def losses(inquiry: Inquiry) -> Iterator[Loss]:
-    """The loss of each input on its own: its channel falls silent after it has sent."""
+    """The loss of each input on its own: its channel falls silent after its first messages."""
     machine = inquiry.machine
     for index, declared in enumerate(machine.inputs):
         ages = [declared.timeout_ns] if declared.timeout_ns is not None else []
@@ -30,7 +30,7 @@ def losses(inquiry: Inquiry) -> Iterator[Loss]:
 
 
 def _effects(inquiry: Inquiry, used: int, after_ns: int) -> Iterator[tuple[int, Effect]]:
-    """The rules to which the loss of an input does something, and what."""
+    """The rules that the loss of an input affects, and the effect on each."""
     for index, rule in enumerate(inquiry.machine.rules):
         if used in rule.inputs:
             effect = _effect(inquiry, used, after_ns, index)
@@ -39,7 +39,7 @@ def _effects(inquiry: Inquiry, used: int, after_ns: int) -> Iterator[tuple[int, 
 
 
 def _ages(machine: Machine, used: int) -> Iterator[int]:
-    """The ages of an input that rules ask for."""
+    """The ages of an input that rules compare."""
     for rule in machine.rules:
         for proposition in reachable_propositions(machine, rule.condition):
             node = machine.propositions[proposition].node
@@ -60,7 +60,7 @@ def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
         ),
         settled=True,
     ):
-        # An effect that needs the loss of another input, too, is counted there.
+        # An effect that also needs the loss of another input is reported for that other input.
         return Effect.NOTHING
     return Effect.DEPENDS
 
@@ -71,7 +71,7 @@ def _is_stale(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
 
 
 def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
-    """All other inputs of a rule are fresh, and all their numbers known."""
+    """All other inputs of a rule are fresh, and all their numbers are known."""
     machine = state.machine
     channel = machine.inputs[used].channel
     others = [i for i in machine.rules[rule].inputs if machine.inputs[i].channel != channel]
@@ -83,14 +83,15 @@ def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
 
 
 def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each input with a timeout on whose loss no rule becomes active."""
+    """A warning for each input with a timeout whose loss activates no rule."""
     machine = inquiry.machine
     rests_on = supports(machine).propositions
     roots = {root for rule in machine.rules for root in rule.roots}
     in_rules = {used for root in roots for used in rests_on[root].inputs}
     for index, declared in enumerate(machine.inputs):
         if declared.timeout_ns is None or index not in in_rules:
-            continue  # it is never stale; or it only confirms, and what is unknown confirms nothing
+            # the input is never stale, or it only confirms, and unknown values confirm nothing
+            continue
         after_ns = max([declared.timeout_ns, *_ages(machine, index)])
         if next(_effects(inquiry, index, after_ns), None) is None:
             yield Finding(LossUnnoticed(input=declared.name).at(declared.span))

@@ -1,4 +1,4 @@
-"""Rules that set each other off by what they publish, or one rule that does so alone."""
+"""Rules that activate each other, or themselves, by the messages that they publish."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from rossmarie.ir.reactions import Publish, timeout_ns
 
 SECOND = 1_000_000_000
 _MOST_RULES = 3
-"""In one circle."""
+"""The most rules in one circle."""
 
 _TIMES = 2
 """The number of times that each rule of a circle has to become active."""
@@ -40,7 +40,9 @@ _MOST_TRIES = 40
 
 
 def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each group of rules that become active again and again by what they publish."""
+    """A warning for each group of rules that activate each other again and again by the messages
+    that they publish.
+    """
     published = list(publications(inquiry.machine))
     circles = [Circle(inquiry, each, published) for each in _circles(inquiry, published)]
     waiting = [each for each in circles if not each.is_impossible()]
@@ -64,8 +66,8 @@ def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
 def _circles(
     inquiry: Inquiry, published: Sequence[Publication]
 ) -> Iterator[tuple[Publication, ...]]:
-    """Circles of rules each of which publishes what the next one reads, the shortest first. None
-    of them is latched: those are not cleared.
+    """Circles of rules, the shortest first: each rule publishes a message that the next rule reads.
+    Latched rules are left out, because they are not cleared.
     """
     machine = inquiry.machine
     free = [each for each in published if machine.rules[each.rule].release is not None]
@@ -81,7 +83,9 @@ def _longer(
     free: Sequence[Publication],
     reads: Mapping[int, frozenset[int]],
 ) -> Iterator[tuple[Publication, ...]]:
-    """The circles of some length that begin with a path; its first rule is the first of them."""
+    """The circles of a given length that begin with a path. The first rule of the path has the
+    lowest number in the circle.
+    """
     if len(path) == length:
         if path[-1].channel in reads[path[0].rule]:
             yield path
@@ -93,7 +97,7 @@ def _longer(
 
 
 def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
-    """The channels that a rule rests on."""
+    """The channels that a rule depends on."""
     propositions = propositions_of(inquiry.machine, (rule,))
     found = (inquiry.asked.supports.propositions[each] for each in propositions)
     return frozenset().union(*(ir.all_channels(inquiry.machine, support) for support in found))
@@ -103,8 +107,8 @@ def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
 
 
 class Circle:
-    """Some rules, each of which publishes what the next one reads, and the part of the machine
-    that they rest on.
+    """A circle of rules, each of which publishes a message that the next one reads, and the part of
+    the machine that the rules depend on.
     """
 
     def __init__(
@@ -123,7 +127,7 @@ class Circle:
         return frozenset(self._rules)
 
     def alternating(self, world: _World) -> Finding | None:
-        """A warning with a witness in such a world."""
+        """A warning with a witness in this world, or None."""
         for beginning in _Beginning:
             for start in range(len(self._circle)):
                 witness = self._witness(start, beginning, world)
@@ -132,14 +136,14 @@ class Circle:
         return None
 
     def open(self) -> Finding:
-        """Predicate: it is undecided."""
+        """The finding that the query about this circle is undecided."""
         return _open(self._machine, self._circle)
 
     # --- the proof ---------------------------------------------------------------------------
 
     def is_impossible(self) -> bool:
-        """Tell whether a proof says that not each of the rules can become active and be cleared,
-        whatever the same messages from outside are.
+        """Say whether a proof shows that at least one of the rules cannot become active and be
+        cleared, whatever the constant messages from outside are.
         """
         self._part.check_time()
         predicates = []
@@ -165,7 +169,7 @@ class Circle:
     # --- the witness -------------------------------------------------------------------------
 
     def _witness(self, start: int, beginning: _Beginning, world: _World) -> Witness | None:
-        """A trace that begins with one of the rules; the interpreter has the last word."""
+        """A trace that begins with one of the rules, or None. The interpreter confirms it."""
         order = [*range(start, len(self._rules)), *range(start)]
         self._part.check_time()
         is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
@@ -191,8 +195,8 @@ class Circle:
         return None
 
     def _follows(self, trace: Trace, order: Sequence[int]) -> z3.BoolRef:
-        """Ask that each rule becomes active by what the one before it publishes; the first one has
-        been inactive when it is its turn again.
+        """The facts that each rule becomes active by the message of the rule before it, and that
+        the first rule is inactive before its next turn.
         """
         found = [z3.BoolVal(True)]
         for number in range(1, len(trace.legs)):
@@ -206,7 +210,7 @@ class Circle:
         return z3.And(found)
 
     def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
-        """Predicate: a leg brings a message of a rule, and else the messages of the leg
+        """The fact that a leg brings a message of a rule, and otherwise the messages of the leg
         before.
         """
         machine = self._machine
@@ -233,7 +237,7 @@ class Circle:
 
 
 def _is_each_alone(trace: Trace, order: Sequence[int]) -> z3.BoolRef:
-    """Tell whether at the end of each leg no rule is active but the one whose turn it is."""
+    """The fact that at the end of each leg only the rule whose turn it is can be active."""
     ends = range(1, len(trace.moments), 2)
     turns = [order[number % len(order)] for number in range(len(trace.legs))]
     return z3.And(
@@ -251,8 +255,8 @@ def _ends(raw: float, is_bounded: bool) -> Ends:
 
 
 class _World(enum.Enum):
-    """The world beside the rules. Commands that the rules replace come again as soon as no rule
-    commands; a command that nobody has to send within a time is sent once.
+    """The environment of the rules. Commands that rules replace return as soon as no rule commands.
+    A command with no required period is sent once.
     """
 
     OWN = "all sensors work, and nobody else sends once the rules do"
@@ -261,7 +265,7 @@ class _World(enum.Enum):
 
 
 class _Beginning(enum.Enum):
-    """The messages from outside that a trace begins with."""
+    """The outside messages at the beginning of a trace."""
 
     TURNS = "with what the rules publish after them, one rule after the other is active, alone"
     CIRCLE = "with what the rules publish after them, each makes the next one active"
@@ -270,7 +274,7 @@ class _Beginning(enum.Enum):
 
 
 class _Played(Replays):
-    """Tries out in a closed loop whether the rules alternate after the messages of a draft."""
+    """A closed-loop test whether the rules alternate after the messages of a draft."""
 
     def __init__(
         self, machine: Machine, part: Machine, rules: Sequence[int], world: _World
@@ -283,8 +287,9 @@ class _Played(Replays):
         self._until_ns = _long_enough(machine, part, rules)
 
     def show(self, draft: Draft) -> Witness | None:
-        """The messages from outside and those of the rules, until each rule has become active
-        again; None if that does not happen, or happens without the messages of the rules as well.
+        """Run the messages from outside and the messages of the rules until each rule has become
+        active again. Returns None if that does not happen, or if it also happens without the
+        messages of the rules.
         """
         events = witness_of(self._machine, draft).events
         if self._tries <= 0 or not events:
@@ -304,7 +309,9 @@ class _Played(Replays):
         return None
 
     def _outsides(self, messages: Mapping[int, ChannelValues], period_ns: int) -> Iterator[Outside]:
-        """The messages sent on the topics of the rules, in ways that fit the world."""
+        """The possible outside messages on the topics of the rules, as the environment allows
+        them.
+        """
         commanded = {each.topic for each in self._whole.reactions.commands}
         own = frozenset(
             each.channel
@@ -331,7 +338,9 @@ def _awaits(machine: Machine, rules: Sequence[int]) -> bool:
 
 
 def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
-    """The time in which each timer of some rules and their inputs runs out often enough."""
+    """A time in nanoseconds in which each timer of some rules and their inputs expires often
+    enough.
+    """
     found = [used.timeout_ns or 0 for used in part.inputs]
     for proposition in part.propositions:
         match proposition.node:

@@ -1,8 +1,8 @@
 """The values that fields of messages can have in SI, as facts about terms of the solver (S7).
 
-Three ways of asking need three of them. A trace computes with exact numbers. A state has to cover
-all that doubles can give: the ends of a conversion, as it is rounded. A test has to be borne out by
-doubles, so what it sets has room for rounding.
+There are three sets of facts for three kinds of query. A trace computes with exact numbers. A state
+has to cover all values that doubles can give, including the rounded ends of a conversion. A test
+has to be confirmed with doubles, so the values that it sets leave room for rounding.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def slot_facts(
 def kind_facts(
     machine: ir.Machine, source: ir.Slot | ir.Array, value: z3.ArithRef
 ) -> list[z3.BoolRef]:
-    """Say by which numbers flags and texts are known."""
+    """Facts about the numbers that encode flags and texts."""
     match source.kind:
         case ir.Kind.FLAG:
             return [z3.Or(value == 0, value == 1)]
@@ -41,10 +41,10 @@ def kind_facts(
 def limit_facts(
     source: ir.Slot | ir.Array, value: z3.ArithRef, *, rounded: bool
 ) -> list[z3.BoolRef]:
-    """Say which values a field of whole numbers can have; with `rounded`, as doubles."""
+    """Facts about the values of a field of whole numbers; with `rounded`, as doubles."""
     if source.limits is None:
         return []
-    if rounded and not _is_plain(source):  # the conversion is monotone, also as it is rounded
+    if rounded and not _is_plain(source):  # the conversion is monotone, also after rounding
         return within(value, si_ends(source, source.limits))
     whole = z3.FreshInt("whole")
     converted = _converted(source, whole)
@@ -54,10 +54,11 @@ def limit_facts(
 def field_facts(
     source: ir.Slot | ir.Array, value: z3.ArithRef, name: str, *, is_wide: bool
 ) -> list[z3.BoolRef]:
-    """Say which values a field of whole numbers can carry, with room for rounding: with `is_wide`
-    enough for the greatest numbers of the field, so that what is excluded cannot be. `name` is that
-    of a new variable of the solver. Without `is_wide` readings of a sector and distances of points
-    are such as scans of tests measure.
+    """Facts about the values that a field of whole numbers can carry, with room for rounding.
+
+    `name` names a new variable of the solver. With `is_wide`, the facts hold for the greatest
+    numbers of the field too, so excluded values are impossible. Without it, readings of a sector
+    and distances of points are limited to values that the scans of tests measure.
     """
     is_of_points = tuple(source.path[-3:]) == (ir.RETURNS, ir.EACH, "range")
     is_of_sector = bool(source.path) and isinstance(source.path[-1], ir.Sector)
@@ -73,7 +74,7 @@ def field_facts(
 def ramp_facts(
     source: ir.Slot, now: z3.ArithRef, step: z3.ArithRef, count: int, name: str
 ) -> list[z3.BoolRef]:
-    """Say that a field can carry `now`, a step less, and up to `count` steps more."""
+    """Facts: a field can carry `now`, one step less, and up to `count` steps more."""
     if source.limits is None:
         return []
     converted = z3.ToReal(z3.Int(name)) * constant(source.scale)

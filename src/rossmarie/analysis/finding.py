@@ -1,4 +1,4 @@
-"""A finding of a query, and the words that all queries share."""
+"""The finding of a query, and the texts that all queries share."""
 
 from __future__ import annotations
 
@@ -13,14 +13,16 @@ from rossmarie.ir import Constant, Machine, compared_signals, reachable_proposit
 
 @dataclass(frozen=True)
 class Finding:
-    """A diagnostic, and the witness that shows it."""
+    """A diagnostic, and the witness for it."""
 
     diagnostic: Diagnostic
     witness: Witness | None = None
 
 
 def witness_note(machine: Machine, witness: Witness, propositions: Sequence[int]) -> Remark:
-    """The witness in words, as a note: what the propositions look at, and when."""
+    """The note that describes a witness: the values that the propositions look at, and their
+    instants.
+    """
     signals = {
         signal
         for root in propositions

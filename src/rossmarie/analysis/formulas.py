@@ -27,14 +27,14 @@ Operation = Callable[[Primitive, Sequence[z3.ArithRef]], z3.ArithRef]
 
 
 class Formulas:
-    """Turns expressions whose operands are known into terms; operations are up to `operate`."""
+    """Turns expressions with known operands into terms. The operations are given by `operate`."""
 
     def __init__(self, operands: Sequence[z3.ArithRef], operate: Operation) -> None:
         self._operands = operands
         self._operate = operate
 
     def term(self, expression: Expression) -> z3.ArithRef:
-        """A number; one that is unknown is any."""
+        """A number. An unknown number can have any value."""
         match expression:
             case Number(value=value):
                 return constant(value) if value == value else z3.FreshReal("unknown")
@@ -67,7 +67,7 @@ class Formulas:
 
 
 def exactly(primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
-    """An operation in real numbers; roots, which solvers do not have, are any number."""
+    """An operation in real numbers. Solvers have no roots, so a root is any number."""
     match primitive:
         case Primitive.ADD:
             return values[0] + values[1]

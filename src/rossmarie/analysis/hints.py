@@ -1,4 +1,6 @@
-"""Hints for the solver: what makes a trace of events likely to be borne out, and easy to read."""
+"""Hints for the solver, so that the interpreter can confirm a trace of events and a reader can
+follow it.
+"""
 
 from __future__ import annotations
 
@@ -14,14 +16,14 @@ from rossmarie.core import row
 from rossmarie.core.expressions import Operand
 
 _APART = z3.RealVal("0.001")
-"""The least difference, in the unit of both, of numbers that rounding may not make equal."""
+"""The least difference between compared numbers, in their common unit, that survives rounding."""
 
 
 def hints(trace: Trace) -> list[list[z3.BoolRef]]:
-    """Facts that make it likely that a proposal is borne out and easy to read, from much to
-    nothing: a length or a distance is one that is easy to compute; numbers that are compared with
-    one another are apart, since floats round them; and numbers are near the constants that they are
-    compared with, and not negative.
+    """Facts that make a proposed trace likely to be confirmed and easy to read, from many to none.
+
+    A length or a distance is easy to compute. Compared numbers are apart, because floats are
+    rounded. Numbers are near the constants that they are compared with, and are not negative.
     """
     lengths = []
     near = []
@@ -45,7 +47,9 @@ def hints(trace: Trace) -> list[list[z3.BoolRef]]:
 
 
 def _apart(trace: Trace) -> list[z3.BoolRef]:
-    """Signals that are compared with one another, and not with a constant, are not nearly equal."""
+    """Facts: signals that are compared with one another, and not with a constant, are not nearly
+    equal.
+    """
     machine = trace.asked.machine
     found = []
     for proposition in trace.times.propositions:
@@ -64,7 +68,7 @@ def _apart(trace: Trace) -> list[z3.BoolRef]:
 
 
 def _near(trace: Trace) -> dict[int, tuple[float, float]]:
-    """Numbers around the constants that each signal is compared with."""
+    """The range of numbers around the constants that each signal is compared with."""
     machine = trace.asked.machine
     limits: dict[int, list[float]] = {}
     for proposition in trace.times.propositions:
@@ -86,7 +90,7 @@ def _near(trace: Trace) -> dict[int, tuple[float, float]]:
 
 
 def _lengths(trace: Trace) -> set[int]:
-    """The functions asked for that are easy in some cases: lengths and distances."""
+    """The functions asked for that are easy to compute in some cases: lengths and distances."""
     machine = trace.asked.machine
     waiting = [
         signal
@@ -107,7 +111,7 @@ def _lengths(trace: Trace) -> set[int]:
 def _is_easy(
     function: ir.AnyFunction, operands: Sequence[z3.ArithRef], result: z3.ArithRef
 ) -> z3.BoolRef:
-    """Say whether a function is in a case in which it is easy, and has that result."""
+    """The fact that a function is in an easy case, and has this result."""
     easy, formulas = row(function).easy, Formulas(operands, exactly)
     assert easy is not None, "asked before"
     return z3.Or(

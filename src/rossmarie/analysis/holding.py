@@ -1,8 +1,7 @@
-"""Rules that hold themselves, or switch themselves off: what they do to a command keeps them from
-being cleared, or clears them.
+"""Rules whose effect on a command keeps the rule active, or clears it.
 
 An input may read the commands that have passed the filter. While a rule bounds such a command, or
-publishes it itself, the input brings numbers within known ends only.
+publishes it itself, the input receives only numbers within known limits.
 """
 
 from __future__ import annotations
@@ -59,15 +58,15 @@ class Kept:
 
 
 def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each rule that is not cleared as long as its own tasks are in force, or is
-    cleared by them.
+    """A warning for each rule that is not cleared while its own tasks are in force, or is cleared
+    by them.
     """
     machine = inquiry.machine
     for rule, plan in enumerate(machine.reactions.plans):
         kept = [each for task in plan.tasks for each in _kept(machine, task)]
         read = [each for each in kept if _is_read(inquiry, rule, each)]
         if not read or inquiry.is_impossible(partial(is_ended, rule=rule)):
-            continue  # what is never cleared at all is said elsewhere
+            continue  # another query reports rules that are never cleared at all
         for together in _groups(plan.stages, read):
             found = _judged(inquiry, rule, together)
             if found is not None:
@@ -76,8 +75,8 @@ def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _groups(stages: Sequence[Sequence[int]], read: Sequence[Kept]) -> Iterator[list[Kept]]:
-    """The effects that can be in force together, the least first: one task, all of the plan without
-    failures, and these with one escalation.
+    """The effects that can be in force together, the fewest first: one task, all tasks of the plan
+    without failures, and these with one escalation.
     """
     planned = {task for stage in stages for task in stage}
     tasks = list(dict.fromkeys(each.task for each in read))
@@ -117,8 +116,8 @@ def _kept(machine: Machine, task: int) -> list[Kept]:
 
 
 def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
-    """The fields of a command that a rule publishes at a rate, in the place of others. A bound
-    that lies on it as well contains 0, and so brings it nearer to that.
+    """The fields of a command that a rule publishes at a rate, in place of others. A bound on the
+    same field contains 0, so it moves the field closer to 0.
     """
     command = effect.command
     if command is None or effect.period_ns is None:
@@ -134,7 +133,7 @@ def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
 
 
 def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
-    """Tell whether what clears a rule rests on a field."""
+    """Say whether the clearing of a rule depends on a field."""
     machine = inquiry.machine
     supports = [inquiry.asked.supports.propositions[root] for root in machine.rules[rule].roots]
     return any(
@@ -170,20 +169,22 @@ def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
 
 
 def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Tell whether an active rule is cleared by the evaluation, or by a reset right after it."""
+    """Say whether an active rule is cleared by the evaluation, or by a reset immediately after
+    it.
+    """
     return z3.And(
         state.proposition(state.machine.rules[rule].condition).false, _is_free(state, rule)
     )
 
 
 def _is_free(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Tell whether nothing but its condition keeps a rule active."""
+    """Say whether only its condition keeps a rule active."""
     release = state.machine.rules[rule].release
     return YES if release is None else state.proposition(release).true
 
 
 def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
-    """Tell whether all that is read of some fields lies between their ends."""
+    """Say whether all values read from some fields lie within their limits."""
     machine = state.machine
     slots = [
         _lies(machine.slots[slot], state.slot(slot).value, each)
@@ -207,8 +208,8 @@ def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
 
 
 def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | None:
-    """Tell what a rule cannot do while some fields are kept: have a false condition, be released,
-    or have a true condition.
+    """A finding on a rule that, while some fields are kept within limits, cannot have a false
+    condition, cannot be released, or cannot have a true condition. None if there is no such effect.
     """
 
     def never(predicate: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
@@ -257,7 +258,7 @@ def _asked(machine: Machine, kept: Sequence[Kept]) -> str:
 
 
 def _does(machine: Machine, kept: Sequence[Kept]) -> str:
-    """Tell what a rule does to which fields: `limits linear.x and linear.y on /cmd_vel`."""
+    """The effect of a rule on its fields, in words: `limits linear.x and linear.y on /cmd_vel`."""
     fields: dict[tuple[str, int], dict[str, None]] = {}
     for each in kept:
         effect = machine.reactions.tasks[each.task].effect

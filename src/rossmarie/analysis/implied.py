@@ -1,7 +1,7 @@
-"""Rules that are active only while another one is.
+"""Rules that are active only while another rule is active.
 
-With the same actions such a rule adds nothing; where both need the same thing and the other comes
-first, it never gets it.
+With the same actions, such a rule adds nothing. If both rules need the same resource and the other
+rule has priority, this rule never gets it.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 
 _AT_ONCE = 4
-"""Candidates that one query is about."""
+"""The number of candidates in one query."""
 
 
 def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each rule that is superfluous, or never gets what it needs."""
+    """A warning for each rule that is superfluous, or never gets the resource that it needs."""
     machine = inquiry.machine
     for rule in range(len(machine.rules)):
         candidates = [
@@ -45,8 +45,8 @@ def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _needed(inquiry: Inquiry, rule: int, candidates: Sequence[int]) -> int | None:
-    """The first of some rules without which a rule is not active. If it can become active without
-    any of them, none of them is it.
+    """The first of some rules that must be active whenever a rule is active. None if the rule can
+    become active without all of them.
     """
     group = inquiry.about(rule, *candidates)
     others = range(1, len(candidates) + 1)
@@ -61,9 +61,9 @@ def _starts_without(state: ArbitraryState, rule: int, others: Sequence[int]) -> 
 
 
 def needs(inquiry: Inquiry, rule: int, other: int) -> bool:
-    """Say whether it is proved that a rule is active only while another one is."""
+    """Say whether it is proved that a rule is active only while another rule is active."""
     if any(inquiry.machine.rules[each].release is None for each in (rule, other)):
-        return False  # a reset clears one of them at any time
+        return False  # a reset can clear one of them at any time
     machine = inquiry.machine
     one, two = machine.rules[rule], machine.rules[other]
     if not machine.rules[rule].inputs:
@@ -81,12 +81,12 @@ def _is_left(state: ArbitraryState, rule: int, other: int) -> z3.BoolRef:
 
 
 def _gives_way(machine: Machine, rule: int) -> bool:
-    """Say whether a rule may be active and not carried out."""
+    """Say whether a rule may be active without being carried out."""
     return bool(machine.reactions.plans) and bool(machine.reactions.plans[rule].unless)
 
 
 def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
-    """Say whether two rules do the same."""
+    """Say whether two rules have the same actions."""
     return (
         machine.rules[rule].actions == machine.rules[other].actions
         and len(machine.rules[rule].actions) > 0
@@ -94,8 +94,8 @@ def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
 
 
 def _shared(machine: Machine, rule: int, other: int) -> str | None:
-    """Name the resource that a rule needs and another one, which comes first, needs for other
-    actions.
+    """Name a resource that a rule needs, and that a rule with priority needs for other actions.
+    None if there is none.
     """
     reactions = machine.reactions
     if not reactions.plans or reactions.order.index(other) > reactions.order.index(rule):
@@ -113,7 +113,7 @@ def _reported(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     one, two = machine.rules[rule], machine.rules[other]
     is_same = _has_same_actions(machine, rule, other)
     if is_same and rule < other and needs(inquiry, other, rule):
-        return  # told of the later one
+        return  # reported for the later rule
     pair = inquiry.about(rule, other)
     witness = pair.witness(both_active(pair.machine))
     propositions = propositions_of(pair.machine, (0, 1))

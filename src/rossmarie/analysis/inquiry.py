@@ -1,4 +1,4 @@
-"""Queries and their answers: proved impossible, shown by a witness, or undecided."""
+"""Queries and their answers: proved impossible, possible with a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from rossmarie.analysis.witness import Predicate, Witness
 from rossmarie.ir import Machine, TruthValue
 
 _MOST_AWAITED = 16
-"""Conditions of `for` in one query that are compared with each other."""
+"""The most conditions of `for` in one query that are compared with each other."""
 
 StatePredicate = Callable[[ArbitraryState], z3.BoolRef]
 TracePredicate = Callable[[Trace], z3.BoolRef]
 
 
 class OutOfTimeError(Exception):
-    """The queries of a run took longer than they may."""
+    """The queries of a run exceeded their time limit."""
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A query: the predicate as terms over one state, and over a trace, and as the interpreter sees
-    it. `propositions` are those that it rests on, by index.
+    """A query: the predicate as terms over one state, as terms over a trace, and as the interpreter
+    evaluates it. `propositions` are the indices of the propositions that it depends on.
     """
 
     propositions: tuple[int, ...]
@@ -46,7 +46,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Result:
-    """The answer, with the witness of what is POSSIBLE."""
+    """The answer to a query; if it is POSSIBLE, with a witness."""
 
     outcome: Satisfiability
     witness: Witness | None = None
@@ -54,8 +54,8 @@ class Result:
 
 @dataclass
 class Inquiry:
-    """Asks about one machine. After `deadline_s`, on the clock of `time.process_time`, every
-    further query raises `OutOfTimeError`; None: no query does.
+    """Asks queries about one machine. After `deadline_s`, on the clock of `time.process_time`,
+    every further query raises `OutOfTimeError`. If it is None, there is no deadline.
     """
 
     machine: Machine
@@ -66,15 +66,15 @@ class Inquiry:
         self.asked = Questioned(self.machine)
 
     def about(self, *rules: int) -> Inquiry:
-        """An inquiry about these rules only, which are its first, second and so on."""
+        """An inquiry about these rules only. They become its first, second and later rules."""
         return Inquiry(part_of(self.machine, rules), self.deadline_s)
 
     def below(self, proposition: int) -> Inquiry:
-        """An inquiry about a proposition, which is the last of its machine."""
+        """An inquiry about a proposition, which becomes the last proposition of its machine."""
         return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
     def decide(self, query: Asked) -> Result:
-        """All that can be found out, by what costs least."""
+        """Find the answer to a query with the cheapest method first."""
         self.check_time()
         state = ArbitraryState(self.asked)
         term = query.in_state(state)
@@ -91,15 +91,17 @@ class Inquiry:
     # --- proofs ------------------------------------------------------------------------------
 
     def is_impossible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
-        """Say whether a predicate is proved to hold in no state that any trace leads to."""
+        """Say whether it is proved that a predicate is false in all states that a trace can lead
+        to.
+        """
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
         term = predicate(state)
         return self._is_refuted(state, term)
 
     def is_possible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
-        """Say whether the solver finds a state in which a predicate holds that rests on no `for`;
-        no trace need lead there.
+        """Say whether the solver finds a state in which a predicate is true. The predicate depends
+        on no `for`, and the state need not be reachable.
         """
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
@@ -114,9 +116,7 @@ class Inquiry:
         return outcome is Satisfiability.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
-        """The propositions that are true only while another is, and have not been true for
-        longer.
-        """
+        """Facts: some propositions are true only while another one is, and not for longer."""
         for one in state.awaited:
             for other in state.awaited:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
@@ -127,19 +127,21 @@ class Inquiry:
                         yield state.is_unknown_with(one, other, value)
 
     def _may_need(self, one: int, other: int) -> bool:
-        """Say whether it is worth asking: what rests on other messages is rarely needed."""
+        """Say whether the query is worth its cost: propositions of different messages rarely imply
+        each other.
+        """
         supports = self.asked.supports.propositions
         return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
-        """Say whether it is proved that one proposition has a value only while another one has
-        it.
+        """Say whether it is proved that one proposition has a value only while another one has this
+        value.
         """
         if (one, other, value) not in self._orders:
             state = ArbitraryState(self.asked)
             theirs = z3.Not(state.proposition(other).is_value(value))
             without = z3.And(state.proposition(one).is_value(value), theirs)
-            proved = self._is_refuted(state, without)  # about propositions that lie deeper
+            proved = self._is_refuted(state, without)  # queries about propositions that lie deeper
             self._orders[one, other, value] = proved
         return self._orders[one, other, value]
 
@@ -148,7 +150,7 @@ class Inquiry:
     def witness(
         self, query: Asked, attempts: Sequence[tuple[int, bool]] | None = None
     ) -> Witness | None:
-        """A witness that the interpreter bears out: one in which all sensors work, if there is."""
+        """A witness that the interpreter confirms, preferably one in which all sensors work."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self.check_time()
             trace = Trace(self.asked, query.propositions, legs)
@@ -158,7 +160,7 @@ class Inquiry:
         return None
 
     def _borne_out(self, trace: Trace, query: Asked, is_calm: bool) -> Witness | None:
-        """A witness on a trace, the easiest to read that is found."""
+        """A confirmed witness on a trace, the most readable that is found."""
         predicate = query.in_trace(trace)
         wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
         for preferred in hints(trace):
@@ -175,7 +177,7 @@ class Inquiry:
     def quick_witness(
         self, propositions: tuple[int, ...], legs: int, in_trace: TracePredicate, in_view: Predicate
     ) -> Witness | None:
-        """A witness of single messages, one after the other, while all sensors work."""
+        """A witness of single messages, one after another, while all sensors work."""
         self.check_time()
         trace = Trace(self.asked, propositions, legs, is_brief=True)
         predicate = in_trace(trace)
@@ -188,19 +190,19 @@ class Inquiry:
         return None
 
     def check_time(self) -> None:
-        """Raises `OutOfTimeError` after the deadline."""
+        """Check the time. Raises `OutOfTimeError` after the deadline."""
         if self.deadline_s is not None and time.process_time() > self.deadline_s:
             raise OutOfTimeError
 
 
 _ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False))
-"""The legs of each attempt, and whether all sensors work in it: the simplest first. A predicate
+"""The legs of each attempt, and whether all sensors work in it, the simplest first. A predicate
 that needs more changes than three legs allow stays undecided.
 """
 
 
 def both_active(machine: Machine) -> Asked:
-    """Ask whether the first two rules of a machine can be active at the same time."""
+    """The query whether the first two rules of a machine can be active at the same time."""
     return Asked(
         propositions_of(machine, (0, 1)),
         partial(together, one=0, other=1),
@@ -210,7 +212,7 @@ def both_active(machine: Machine) -> Asked:
 
 
 def has_value(proposition: int, value: TruthValue) -> Asked:
-    """Ask whether a proposition can have a value."""
+    """The query whether a proposition can have a value."""
     return Asked(
         (proposition,),
         partial(is_value, proposition=proposition, value=value),

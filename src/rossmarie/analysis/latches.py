@@ -1,4 +1,4 @@
-"""Latches that a rule releases: its effect `reset` does what only an operator should have to do."""
+"""Latches that a rule releases: the effect `reset` of a rule does the operator's work."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from rossmarie.ir import Machine, TruthValue
 from rossmarie.ir.reactions import Reset, timeout_ns
 
 RESETTING, LATCHED = 0, 1
-"""The two rules in the part of a machine that is asked; those behind `unless` follow."""
+"""The two rules in the queried part of a machine. The rules behind `unless` follow."""
 
 
 def find_released_latches(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each latched rule that another rule resets, or that resets itself. A user says
-    that it is meant by an order: `priority RESETTING over LATCHED`.
+    """A warning for each latched rule that another rule resets, or that resets itself. A user marks
+    the reset as intended with an order: `priority RESETTING over LATCHED`.
     """
     machine = inquiry.machine
     meant = ordered_pairs(machine)
@@ -44,7 +44,9 @@ def _resets(machine: Machine, task: int) -> bool:
 
 
 def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) -> Iterator[Finding]:
-    """Judge a latch by the first of some tasks that releases it: a finding, or that it is open."""
+    """Judge a latch by the first task that releases it: report the release, or that the query is
+    undecided.
+    """
     machine = inquiry.machine
     part = inquiry.about(rule, latched, *machine.reactions.plans[rule].unless)
     undecided: Finding | None = None
@@ -60,7 +62,7 @@ def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) ->
 
 
 def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
-    """Tell whether a task starts at the instant at which its rule is engaged: it is no escalation,
+    """Say whether a task starts at the instant at which its rule is engaged: it is no escalation,
     and nothing before it is awaited (R4, R5).
     """
     tasks = machine.reactions.tasks
@@ -77,9 +79,9 @@ def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
 
 @dataclass(frozen=True)
 class Release:
-    """Predicate: a reset comes while the latched rule is active and its condition false (S38).
-    `is_at_once` says whether it comes at the instant at which its rule is engaged, or at any later
-    one.
+    """Predicate: a reset comes while the latched rule is active and its condition is false (S38).
+    `is_at_once` says whether the reset comes at the instant at which its rule is engaged, or at a
+    later instant.
     """
 
     part: Machine
@@ -87,7 +89,7 @@ class Release:
 
     @property
     def asked(self) -> Asked:
-        """The predicate as it is asked."""
+        """The predicate as a query."""
         propositions = propositions_of(self.part, tuple(range(len(self.part.rules))))
         return Asked(propositions, self.in_state, self._in_trace, self.in_view)
 
@@ -100,7 +102,9 @@ class Release:
         return range(LATCHED + 1, len(self.part.rules))
 
     def in_state(self, state: ArbitraryState) -> z3.BoolRef:
-        """Tell whether any state is so; before it the latched rule may have been active."""
+        """Say whether the predicate is true in a state; before the state, the latched rule may have
+        been active.
+        """
         is_start = self.is_at_once and not self._unless
         engaged = (becomes_active if is_start else may_be_active)(state, RESETTING)
         in_the_way = [becomes_active(state, other) for other in self._unless]
@@ -116,7 +120,7 @@ class Release:
         return z3.And(engaged(moment), z3.Not(before), trace.is_active(LATCHED, moment), is_over)
 
     def in_view(self, seen: Sequence[View]) -> bool:
-        """Tell whether the last of some evaluations is so."""
+        """Say whether the predicate is true at the last of some evaluations."""
         now = seen[-1]
         is_over = now.active[LATCHED] and now.truth_values[self._condition] is TruthValue.FALSE
         if not is_over or not self._is_seen_engaged(now):

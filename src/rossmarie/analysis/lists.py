@@ -1,8 +1,8 @@
-"""Results over lists of messages, as terms of the solver: elements are not looked into.
+"""Results over lists of messages, as terms of the solver. The encoding ignores the elements.
 
-Where everything that can be has to be covered (`rounded`), a result is anything that the list may
-give. In a proposed trace of events every list that arrives has no elements, and results are those
-of S53; whether they are borne out, the interpreter says.
+If every possible value has to be covered (`rounded`), a result is any value that the list may give.
+In a proposed trace of events, every list that arrives is empty, and results are those of S53. The
+interpreter decides whether such a trace is confirmed.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Encoding(Protocol):
         """Say whether an input is there and has not expired."""
 
     def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
-        """Say whether an unknown leaf lacks an input with a timeout."""
+        """Say whether an unknown leaf is unknown because of an input with a timeout."""
 
 
 _BEYOND_ALL = z3.RealVal(10) ** 400
@@ -34,13 +34,13 @@ _BEYOND_ALL = z3.RealVal(10) ** 400
 
 
 def list_of(machine: ir.Machine, array: int | None) -> int | None:
-    """The list of which elements are taken; None if they are those of an array."""
+    """The list that an array belongs to; None if the array is not a column of a list."""
     assert array is not None, "verified: only elements are folded"
     return machine.arrays[array].list
 
 
 def folded(encoding: Encoding, its_list: int, node: ir.Fold) -> Number:
-    """The least or greatest of something."""
+    """The least or greatest value over the elements."""
     fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
     if encoding.rounded:
         return Number(z3.And(fresh, z3.FreshBool("fold.known")), z3.FreshReal("fold"))
@@ -49,7 +49,7 @@ def folded(encoding: Encoding, its_list: int, node: ir.Fold) -> Number:
 
 
 def counted(encoding: Encoding, its_list: int) -> Number:
-    """For how many elements something is true."""
+    """The number of elements for which a proposition is true."""
     declared = encoding.machine.lists[its_list]
     fresh = encoding.is_fresh(declared.input)
     if not encoding.rounded:
@@ -60,7 +60,7 @@ def counted(encoding: Encoding, its_list: int) -> Number:
 
 
 def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantified) -> Fact:
-    """Something is true for some, or for every element."""
+    """A proposition that is true for at least one element, or for every element."""
     fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
     if encoding.rounded:
         known, is_so = z3.FreshBool("list.known"), z3.FreshBool("list.is_so")

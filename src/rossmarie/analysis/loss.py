@@ -1,4 +1,4 @@
-"""The effects of the loss of an input on the rules, as they were found out."""
+"""The effects of the loss of an input on the rules, as the queries found them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ class Effect(enum.Enum):
 
 @dataclass(frozen=True)
 class Loss:
-    """The effects of the loss of an input, by rule; rules that it does not affect are left out.
+    """The effects of the loss of an input, by rule, without the rules that it does not affect.
 
-    `after_ns` is the age at which all of it has happened, None if the input is never stale.
+    `after_ns` is the age of the input in nanoseconds at which all effects have happened; None if
+    the input is never stale.
     """
 
     input: int
@@ -27,5 +28,5 @@ class Loss:
     effects: Mapping[int, Effect]
 
     def rules(self, effect: Effect) -> tuple[int, ...]:
-        """The rules to which this happens."""
+        """The rules on which the loss has this effect."""
         return tuple(rule for rule, found in self.effects.items() if found is effect)

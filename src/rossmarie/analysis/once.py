@@ -1,5 +1,5 @@
-"""Methods that give one term for each index, however often they are asked: to build a term again
-costs the solver's interface more than the solver.
+"""Methods that build one term per index and reuse it: building a term again costs more in the
+solver's interface than in the solver.
 """
 
 from __future__ import annotations
@@ -12,7 +12,9 @@ _Term = TypeVar("_Term")
 
 
 def once_each(method: Callable[[Any, int], _Term]) -> Callable[[Any, int], _Term]:
-    """Call a method once for each index, and remember what it gave as long as its object lives."""
+    """Decorate a method so that it runs once for each index. The result is kept as long as its
+    object.
+    """
     memory = f"_{method.__name__}_of_each"
 
     @wraps(method)

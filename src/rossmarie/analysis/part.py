@@ -1,5 +1,5 @@
-"""The part of a machine that some rules rest on: what is asked of a few rules costs no more in a
-large file than in a small one.
+"""The part of a machine that some rules depend on, so that a query about a few rules costs no more
+in a large file than in a small one.
 """
 
 from __future__ import annotations
@@ -11,15 +11,17 @@ from rossmarie import ir
 
 
 def part_of(machine: ir.Machine, rules: Sequence[int]) -> ir.Machine:
-    """A machine with these rules, in this order, and what they rest on. All that arrives is as it
-    was, so that it is shown by the same messages.
+    """A machine with these rules, in this order, and everything that they depend on. Its channels
+    are unchanged, so the same messages witness the same findings.
     """
     chosen = [machine.rules[rule] for rule in rules]
     return _cut(machine, [root for rule in chosen for root in rule.roots], chosen)
 
 
 def part_below(machine: ir.Machine, proposition: int) -> ir.Machine:
-    """A machine without rules, with what a proposition rests on, which is its last."""
+    """A machine without rules, with everything that a proposition depends on. The proposition is
+    its last.
+    """
     return _cut(machine, (proposition,), ())
 
 
@@ -51,7 +53,7 @@ def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -
 
 
 def _below(machine: ir.Machine, roots: Sequence[int]) -> tuple[set[int], set[int]]:
-    """The propositions and signals that some propositions rest on, elementwise ones included."""
+    """The propositions and signals that some propositions depend on, including elementwise ones."""
     propositions: set[int] = set()
     signals: set[int] = set()
     waiting, numbers = list(roots), list[int]()
@@ -102,7 +104,7 @@ def _moved_signal(
 def moved_proposition(
     node: ir.PropositionNode, numbers: Mapping[int, int], places: Mapping[int, int]
 ) -> ir.PropositionNode:
-    """A proposition that looks at signals by other numbers, and at propositions in other places."""
+    """A proposition with new numbers for its signals, and new indices for its propositions."""
     match node:
         case ir.Compare(left=left, right=right):
             return dataclasses.replace(node, left=numbers[left], right=numbers[right])

@@ -1,4 +1,6 @@
-"""Messages that rules publish on topics that rules read, as they arrive at the inputs."""
+"""Messages that rules publish on topics that rules read, in the form in which inputs receive
+them.
+"""
 
 from __future__ import annotations
 
@@ -30,8 +32,9 @@ from rossmarie.ir.skills import SkillContext, answer
 
 @dataclass(frozen=True)
 class Publication:
-    """A task of a rule that publishes on the topic of a channel. `is_sure` says whether it starts
-    whenever its rule does: nothing before it is awaited, and no failure has to come first.
+    """A task of a rule that publishes on the topic of a channel. `is_sure` is True if the task
+    starts whenever its rule does: nothing before the task is awaited, and the task follows no
+    failure.
     """
 
     rule: int
@@ -41,7 +44,7 @@ class Publication:
 
 
 def publications(machine: Machine) -> Iterator[Publication]:
-    """All tasks that publish what an input reads."""
+    """All tasks that publish a message that an input reads."""
     topics = {channel.topic: index for index, channel in enumerate(machine.channels)}
     for rule, plan in enumerate(machine.reactions.plans):
         first = plan.stages[0] if plan.stages else ()
@@ -52,9 +55,7 @@ def publications(machine: Machine) -> Iterator[Publication]:
 
 
 def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
-    """The numbers of the message that a task publishes. Fields that it does not name are zero,
-    false or empty.
-    """
+    """The numbers of the message that a task publishes. Unnamed fields are zero, false or empty."""
     effect = machine.reactions.tasks[task].effect
     assert isinstance(effect, Publish)
     given: Given = {each.path: each.value for each in effect.assignments}
@@ -69,7 +70,7 @@ def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
         if machine.inputs[array.input].channel == channel
         and POINTS not in array.path
         and not is_of_scan(array)
-    }  # a cloud without fields, or a scan without beams, has nothing that could be known
+    }  # a cloud without fields, or a scan without beams, has no known values
     return ChannelValues(slots, arrays)
 
 

@@ -1,4 +1,4 @@
-"""The facts about numbers that only a skill has that runs: where none runs, there is no number."""
+"""Facts about numbers that belong to a running skill: if no skill runs, there is no number."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from rossmarie.analysis.terms import Number
 
 
 def is_quantity(machine: ir.Machine, slot: int) -> bool:
-    """Say whether a slot is a number that only a skill that runs has."""
+    """Say whether a slot holds a number that only a running skill has."""
     return any(isinstance(step, ir.Quantity) for step in machine.slots[slot].path)
 
 
 def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterator[z3.BoolRef]:
-    """Say that a quantity in a message is not known where no skill runs that may have it; `numbers`
-    are those of some slots.
+    """Facts: a quantity in a message is unknown if no skill runs that may have it. `numbers` are
+    the numbers of some slots.
     """
     for asked, doing in numbers.items():
         for slot, found in numbers.items():
@@ -29,7 +29,7 @@ def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterat
 
 
 def _covers(machine: ir.Machine, asked: int, slot: int) -> bool:
-    """Say whether a slot asks for all skills that may have the quantity in another."""
+    """Say whether a slot asks for all skills that may have the quantity in another slot."""
     match (machine.slots[asked].path, machine.slots[slot].path):
         case ((ir.Doing(arguments=(), is_ahead=False) as step,), (ir.Quantity() as quantity,)):
             return set(quantity.skills) <= set(step.skills)

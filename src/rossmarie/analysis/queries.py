@@ -24,10 +24,10 @@ from rossmarie.analysis.unproved import not_proved
 from rossmarie.ir import Machine, Requirement
 
 QUICK_S = 8.0
-"""The quick queries about one file are given up after this, in seconds of CPU time."""
+"""The time limit of the quick queries about one file, in seconds of CPU time."""
 
 THOROUGH_S = 600.0
-"""The same for all queries."""
+"""The time limit of all queries about one file, in seconds of CPU time."""
 
 Query = Callable[[Inquiry], Iterator[Finding]]
 
@@ -39,9 +39,10 @@ def ask_all(
     within_ns: int,
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Finding]:
-    """The findings of the quick queries, or of all; that time ran out is one of them.
+    """The findings of the quick queries, or of all queries; one finding if the time ran out.
 
-    `within_ns` is how soon a rule may not toggle, in nanoseconds; `on_step` is told each query.
+    `within_ns` is the time in nanoseconds within which no rule may toggle. `on_step` is called with
+    the name of each query.
     """
     if not machine.rules:
         return
@@ -55,7 +56,7 @@ def ask_all(
 def ask_required(
     required: Requirement, *, thorough: bool, on_step: Callable[[str], None] = lambda _: None
 ) -> Iterator[Finding]:
-    """The findings on a requirement of a rule; that time ran out is one of them."""
+    """The findings on a requirement of a rule; one finding if the time ran out."""
     on_step("which rules act in time?")
     limit_s = THOROUGH_S if thorough else QUICK_S
     inquiry = Inquiry(required.machine, time.process_time() + limit_s)

@@ -1,4 +1,4 @@
-"""ROSS713 to ROSS715 and ROSS719: what does not fit the rates of messages in the system model."""
+"""ROSS713 to ROSS715 and ROSS719: conflicts with the message rates in the system model."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
 
 
 class StaleBetweenMessages(Warning, code="ROSS714", name="stale-between-messages"):
-    """An input whose timeout is shorter than the time from message to message."""
+    """An input whose timeout is shorter than the time between two messages."""
 
     title = (
         "`{input}` becomes stale between messages: the next message is not due {timeout} after a "
@@ -66,7 +66,7 @@ class StaleBetweenMessages(Warning, code="ROSS714", name="stale-between-messages
 
 
 class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
-    """A `for` that is over before the next message can come."""
+    """A `for` that ends before the next message can come."""
 
     title = "one message is enough for `{condition}`"
     label = (
@@ -79,7 +79,7 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
 
 
 class UnfitWindow(Warning, code="ROSS719", name="unfit-window"):
-    """A window in which more samples come than it holds, or one only."""
+    """A window that receives more samples than it holds, or only one."""
 
     title = "the window of `{text}` does not fit the rate of {topic}"
     label = "messages on {topic} arrive {apart}"

@@ -1,6 +1,6 @@
-"""Durations that do not fit the rates at which a system model says that messages come.
+"""Durations that do not fit the message rates of a system model.
 
-No other query relies on these rates: a monitor is there for when they are not kept.
+No other query relies on these rates, because a monitor also has to work when they are not kept.
 """
 
 from __future__ import annotations
@@ -52,8 +52,9 @@ from rossmarie.ir.duration_text import duration_text
 
 
 def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each input that is stale although its messages come as they should, of each part
-    of a condition that is never true then, and of each `for` that one message fulfils.
+    """A warning for each input that is stale although its messages come at the declared rate, for
+    each part of a condition that is then never true, and for each `for` that a single message
+    satisfies.
     """
     machine = inquiry.machine
     if all(channel.gaps_ns is None for channel in machine.channels):
@@ -75,7 +76,9 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _gaps(machine: Machine, channel: int) -> tuple[int, int]:
-    """The least and the greatest time between two messages; of one that nothing is said of, any."""
+    """The least and the greatest time between two messages, in nanoseconds. Without a declared
+    rate, any time.
+    """
     return machine.channels[channel].gaps_ns or (0, 0)
 
 
@@ -113,7 +116,9 @@ def _stale_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
 
 
 def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness | None:
-    """A rule becomes active because an input is stale, and then its next message comes."""
+    """A witness: a rule becomes active because an input is stale, and then the next message of the
+    input comes.
+    """
     condition = inquiry.machine.rules[rule].condition
     witness = inquiry.witness(
         Asked(
@@ -160,7 +165,7 @@ def _is_seen_stale(seen: Sequence[View], rule: int) -> bool:
 
 
 def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
-    """A warning of a window that holds a single sample, or fewer than come in it."""
+    """A warning for a window that holds only one sample, or fewer samples than arrive in it."""
     machine, signal = inquiry.machine, inquiry.machine.signals[index]
     channels = inquiry.asked.supports.signals[index].channels
     window_ns = inquiry.asked.window_of(index)
@@ -187,7 +192,7 @@ def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
 
 
 def never_at_rate(inquiry: Inquiry, proposition: int) -> list[Finding]:
-    """A finding if a part cannot be true while messages come as they should."""
+    """A finding if a part cannot be true while messages come at the declared rate."""
     machine = inquiry.machine
     for channel in sorted(inquiry.asked.supports.propositions[proposition].channels):
         gaps = _gaps(machine, channel)
@@ -206,7 +211,9 @@ def never_at_rate(inquiry: Inquiry, proposition: int) -> list[Finding]:
 
 
 def _reason(inquiry: Inquiry, proposition: int, channel: int, gap_ns: int) -> Remark | None:
-    """Why a part is never true if messages on a channel are that far apart; None if it may be."""
+    """The reason why a part is never true if messages on a channel are that far apart; None if it
+    can be true.
+    """
     machine = inquiry.machine
     match machine.propositions[proposition].node:
         case Held(operand=operand, duration_ns=duration_ns):
@@ -233,8 +240,8 @@ def _reason(inquiry: Inquiry, proposition: int, channel: int, gap_ns: int) -> Re
 
 
 def _over_after(inquiry: Inquiry, operand: int, channel: int, below_ns: int) -> int | None:
-    """An age of the last message, below some time, at which a condition is proved not to be true;
-    None if there is none. Only timeouts and ages in the rules can make it so.
+    """An age of the last message, below a limit, at which a condition is proved not to be true;
+    None if there is none. Only timeouts and ages in the rules can cause this.
     """
     machine = inquiry.machine
     support = inquiry.asked.supports.propositions[operand]
@@ -260,7 +267,7 @@ def _is_true_at_age(
 
 
 def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
-    """The signals of which some others need two samples."""
+    """The signals for which other signals need two samples."""
     waiting = list(signals)
     while waiting:
         node = machine.signals[waiting.pop()].node
@@ -272,7 +279,7 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
 
 
 def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Remark | None:
-    """Why there are never two samples of a signal (S21); None if there may be."""
+    """The reason why a signal never has two samples (S21); None if it can have them."""
     machine = inquiry.machine
     support = inquiry.asked.supports.signals[signal]
     if support.channels != {channel}:
@@ -290,7 +297,9 @@ def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Rema
 
 
 def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
-    """A finding if a `for` is shown to come true after a single message of each topic."""
+    """A finding if a witness shows that a `for` becomes true after a single message of each
+    topic.
+    """
     machine = inquiry.machine
     part = machine.propositions[proposition]
     channels = sorted(inquiry.asked.supports.propositions[proposition].channels)
@@ -323,7 +332,7 @@ def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
 def _alone(
     machine: Machine, witness: Witness, proposition: int, duration_ns: int
 ) -> Witness | None:
-    """One of the events of a witness, if nothing else makes a `for` true."""
+    """One of the events of a witness, if this event alone makes a `for` true."""
     for event in witness.events:
         alone = Witness((Sending(0, event.messages),), duration_ns, witness.is_calm)
         *_, last = views(machine, alone, (proposition,))

@@ -1,4 +1,6 @@
-"""Recoveries that fight their own rule, or another one: commands that a limit cuts to 0."""
+"""Recoveries that conflict with their own rule or with another rule: commands that a limit cuts to
+0.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from rossmarie.ir.reactions import Bound, Limit, Publish, Task
 
 
 def find_blocked(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each command of a rule that a limit in force at the same time makes 0."""
+    """A warning for each command of a rule that a simultaneous limit sets to 0."""
     machine = inquiry.machine
     for rule, task, publish in _published(machine):
         for other, limit_task, bound in _limits(machine, publish):
@@ -45,7 +47,7 @@ def _limits(machine: Machine, publish: Publish) -> Iterator[tuple[int, Task, Bou
 
 
 def _cut(machine: Machine, publish: Publish, bound: Bound) -> float | None:
-    """The number of a command that a bound makes 0; None if it leaves something of it."""
+    """The number of a command that a bound sets to 0; None if the bound leaves a part of it."""
     assert publish.command is not None
     path = machine.reactions.commands[publish.command].fields[bound.field].path
     for assignment in publish.assignments:

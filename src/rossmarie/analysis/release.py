@@ -19,7 +19,7 @@ from rossmarie.ir import TruthValue
 
 
 def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each rule without a way out whose condition alone could become false."""
+    """A warning for each rule that nothing clears although its condition could become false."""
     machine = inquiry.machine
     for index, rule in enumerate(machine.rules):
         if rule.release is None or not rule.inputs:
@@ -27,7 +27,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
         alone = inquiry.about(index)
         condition = alone.machine.rules[0].condition
         if alone.is_impossible(partial(_is_false, condition=condition)):
-            continue  # always active, which is said elsewhere
+            continue  # always active; another query reports this
         result = alone.decide(
             Asked(
                 propositions_of(alone.machine, (0,)),

@@ -1,4 +1,4 @@
-"""Witnesses made short: fewer legs, fewer messages, round numbers, and no time after the end."""
+"""Short witnesses: fewer legs, fewer messages, round numbers, and no time after the end."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from rossmarie.ir.carried import carries
 
 _MOST_REPLAYS = 80
 _MOST_MESSAGES = 400
-"""In a witness that is tried out again and again."""
+"""The most messages in a witness that is replayed again and again."""
 
 
 class Replays:
-    """The judge of drafts: the interpreter tries out whether each shows a predicate, up to a number
-    of tries.
+    """The judge of drafts: the interpreter replays each draft, and checks whether it shows a
+    predicate. The number of replays is limited.
     """
 
     def __init__(self, machine: Machine, predicate: Predicate, asked: Sequence[int]) -> None:
@@ -40,7 +40,9 @@ class Replays:
         self._channels = [all_channels(machine, support) for support in supports(machine).signals]
 
     def show(self, draft: Draft) -> Witness | None:
-        """The witness up to the instant at which it shows the predicate; None if it does not."""
+        """The witness up to the instant at which it shows the predicate; None if it does not show
+        it.
+        """
         if self._left <= 0 or _messages(draft) > _MOST_MESSAGES * 20:
             return None
         self._left -= 1 + _messages(draft) // _MOST_MESSAGES
@@ -55,7 +57,7 @@ class Replays:
         return None
 
     def _has_gap(self, draft: Draft, view: View) -> bool:
-        """Say whether something that the draft sends is not known."""
+        """Say whether a value that the draft sends is unknown."""
         channels = {channel for leg in draft.legs for channel in leg.channels}
         return any(
             math.isnan(view.signals[index]) and self._channels[index] <= channels
@@ -75,7 +77,7 @@ def _until(witness: Witness, view: View) -> Witness:
 
 
 def shortened(machine: Machine, draft: Draft, replays: Replays) -> Witness | None:
-    """The shortest witness that is found around a draft; None if the draft is not borne out."""
+    """The shortest witness that is found around a draft; None if the draft is not confirmed."""
     best = replays.show(draft)
     if best is None:
         return None
@@ -91,7 +93,7 @@ def shortened(machine: Machine, draft: Draft, replays: Replays) -> Witness | Non
 
 
 def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
-    """Drafts with less in them, the greatest step first."""
+    """Simpler drafts, the greatest simplification first."""
     for number, leg in enumerate(draft.legs):
         if len(draft.legs) > 1:
             yield draft.with_leg(number, None)
@@ -114,7 +116,9 @@ def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
 
 
 def _lengths(machine: Machine) -> list[int]:
-    """The lengths of a leg, the best first: no time at all, or a duration in the rules."""
+    """The lengths of a leg in nanoseconds, the best first: no time at all, or a duration in the
+    rules.
+    """
     durations = {
         node.duration_ns
         for proposition in machine.propositions
@@ -140,7 +144,7 @@ def _channel(machine: Machine, knob: Knob) -> int:
 
 
 def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
-    """Rounder values near one, in the unit that the user sees, the roundest first."""
+    """Rounder values near a value, in the unit that the user sees, the roundest first."""
     is_slot = knob.array is None and knob.angle is None
     if is_slot and machine.slots[knob.slots[0]].kind is not Kind.REAL:
         return
@@ -153,7 +157,9 @@ def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
 
 
 def cost(number: float) -> tuple[int, float]:
-    """The number of digits of a number; of equally many, 5 and 0 are rounder."""
+    """The cost of a number: its count of digits. Among equal counts, numbers that end in 5 or 0 are
+    rounder.
+    """
     digits = f"{abs(number):.12e}".partition("e")[0].replace(".", "").rstrip("0")
     return (len(digits), float(digits[-1:] not in ("5", "")))
 

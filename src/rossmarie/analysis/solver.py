@@ -1,4 +1,4 @@
-"""Asking z3, with a limit: an answer is a model, a proof that there is none, or neither."""
+"""Queries to z3 with a limit: the answer is a model, a proof that there is none, or neither."""
 
 from __future__ import annotations
 
@@ -9,10 +9,12 @@ from dataclasses import dataclass
 import z3
 
 EFFORT = 3_000_000
-"""The effort that a query may cost, in steps of the solver: the same everywhere, unlike time."""
+"""The effort that a query may cost, in steps of the solver. Unlike time, steps are the same on
+every machine.
+"""
 
 LIMIT_MS = 20_000
-"""After this, in milliseconds, a query is given up however few steps it took."""
+"""The time limit of a query in milliseconds, whatever its number of steps."""
 
 
 _BY_CTRL_C = "interrupted from keyboard"
@@ -28,7 +30,7 @@ class Satisfiability(enum.Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """The outcome, with a model where it is POSSIBLE."""
+    """The outcome of a query; if it is POSSIBLE, with a model."""
 
     outcome: Satisfiability
     model: z3.ModelRef | None = None
@@ -38,7 +40,7 @@ _OUTCOMES = {"sat": Satisfiability.POSSIBLE, "unsat": Satisfiability.IMPOSSIBLE}
 
 
 class Solver:
-    """Facts that stay, and predicates that are asked together with them, one after the other."""
+    """Facts that stay, and predicates that are queried together with them, one after another."""
 
     def __init__(self, facts: Sequence[z3.BoolRef]) -> None:
         self._solver = z3.Solver()
@@ -46,7 +48,7 @@ class Solver:
         self._solver.add(facts)
 
     def ask(self, *predicates: z3.BoolRef) -> Answer:
-        """Ask whether the predicates can be so, all of them."""
+        """Ask whether the facts and all the predicates can be true together."""
         self._solver.push()
         self._solver.add(predicates)
         outcome = _OUTCOMES.get(str(check(self._solver)), Satisfiability.UNDECIDED)
@@ -56,8 +58,8 @@ class Solver:
 
 
 def check(solver: z3.Solver) -> z3.CheckSatResult:
-    """Ask z3. While it works it takes Ctrl-C for itself, and calls that undecided: here it ends the
-    run as everywhere.
+    """Query z3. z3 handles Ctrl-C itself and then returns "undecided"; this function raises
+    `KeyboardInterrupt` instead, so that Ctrl-C ends the run.
     """
     found = solver.check()
     if found == z3.unknown and solver.reason_unknown() == _BY_CTRL_C:
@@ -66,5 +68,5 @@ def check(solver: z3.Solver) -> z3.CheckSatResult:
 
 
 def ask(facts: Sequence[z3.BoolRef], *predicates: z3.BoolRef) -> Answer:
-    """A single query."""
+    """Ask a single query."""
     return Solver(facts).ask(*predicates)

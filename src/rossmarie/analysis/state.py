@@ -1,8 +1,8 @@
 """An arbitrary well-formed state at any evaluation of any trace.
 
-Every state that a trace leads to is one of these, so what holds in all of them holds always. The
-opposite is not true: memories (`for`, `rate`, `previous`, `oscillates`) hold anything that fits the
-present value of what they remember, and that of a `since` holds anything.
+Every reachable state is one of these states, so a predicate that is true in all of them is always
+true. The opposite does not follow: memories (`for`, `rate`, `previous`, `oscillates`) hold anything
+that fits the present value of their operand, and the memory of a `since` holds anything.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from rossmarie.ir import TruthValue
 
 
 class ArbitraryState(Encoding):
-    """Anything that can be at an evaluation.
+    """Any state at an evaluation.
 
-    `settled` leaves out the time in which a `for` has not matured yet although its condition is
-    true; what is false only then is false only at the beginning.
+    `settled` excludes the time in which a `for` has not matured although its condition is true. A
+    proposition that is false only then is false only at the beginning.
     """
 
     rounded = True
@@ -55,7 +55,7 @@ class ArbitraryState(Encoding):
         return self._slots[index]
 
     def cells(self, array: int) -> Sequence[Cell]:
-        """As many elements as can matter, while the input is fresh."""
+        """The elements of an array while its input is fresh: as many as can affect the result."""
         if array not in self._cells:
             cells = [
                 Cell(
@@ -75,7 +75,7 @@ class ArbitraryState(Encoding):
         return self._cells[array]
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Either."""
+        """A free boolean."""
         return z3.Bool(f"channel{channel}.arrived")
 
     def age(self, channel: int) -> z3.ArithRef:
@@ -96,7 +96,7 @@ class ArbitraryState(Encoding):
         return Number(known, z3.FreshReal("sample"))
 
     def count(self, node: ir.Count) -> Number:
-        """Any number of elements, if all of them are known."""
+        """Any number of elements, if all elements are known."""
         array = self.asked.elements.propositions[node.element]
         assert array is not None
         known = [self.is_kept(array), self.cells(array)[0].is_there]
@@ -108,7 +108,9 @@ class ArbitraryState(Encoding):
         return Number(z3.And(known), z3.ToReal(number))
 
     def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
-        """True once its condition has been true for long enough, before that whatever it was."""
+        """True once its condition has been true for long enough; before that, the value that the
+        condition had earlier.
+        """
         if self._settled:
             return operand
         is_true = self.elapsed(node.operand) >= node.duration_ns
@@ -119,7 +121,7 @@ class ArbitraryState(Encoding):
         )
 
     def before(self, operand: int) -> Fact:
-        """The value of a proposition before it became true, where it is."""
+        """The value that a proposition, which is now true, had before."""
         if operand not in self._before:
             found = free_fact(f"proposition{operand}.before", self.facts)
             self.facts.append(z3.Not(found.true))
@@ -129,7 +131,7 @@ class ArbitraryState(Encoding):
         return self._before[operand]
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """For how long a proposition has been true, where it is, in nanoseconds."""
+        """The time in nanoseconds for which a proposition, which is now true, has been true."""
         if operand not in self._elapsed:
             self._elapsed[operand] = z3.Int(f"proposition{operand}.elapsed")
             self.facts.append(self._elapsed[operand] >= 0)
@@ -137,41 +139,41 @@ class ArbitraryState(Encoding):
 
     @property
     def awaited(self) -> tuple[int, ...]:
-        """The propositions of which it was asked for how long they have been true."""
+        """The propositions whose time of being true was asked for."""
         return tuple(self._elapsed)
 
     def is_longer(self, operand: int, other: int) -> z3.BoolRef:
-        """The facts if a proposition cannot be true while another is not."""
+        """The facts if a proposition cannot be true while another proposition is not."""
         return z3.Implies(
             self.proposition(operand).true, self.elapsed(other) >= self.elapsed(operand)
         )
 
     def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
-        """The further facts if the one cannot be U, or S, while the other is not: after they were,
-        they became true together. A jump in time makes both U (S17).
+        """Further facts, if the one proposition cannot be U, or S, while the other is not: after
+        such a value, both became true together. A jump in time makes both U (S17).
         """
         was_unknown = z3.And(self.proposition(operand).true, self.before(operand).is_value(value))
         is_equal = self.elapsed(other) == self.elapsed(operand)
         return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
 
     def remembered(self, index: int) -> Fact:
-        """Anything, whatever its operands are now."""
+        """Any value, whatever its operands are now."""
         found = free_fact(f"proposition{index}.remembered", self.facts)
         if not self.asked.has_timeout(self.asked.supports.propositions[index].inputs):
             self.facts.append(z3.Not(found.stale))
         return found
 
     def oscillating(self, index: int) -> Fact:
-        """Anything."""
+        """Any value."""
         return free_fact(f"proposition{index}", self.facts)
 
     def recurring(self, index: int, _: ir.Recurs) -> Fact:
-        """Anything: what edges there were is not asked."""
+        """Any value: the edges of the past are not encoded."""
         return free_fact(f"proposition{index}", self.facts)
 
 
 def shape_facts(cells: Sequence[Cell]) -> list[z3.BoolRef]:
-    """An array has no gaps."""
+    """The fact that an array has no gaps."""
     return [
         z3.Implies(later.is_there, earlier.is_there) for earlier, later in itertools.pairwise(cells)
     ]

@@ -26,7 +26,7 @@ NO = z3.BoolVal(False)
 
 @dataclass(frozen=True)
 class Number:
-    """A signal: whether it is known, and its value in SI where it is."""
+    """A signal: whether it is known, and its value in SI if it is known."""
 
     known: z3.BoolRef
     value: z3.ArithRef
@@ -34,7 +34,9 @@ class Number:
 
 @dataclass(frozen=True)
 class Fact:
-    """A proposition: whether it is T, F, or S. At most one of the three; none means U."""
+    """A proposition as three flags, T, F and S, at most one of which is true. If none is true, its
+    value is U.
+    """
 
     true: z3.BoolRef
     false: z3.BoolRef
@@ -67,14 +69,14 @@ FALSE = literal(False)
 
 
 def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
-    """A proposition of any value; what holds of it goes to `facts`."""
+    """A proposition of any value. Facts about it are added to `facts`."""
     true, false, stale = (z3.Bool(f"{name}.{value}") for value in "TFS")
     facts.append(z3.AtMost(true, false, stale, 1))
     return Fact(true, false, stale)
 
 
 def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
-    """The one proposition where the condition holds, else the other."""
+    """The one proposition if the condition is true, else the other."""
     return Fact(
         z3.If(condition, one.true, other.true),
         z3.If(condition, one.false, other.false),
@@ -100,7 +102,7 @@ def disjunction(operands: Sequence[Fact]) -> Fact:
 
 
 def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
-    """The proposition that some propositions make together (S2)."""
+    """The combination of some propositions (S2)."""
     match node:
         case Literal(value=value):
             return literal(value)
@@ -135,7 +137,9 @@ def compared(comparison: Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z
 
 
 def holds(node: Compare | Between | Flag, values: Sequence[z3.ArithRef]) -> z3.BoolRef:
-    """S27 to S29, of the numbers that a proposition compares (`compared_signals`), all known."""
+    """The result of S27 to S29 for the numbers that a proposition compares (`compared_signals`),
+    all known.
+    """
     match node:
         case Compare(comparison=comparison):
             return compared(comparison, *values)
@@ -146,12 +150,12 @@ def holds(node: Compare | Between | Flag, values: Sequence[z3.ArithRef]) -> z3.B
 
 
 def within(value: z3.ArithRef, ends: tuple[float, float]) -> list[z3.BoolRef]:
-    """The facts that a number lies between two ends."""
+    """The facts that a number lies within two limits."""
     return [value >= constant(ends[0]), value <= constant(ends[1])]
 
 
 def exact_number(value: z3.ExprRef) -> Fraction:
-    """A number of a model, or one very near it."""
+    """A number of a model, exact or approximated closely."""
     if z3.is_algebraic_value(value):
         value = value.approx(30)
     if z3.is_int_value(value):
@@ -173,7 +177,7 @@ def extreme(values: Sequence[z3.ArithRef], *, least: bool) -> z3.ArithRef:
 
 
 def constants_in(term: z3.ExprRef) -> list[z3.ExprRef]:
-    """All that a term leaves open, each once."""
+    """All free constants in a term, each once."""
     found: dict[int, z3.ExprRef] = {}
     seen: set[int] = set()
     waiting = [term]

@@ -1,8 +1,8 @@
-"""Leaves that compare one number with different constants, as the rules of large files do: where
-the solver finds that the number can lie beyond one threshold, it can lie beyond all lesser ones.
+"""Leaves that compare one number with different constants, as the rules of large files do. If the
+number can lie beyond one threshold, it can lie beyond all lesser ones.
 
-So of all leaves of one kind the solver is asked about the outermost thresholds only, and about the
-next ones where it does not find them possible.
+So the solver is asked about the outermost thresholds of each kind of leaf, and about the next ones
+only if it does not find the outer ones possible.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Kind = tuple[Quantifier | None, Comparison, int]
 
 @dataclass(frozen=True)
 class Threshold:
-    """A leaf `number > value`, or the like, also of elements."""
+    """A leaf `number > value` or similar, also over elements."""
 
     proposition: int
     kind: Kind
@@ -29,7 +29,7 @@ class Threshold:
 
     @property
     def is_above(self) -> bool:
-        """Say whether greater numbers make it true."""
+        """Say whether greater numbers make the leaf true."""
         return self.kind[1] in _ABOVE
 
 
@@ -38,7 +38,7 @@ IsPossible = Callable[[int, bool], bool]
 
 
 def varied(machine: Machine, propositions: Iterable[int], is_possible: IsPossible) -> set[int]:
-    """The ones of some propositions that are such leaves, and can be true as well as false."""
+    """The propositions among some that are such leaves, and can be true as well as false."""
     kinds: dict[Kind, list[Threshold]] = {}
     for proposition in propositions:
         threshold = _threshold(machine, proposition)
@@ -49,7 +49,7 @@ def varied(machine: Machine, propositions: Iterable[int], is_possible: IsPossibl
         if len(alike) > 1:
             hardest_last = sorted(alike, key=lambda each: each.value, reverse=not alike[0].is_above)
             can_be_true = _possible(hardest_last[::-1], is_possible, value=True)
-            # The easier it is true, the harder it is false.
+            # A leaf that is easier to make true is harder to make false.
             found |= can_be_true & _possible(hardest_last, is_possible, value=False)
     return found
 

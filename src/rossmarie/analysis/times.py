@@ -1,4 +1,4 @@
-"""The times of a trace of events, from the durations in the rules."""
+"""The times of a trace of events, taken from the durations in the rules."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LONGEST_PERIOD_NS = SECOND // 10
 
 
 class Times:
-    """The times of a trace, from those in a part of a machine: of channels, and below
+    """The times of a trace, taken from a part of a machine: its channels, and the operands of its
     propositions.
     """
 
@@ -47,12 +47,12 @@ class Times:
         self.shortest_ns = max([second_sample, *windows])
 
     def settling(self, proposition: int) -> int:
-        """The time that a proposition takes to settle when nothing changes any more."""
+        """The time in nanoseconds that a proposition takes to settle after the last change."""
         return self._settled[proposition]
 
     @cached_property
     def period_ns(self) -> int:
-        """Between two messages of a channel."""
+        """The time between two messages of a channel, in nanoseconds."""
         least = min((timeout // 2 for timeout in self.timeouts), default=_LONGEST_PERIOD_NS)
         return max(min(least, _LONGEST_PERIOD_NS), 1)
 
@@ -63,7 +63,7 @@ class Times:
                 yield node.age_ns
 
     def _settling(self, asked: Questioned) -> dict[int, int]:
-        """The time that each proposition takes to settle when nothing changes any more."""
+        """The time in nanoseconds that each proposition takes to settle after the last change."""
         machine = asked.machine
         needed: dict[int, int] = {}
         for proposition in self.propositions:

@@ -1,8 +1,8 @@
-"""A trace of events in a few legs, unrolled from the start of a trace.
+"""A trace of events in a few legs, unrolled from its start.
 
-On each leg some channels send the same message over and over for a while, and the others are
-silent. A leg is looked at twice: at its first message and at its end. What the terms say of such a
-trace is a proposal: the interpreter has the last word (`shrink`).
+On each leg, some channels send the same message again and again, and the others are silent. A leg
+is evaluated twice: at its first message and at its end. The terms only propose a trace: the
+interpreter has to confirm it (`shrink`).
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ from rossmarie.ir.calls import query_at
 
 @dataclass(frozen=True)
 class Leg:
-    """The messages of a leg, as terms; `shakes` are oscillations that they make, `calls` those of
-    skills that they tell of.
+    """The messages of a leg, as terms. `shakes` are the oscillations of the messages, `calls` the
+    running skills that they report.
     """
 
     sends: dict[int, z3.BoolRef]
@@ -70,7 +70,7 @@ class Moment(Encoding):
 
     @once_each
     def slot(self, index: int) -> Number:
-        """The value that the leg sends, else the one that was sent before, until it expires."""
+        """The value that the leg sends, else the value that was sent before, until it expires."""
         slot = self.machine.slots[index]
         sends = self.leg.sends[self.machine.inputs[slot.input].channel]
         sent = self.leg.slots[index]
@@ -98,8 +98,8 @@ class Moment(Encoding):
         return found
 
     def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
-        """A function of what has not changed has not changed, also where its terms do not say so:
-        an angle, or a length.
+        """A function of unchanged operands is unchanged, also if its terms do not imply this: an
+        angle, or a length.
         """
         result = super().apply(index, function, numbers)
         if self._before is not None and not self.asked.supports.signals[index].samples:
@@ -110,13 +110,13 @@ class Moment(Encoding):
 
     @once_each
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Say whether this leg or an earlier one sends."""
+        """Say whether this leg or an earlier leg sends on a channel."""
         earlier = NO if self._before is None else self._before.has_arrived(channel)
         return z3.Or(self.leg.sends[channel], earlier)
 
     @once_each
     def age(self, channel: int) -> z3.ArithRef:
-        """None at each message."""
+        """The age of the last message: 0 at each message."""
         passed = z3.IntVal(0)
         if self._before is not None:
             gap = self.leg.length_ns if self._is_end else self._times.period_ns
@@ -130,7 +130,7 @@ class Moment(Encoding):
         return z3.Or([self.leg.sends[channel] for channel in channels])
 
     def sampled(self, index: int, node: ir.Sampled) -> Number:
-        """A step at the first message, then nothing changes; until then what it was."""
+        """A step at the first message, then no change; before the message, the old value."""
         declared = sampling_row(node.function)
         number, brings = self.signal(node.signal), self._is_sampled(node.signal)
         at_rest = Formulas([number.value], exactly).term(declared.at_rest(Operand(0)))
@@ -151,7 +151,7 @@ class Moment(Encoding):
         return Number(known, z3.If(brings, step, earlier.value))
 
     def _view(self, view: View, number: Number, last: Number) -> z3.ArithRef:
-        """The value that the first message of a leg finds among the samples."""
+        """The value that the first message of a leg has among the samples."""
         match view:
             case View.NEWEST:
                 return number.value
@@ -163,7 +163,7 @@ class Moment(Encoding):
                 raise AssertionError("windows and filters are not looked into")
 
     def count(self, node: ir.Count) -> Number:
-        """Those for which it is true."""
+        """The number of elements for which the proposition is true."""
         array = self.asked.elements.propositions[node.element]
         assert array is not None
         cells = self.cells(array)
@@ -174,17 +174,22 @@ class Moment(Encoding):
         return Number(z3.And(cells[0].is_there, *known), z3.ToReal(z3.Sum(ones)))
 
     def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
-        """True once the operand has been for long enough; before that what the operand was."""
+        """True once the operand has been true for long enough; before that, the value that the
+        operand had earlier.
+        """
         matured = self.elapsed(node.operand) >= node.duration_ns
         was = self.was(node.operand, node.initially)
         return choice(operand.true, choice(matured, literal(True), was), operand)
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """For how long a proposition has been true, where it is, at the least."""
+        """The least time in nanoseconds for which a proposition, which is now true, has been
+        true.
+        """
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
-                # A proposition that changed on the way did so after all below it had settled.
+                # A proposition that changed during the leg did so after all its operands had
+                # settled.
                 begun = self.leg.length_ns - self._times.settling(operand)
                 begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
             if self._before is not None:
@@ -195,8 +200,8 @@ class Moment(Encoding):
         return self._elapsed[operand]
 
     def was(self, operand: int, initially: bool) -> Fact:
-        """The value of a proposition before it became true, where it is; before the start, as
-        reported.
+        """The value that a proposition, which is now true, had before; before the start,
+        `initially`.
         """
         if self._before is None:
             return literal(initially)
@@ -204,11 +209,11 @@ class Moment(Encoding):
         return choice(before.true, self._before.was(operand, initially), before)
 
     def remembered(self, index: int) -> Fact:
-        """Its value at the moment before."""
+        """The value at the moment before."""
         return FALSE if self._before is None else self._before.proposition(index)
 
     def recurring(self, _: int, node: ir.Recurs) -> Fact:
-        """True if enough of the moments up to here are edges, and near enough."""
+        """True if enough of the moments up to now are edges within the time."""
         near = [
             z3.If(z3.And(is_edge, since < node.window_ns), 1, 0)
             for is_edge, since in self.edges(node.operand)
@@ -216,7 +221,7 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """Say for each moment up to here if a proposition became true, and how long ago that is."""
+        """The flag that a proposition became true, and its age, for each moment up to now."""
         now = self.proposition(operand).true
         if self._before is None:
             return [(now, z3.IntVal(0))]
@@ -225,15 +230,15 @@ class Moment(Encoding):
         return [*earlier, (z3.And(self._before.proposition(operand).false, now), z3.IntVal(0))]
 
     def oscillating(self, index: int) -> Fact:
-        """The value that the messages of the leg give to an oscillation."""
+        """The value of an oscillation, as the messages of the leg give it."""
         if self._is_end:
             return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)
         return FALSE if self._before is None else self._before.proposition(index)
 
 
 class Trace:
-    """A few legs, and which rules are active at each of their moments. The legs of a brief trace
-    are single messages.
+    """A few legs, and the rules that are active at each of their moments. In a brief trace, each
+    leg is a single message.
     """
 
     def __init__(
@@ -252,7 +257,7 @@ class Trace:
 
     @property
     def facts(self) -> list[z3.BoolRef]:
-        """The facts of every trace; complete once all has been asked of the moments."""
+        """The facts of every trace. They are complete after all queries to the moments."""
         found = [fact for moment in self.moments for fact in moment.facts]
         for leg in self.legs:
             found += self._leg_facts(leg)
@@ -262,8 +267,8 @@ class Trace:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """The facts of a trace on which every sensor sends what it measures. What only a skill
-        has is known only while that runs.
+        """The facts of a trace on which every sensor sends its measurements. Values that only a
+        skill has are known only while the skill runs.
         """
         found = []
         machine = self.asked.machine
@@ -325,7 +330,7 @@ class Trace:
         return [Cell(array, z3.Bool(f"{name}.{i}"), number) for i, number in enumerate(numbers)]
 
     def _shakable(self) -> Iterator[int]:
-        """The oscillations of what a message carries as it is."""
+        """The oscillations of values that a message carries directly."""
         machine = self.asked.machine
         for proposition in self.times.propositions:
             node = machine.propositions[proposition].node
@@ -335,7 +340,9 @@ class Trace:
                 yield proposition
 
     def _skill_facts(self, leg: Leg) -> list[z3.BoolRef]:
-        """The answers about skills in one message go together, and so does what is not known."""
+        """Facts: the answers about skills in one message are consistent, and so are the unknown
+        values.
+        """
         slots = self.asked.machine.slots
         asking = {index: number for index, number in leg.slots.items()
                   if query_at(slots[index].path) is not None}  # fmt: skip

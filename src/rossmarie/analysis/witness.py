@@ -1,6 +1,7 @@
-"""A witness: a short trace that shows what a finding says.
+"""A witness: a short trace that shows a finding.
 
-It is reported in the words of the rules file, and can be written as a recording.
+Reports describe a witness in the terms of the rules file, and a witness can be written as a
+recording.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ class Sending:
 
 @dataclass(frozen=True)
 class Witness:
-    """Messages in the order in which they arrive, and the instant at which all is seen. `is_calm`
-    says whether all sensors that matter work.
+    """Messages in the order in which they arrive, and the instant of the last evaluation. `is_calm`
+    is True if all relevant sensors work.
     """
 
     events: tuple[Sending, ...]
@@ -43,7 +44,7 @@ class Witness:
 
 @dataclass(frozen=True)
 class View:
-    """The view right after an evaluation: rules and asked propositions, by index; signals."""
+    """The result of an evaluation: active rules and queried propositions, by index, and signals."""
 
     at_ns: int
     active: tuple[bool, ...]
@@ -52,11 +53,11 @@ class View:
 
 
 Predicate = Callable[[Sequence[View]], bool]
-"""A test of the views up to the last one: it is true if they show what is to be shown."""
+"""A test of the views up to the last one; True if they show the finding."""
 
 
 def within(machine: Machine, witness: Witness) -> Witness:
-    """The witness without what the machine does not read, of one for a machine with more behind."""
+    """The witness for a machine, cut from a witness for a machine with more channels at the end."""
     slots, arrays = len(machine.slots), len(machine.arrays)
 
     def kept(values: ChannelValues) -> ChannelValues:
@@ -80,7 +81,7 @@ def within(machine: Machine, witness: Witness) -> Witness:
 
 
 def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
-    """The evaluations that a witness leads to, with what some propositions are worth."""
+    """The evaluations of a witness, with the values of some propositions."""
     watching = replace(machine, watches=tuple(asked))
     monitor = Interpreter(watching)
 
@@ -103,9 +104,11 @@ def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iter
 
 
 def as_csv(machine: Machine, witness: Witness) -> str:
-    """The witness as a recording that `rossmarie replay` reads; numbers without loss."""
+    """The witness as a recording that `rossmarie replay` reads. Numbers are written without
+    loss.
+    """
     channels = sorted({channel for event in witness.events for channel in event.messages})
-    if not channels:  # a recording has to know what it is silent about
+    if not channels:  # a recording names the topics that are silent, too
         channels = list(range(len(machine.channels)))
     columns = [column for channel in channels for column in _columns(machine, channel, witness)]
     text = io.StringIO()
@@ -120,8 +123,8 @@ def as_csv(machine: Machine, witness: Witness) -> str:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of a recording: a slot, or with `element` one of an array; without an `index`, that
-    there is a message.
+    """A column of a recording: a slot, or with `element` one element of an array. Without an
+    `index`, the column marks the arrival of a message.
     """
 
     name: str
@@ -130,7 +133,7 @@ class _Column:
     element: int | None = None
 
     def cell(self, machine: Machine, event: Sending) -> str:
-        """The text in the row of an event."""
+        """The text of this column in the row of an event."""
         values = event.messages.get(self.channel)
         if values is None:
             return ""
@@ -153,7 +156,7 @@ class _Column:
 
 
 def other_text(machine: Machine) -> str:
-    """A text that the rules do not mention."""
+    """A text that does not occur in the rules."""
     text = "another"
     while text in machine.texts:
         text += "_"
@@ -189,10 +192,10 @@ def _longest(witness: Witness, channel: int, array: int) -> int:
 
 
 def reported(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
-    """Tell what happens in a witness, on one line: what is measured from when on, and what is
-    silent.
+    """Describe a witness on one line: the measured values with their instants, and the silent
+    topics.
 
-    `signals` are those worth telling, by index.
+    `signals` are the indices of the signals to describe.
     """
     if not witness.events:
         return "before any message"
@@ -212,7 +215,9 @@ def reported(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
 
 
 def _arrivals(machine: Machine, witness: Witness) -> Iterator[str]:
-    """When which messages arrive, where nothing is measured; of many on one topic the first."""
+    """The arrivals of messages, if no value is measured: instants and topics. If there are many,
+    only the first of equal arrivals.
+    """
     is_long = len(witness.events) > _MOST_ARRIVALS
     before: frozenset[int] = frozenset()
     for event in witness.events:
@@ -230,7 +235,7 @@ def _shown(machine: Machine, index: int, view: View) -> str:
 
 
 def shown_value(machine: Machine, index: int, value: float) -> str:
-    """A value of a signal as its user writes it: `20 deg`, `true`, `"docked"`, `unknown`."""
+    """A value of a signal in the notation of its user: `20 deg`, `true`, `"docked"`, `unknown`."""
     signal = machine.signals[index]
     if math.isnan(value):
         return "unknown"

@@ -1,4 +1,4 @@
-"""Every diagnostic there is, and the page that explains it."""
+"""All diagnostics, and the page that explains each."""
 
 from rossmarie.catalog.index import CATALOG, DIAGNOSTICS
 

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class InternalError(Error, code="ROSS900", name="internal-error"):
-    """Something that cannot happen did."""
+    """An internal error: a case that cannot occur has occurred."""
 
     title = "internal error in rossmarie; the rules are not the cause"
     help = "please report the error, with the file that you checked"

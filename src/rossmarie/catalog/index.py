@@ -1,4 +1,4 @@
-"""Every diagnostic class, stage by stage: the one list that pages, SARIF and tests go by."""
+"""All diagnostic classes, by stage: the one list for pages, SARIF and tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Syntax trees -> checked program, or findings."""
+"""The check: syntax trees in, a checked program or findings out."""
 
 from rossmarie.check.check import CheckOptions, check
 from rossmarie.check.model import CheckedInput, CheckedProgram, Symbols, Value

@@ -1,7 +1,8 @@
-"""Syntax trees -> a checked program: names resolved, types and units fitting, constants known.
+"""The check: syntax trees in, a checked program out. Names are resolved, types and units fit,
+constants are known.
 
-Comes in: the trees of the main file and of all that it imports. All errors are found in one run;
-whatever rests on something that is wrong is passed over in silence.
+The input is the trees of the main file and of all its imports. One run finds all errors. An
+expression that depends on an error is skipped silently.
 """
 
 from __future__ import annotations
@@ -76,7 +77,7 @@ class CheckOptions:
 
 @dataclass(frozen=True)
 class _Actions:
-    """All that is known of actions; `confirmations` are the conditions that these rest on."""
+    """The results for actions. `confirmations` are the conditions that the actions depend on."""
 
     effects: Mapping[str, tuple[CheckedEffect, ...]]
     commands: Mapping[str, CommandTopic]
@@ -89,10 +90,10 @@ class _Actions:
 def check(
     modules: Sequence[ast.Module], options: CheckOptions, collector: Collector
 ) -> CheckedProgram | None:
-    """Check a program, main module last; None if it has errors, by now or from parsing.
+    """Check a program, main module last. Returns None if the check or the parser found errors.
 
-    Unused names and missing rules are not looked for where parsing failed: what could not be read
-    may be what is missed.
+    Unused names and missing rules are not reported if parsing failed: a part that could not be read
+    may contain the missing part.
     """
     was_parsed = not collector.has_errors
     declarations = collect(modules, collector)
@@ -141,7 +142,7 @@ def _skill_files(context: Context) -> tuple[SourceFile, ...]:
 
 
 def _check_constants(context: Context) -> None:
-    """Each constant behind those that it uses."""
+    """Check each constant after the constants that it uses."""
     constants = context.declarations.constants
     by_name = {
         constant.name.text: constant
@@ -202,8 +203,8 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
 
 
 def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
-    """Check a rule; give its place, and what it rests on. What an exemption has of the exempted
-    rule is checked there.
+    """Check a rule. Returns its place and its uses. Parts that an exemption takes from the exempted
+    rule are checked with that rule.
     """
     uses = context.enter(None)
     if not is_of_exempted(rule):
@@ -222,7 +223,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
 
 
 def _check_actions(targets: Targets, context: Context) -> _Actions:
-    """The effects of all actions, and what follows from them together."""
+    """The effects of all actions, and their combined results."""
     targets.gather()
     checker = EffectChecker(targets)
     effects: dict[str, tuple[CheckedEffect, ...]] = {}

@@ -1,8 +1,8 @@
-"""Checked effects of actions: names are resolved, and numbers in the units of messages.
+"""Checked effects of actions: names are resolved, and numbers are in the units of messages.
 
-Topics and resources are known by their names, confirmations are expressions; `lowering` gives them
-their places in a machine. What is data of messages is that of `ir.reactions`. Effects that say all
-there is to know are nodes of the syntax tree.
+Topics and resources are names, confirmations are expressions; `lowering` replaces them by indices
+of the machine. Message data use the types of `ir.reactions`. Effects that need no further data are
+nodes of the syntax tree.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class CheckedLimit:
-    """Bounds on the fields of a command, by their numbers: those of a limit, or of a block."""
+    """Bounds on the fields of a command, by field number: from a limit or a block."""
 
     topic: str
     bounds: tuple[reactions.Bound, ...]
@@ -43,7 +43,9 @@ class CheckedPublish:
 
 @dataclass(frozen=True)
 class CheckedRetrace:
-    """Poses that are sent back; `numbers` are the fields of the message that these go into."""
+    """Poses that a rule sends back. `numbers` are the fields of the message for the numbers of a
+    pose.
+    """
 
     pose: ast.Expression
     topic: str
@@ -99,7 +101,7 @@ class CheckedGoal:
 
 @dataclass(frozen=True)
 class CheckedCancel:
-    """The end of all goals of an action server."""
+    """The cancellation of all goals of an action server."""
 
     server: str
     action_type: str | None
@@ -117,8 +119,9 @@ Checked = (
 
 @dataclass(frozen=True)
 class CheckedEffect:
-    """An effect at its place. `command` is the topic that has to pass through the safety filter for
-    it, `resource` what it needs for itself, `otherwise` the action that follows if it fails.
+    """An effect with its place. `command` is the topic that has to pass through the safety filter
+    for this effect, `resource` the resource that the effect needs exclusively, `otherwise` the
+    action that follows a failure.
     """
 
     effect: Checked
@@ -129,7 +132,7 @@ class CheckedEffect:
 
     @property
     def may_fail(self) -> bool:
-        """Say whether something can follow from its failure: what needs nothing for itself
-        succeeds.
+        """Say whether the effect can fail and lead to an escalation. An effect without an exclusive
+        resource always succeeds.
         """
         return self.resource is not None

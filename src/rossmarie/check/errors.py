@@ -1,4 +1,4 @@
-"""Every diagnostic of the checker, by its code; each stands beside what finds it."""
+"""All diagnostics of the checker, by code. Each is defined beside the code that reports it."""
 
 from __future__ import annotations
 

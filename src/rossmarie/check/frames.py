@@ -1,4 +1,4 @@
-"""The frames that system models declare, as a tree: how to get from one to another."""
+"""The frames that system models declare, as a tree, and the paths from one frame to another."""
 
 from __future__ import annotations
 
@@ -9,17 +9,19 @@ from rossmarie.syntax import ast
 
 MOVING = "/tf"
 STATIC = "/tf_static"
-"""The topics that frames come with."""
+"""The topics of transforms that never change."""
 
 LONGEST_NS = 10**18
-"""The timeout of a frame that stays where it is: it is stale until it has come, and never after."""
+"""The timeout of a static frame in nanoseconds: the frame is stale until it arrives, and never
+afterwards.
+"""
 
 
 @dataclass(frozen=True)
 class CheckedFrame:
-    """A frame as headers call it, and the frame that it lies in. With a `timeout_ns` it comes with
-    /tf; without one with /tf_static, unless the rules say themselves how it is `mounted`: x, y and
-    z in m, and the quaternion x, y, z, w of its turn.
+    """A frame with its name in headers, and its parent frame. With a `timeout_ns` it arrives on
+    /tf; without one on /tf_static, unless the rules give its transform in `mounted`: x, y and z in
+    m, and the quaternion x, y, z, w of its rotation.
     """
 
     declaration: ast.FrameDeclaration
@@ -30,7 +32,7 @@ class CheckedFrame:
 
     @property
     def topic(self) -> str | None:
-        """The topic that it comes with; None if none."""
+        """The topic of the frame's transform; None if there is none."""
         if self.mounted is not None or self.declaration.at or self.declaration.turned:
             return None
         return STATIC if self.declaration.timeout is None else MOVING
@@ -38,7 +40,7 @@ class CheckedFrame:
 
 @dataclass(frozen=True)
 class Leg:
-    """A part of a way between frames: from a frame to the one that it lies in, or back."""
+    """A step of a path between frames: from a frame to its parent, or back."""
 
     frame: CheckedFrame
     is_back: bool
@@ -46,27 +48,27 @@ class Leg:
 
 @dataclass
 class FrameTree:
-    """All frames by their names; `aliases` lead from names in rules to those of headers."""
+    """All frames by name. `aliases` map names in rules to names in headers."""
 
     frames: dict[str, CheckedFrame] = field(default_factory=dict)
     aliases: dict[str, str] = field(default_factory=dict)
 
     def named(self, text: str) -> str:
-        """The name in headers of a frame as rules call it."""
+        """The name in headers of a frame that rules name."""
         return self.aliases.get(text, text)
 
     def __contains__(self, name: str) -> bool:
-        """Say whether a declaration names a frame, as one that lies in another or as the other."""
+        """Say whether a declaration names a frame, as a child or as a parent."""
         return name in self.frames or any(each.parent == name for each in self.frames.values())
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All that rules can call a frame by."""
+        """All names that rules can use for frames."""
         parents = (each.parent for each in self.frames.values())
         return tuple(dict.fromkeys((*self.aliases, *self.frames, *parents)))
 
     def way(self, source: str, target: str) -> tuple[Leg, ...] | None:
-        """The way from one frame to another; None if there is none. The tree has no circle."""
+        """The path from one frame to another; None if there is none. The tree has no circle."""
         up, down = self._above(source), self._above(target)
         above = {each.parent: number for number, each in enumerate(up, start=1)} | {source: 0}
         meeting = {each.parent: number for number, each in enumerate(down, start=1)} | {target: 0}
@@ -78,7 +80,7 @@ class FrameTree:
         return (*there, *back)
 
     def _above(self, name: str) -> list[CheckedFrame]:
-        """The frames on the way from one to the root, itself first."""
+        """The frames on the path from a frame to the root, the frame itself first."""
         found: list[CheckedFrame] = []
         while name in self.frames and self.frames[name] not in found:
             found.append(self.frames[name])
@@ -87,8 +89,8 @@ class FrameTree:
 
 
 def named_inputs(tree: FrameTree, taken: Mapping[str, object]) -> dict[str, str]:
-    """The name of the input that each frame comes by, by the name of the frame: its alias, or its
-    own name if rules can write that.
+    """The name of the input for each frame, by the name of the frame: its alias, or its own name if
+    rules can write it.
     """
     called = {frame: alias for alias, frame in tree.aliases.items()}
     found: dict[str, str] = {}

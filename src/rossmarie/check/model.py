@@ -1,7 +1,7 @@
-"""A program that has been checked: every name resolved, every type and unit known to fit.
+"""A checked program: every name is resolved, every type and unit fits.
 
-Comes out of `check`; `lowering` is its only reader. Holds the syntax tree and, beside it, what the
-checker found out about it.
+`check` creates it, and only `lowering` reads it. It holds the syntax tree and the results of the
+checker.
 """
 
 from __future__ import annotations
@@ -51,9 +51,10 @@ class CheckedInput:
 
     `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
     selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
-    `most` is the number of elements that lists of the message may have. A number of a skill has a
-    `query` instead of a path, the transform of a frame an `edge`. `whole` is the message, its
-    headers say the frame `source`, and rules see it in the frame `target`: None where nobody says.
+    `most` is the greatest number of elements that lists of the message may have. A number of a
+    skill has a `query` instead of a path, the transform of a frame has an `edge`. `whole` is the
+    type of the message. `source` is the frame in the headers of its messages, and `target` the
+    frame in which rules use it; both are None if unknown.
     """
 
     declaration: ast.Input
@@ -71,30 +72,32 @@ class CheckedInput:
 
     @property
     def frame(self) -> str | None:
-        """The frame in which rules see it, if that is known."""
+        """The frame in which rules use the input, if it is known."""
         return self.source if self.target is None else self.target
 
     @property
     def base(self) -> Path:
-        """The way from the message to what the input selects."""
+        """The path from the message to the selected part."""
         return self.path if self.query is None else (self.query,)
 
     @property
     def field(self) -> str:
-        """The words for what the input selects: `sensor_msgs/Imu.orientation`, `Push.Speed`."""
+        """The selected part in words: `sensor_msgs/Imu.orientation`, `Push.Speed`."""
         if self.query is not None:
             return str(self.query)
         return ".".join((self.message_type, *self.path))
 
 
 PERIODS_OF_TIMEOUT = 5
-"""The periods of the context that are missed until it is stale, where the rules say no time."""
+"""The number of missed periods of the context after which it is stale, if the rules give no
+timeout.
+"""
 
 
 @dataclass(frozen=True)
 class CheckedDoing:
-    """A query to the skills that run, closed: `skills` and the classes of each of `arguments`
-    hold all that are derived, sorted. `text` is how it is written; `permits` are the permissions
+    """A query about the running skills, closed: `skills` and the classes of each of `arguments`
+    include all derived ones, sorted. `text` is the query as written. `permits` are the permissions
     of the skill, in words.
     """
 
@@ -106,7 +109,7 @@ class CheckedDoing:
 
 @dataclass(frozen=True)
 class CheckedSkills:
-    """The file of skills of a program. `timeout_ns` is that of its context."""
+    """The file of skills of a program. `timeout_ns` is the timeout of its context."""
 
     file: SkillFile
     source: SourceFile
@@ -115,27 +118,27 @@ class CheckedSkills:
 
     @property
     def folder(self) -> FilePath:
-        """The folder of the file, to which its places are relative."""
+        """The folder of the file; its places are relative to this folder."""
         return FilePath(self.source.path).parent
 
     @cached_property
     def classes(self) -> Closure:
-        """The classes, and those derived from them."""
+        """The classes and their subclasses."""
         return Closure({name: each.parents for name, each in self.file.classes.items()})
 
     @cached_property
     def skills(self) -> Closure:
-        """The skills, and those derived from them."""
+        """The skills, and the skills derived from them."""
         return Closure({name: each.parents for name, each in self.file.skills.items()})
 
     def span_at(self, place: Place | None) -> Span | None:
-        """A place in the skills, if it can be shown."""
+        """A place in the source of the skills, if it can be shown."""
         return span_at(place, self.folder)
 
 
 @dataclass(frozen=True)
 class CheckedFeedback:
-    """The amounts that a learner loses by a rule, and the unit of its margin if it declares one."""
+    """The cost of a rule to a learner, and the unit of its margin if it declares one."""
 
     per_activation: float
     per_second: float
@@ -144,9 +147,10 @@ class CheckedFeedback:
 
 @dataclass(frozen=True)
 class CheckedMotion:
-    """A motion of the robot, numbers in SI. `brake` is the least deceleration, `latency_s` the time
-    from a message to the brakes beside the silence of `timeout_s` after which a message is missed.
-    `is_of_one_message` tells that position and speed come together; `inputs` are those it rests on.
+    """A motion of the robot, with numbers in SI. `brake` is the least deceleration. `latency_s` is
+    the time from a message to the brakes, and `timeout_s` the silence after which a message counts
+    as missed. `is_of_one_message` is True if one message has both position and speed. `inputs` are
+    the inputs that the motion depends on.
     """
 
     declaration: ast.Motion
@@ -162,14 +166,14 @@ class CheckedMotion:
 
     @property
     def reaction_s(self) -> float:
-        """The longest time from what the last message told to the brakes."""
+        """The longest time in seconds from the state in the last message to the brakes."""
         return self.timeout_s + self.latency_s
 
 
 @dataclass(frozen=True)
 class CheckedKeeps:
-    """The speed in m/s that a rule keeps a motion below in a zone or in the places of a class, in a
-    frame.
+    """The requirement of a rule: the motion stays below a speed in m/s in a zone, or in the places
+    of a class, in a frame.
     """
 
     motion: CheckedMotion
@@ -194,17 +198,16 @@ class CheckedProgram:
     """The result of a check without errors.
 
     `name` is the stem of the main file. `types` holds every expression that is reachable from
-    conditions, rules and contracts, `values` those that are constant (literals, constants and
-    operators on them; durations; interval and box literals). `rules` are in file order, imported
-    files first; `order` are their numbers, the most important first, `priorities` the pairs that
-    were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
-    each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
-    topics whose rate is declared; `feedback` and `categories` are
-    those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
-    of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each query to the skills asks, `regions` what the name of each class and
-    zone stands for, `motions` the motions by name. `keeps` is what each rule keeps.
-    `frame_inputs` are the inputs that frames come by, by the frame.
+    conditions, rules and contracts. `values` holds the constant ones: literals, constants and
+    operators on them; durations; interval and box literals. `rules` are in file order, imported
+    files first. `order` holds their numbers, the most important first, `priorities` the pairs that
+    the user has ordered, and `unless`, for each rule, the rules that it gives way to. `effects` are
+    the effects of each action, and `commands` the topics that may pass through the safety filter.
+    `gaps` holds the topics with a declared rate. `feedback` and `categories` belong to each rule;
+    `left_out` are the rules outside a selection. `read_files` are the message definitions that were
+    read, without the built-in ones, and the file of skills. `doing` holds each query about skills,
+    `regions` the meaning of the name of each class and zone, `motions` the motions by name, `keeps`
+    the requirement of each rule, and `frame_inputs` the inputs for frames, by frame.
     """
 
     name: str

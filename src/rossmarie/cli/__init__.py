@@ -1,1 +1,1 @@
-"""The command line. Thin: it parses arguments, calls the driver and prints."""
+"""The command line. It parses arguments, calls the driver and prints, and does nothing else."""

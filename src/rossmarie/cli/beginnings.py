@@ -1,4 +1,4 @@
-"""The subcommands that one begins with: those that write the first files for a robot."""
+"""The subcommands for the start: they write the first files for a robot."""
 
 from __future__ import annotations
 

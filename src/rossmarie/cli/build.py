@@ -25,7 +25,7 @@ from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
 @dataclass(frozen=True)
 class PackageOptions:
-    """The options of the command line about the package of a node."""
+    """The command line options for the package of a node."""
 
     licenses: tuple[str, ...]
     maintainers: tuple[Person, ...]
@@ -53,7 +53,7 @@ def run_build(
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
-    """Write the files of a target into `out`, and say what comes next."""
+    """Write the files of a target into `out`, and print the next steps."""
     output.try_folder(out)
     for path in (sources, review):
         if path is not None and path.parent.is_dir():
@@ -99,7 +99,7 @@ def _make_folder_of(path: Path) -> None:
 def _placement(
     rules: Path, target: str, package: PackageOptions
 ) -> tuple[Described | None, Placement]:
-    """Where the node goes, and what is known of its package, if it has one of its own."""
+    """The place of the node, and the description of its package if it has one of its own."""
     given = package.given()
     if not TARGETS[target].is_package:
         if given:
@@ -122,7 +122,7 @@ def _placement(
 
 
 def _tell(built: Built, described: Described | None) -> None:
-    """The warnings, what was written, what its package lacks, and what comes next."""
+    """Print the warnings, the written files, the missing package fields, and the next steps."""
     output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
     for line in lines_of_written(built.written):
         typer.echo(line)

@@ -75,7 +75,7 @@ def run_check(
 
 
 def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:
-    """The check of rules and skills together, which is another package's."""
+    """The joint check of rules and skills, which belongs to another package."""
     found = extension("rossmarie.check", "skills")
     if found is None:
         advice = output.extras().advice("skills")
@@ -90,7 +90,7 @@ def _for_target(
     folders: Sequence[Path],
     only: Sequence[Category],
 ) -> Sequence[Diagnostic]:
-    """Find what a target cannot do, and return all findings of the check once more."""
+    """Find unsupported features of a target, and return all findings of the check once more."""
     from rossmarie.driver.build import check_for
 
     return check_for(target, path, systems=systems, message_folders=folders, only=only)

@@ -15,7 +15,7 @@ class TargetName(str, enum.Enum):
 
 
 class StageName(str, enum.Enum):
-    """Where `dump` stops."""
+    """The last stage of the compiler that `dump` runs."""
 
     PARSE = "parse"
     CHECK = "check"

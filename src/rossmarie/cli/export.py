@@ -1,4 +1,4 @@
-"""`rossmarie export`: tell other programs of a rules file."""
+"""`rossmarie export`: a description of a rules file for other programs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rossmarie.driver.rules_file import rules_file
 def run_export(
     rules: Path, out: Path, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
-    """Check a rules file, and write what others may know of it to `out`."""
+    """Check a rules file, and write its description for other programs to `out`."""
     if out.suffix != ".json":
         output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
     output.try_file(out)

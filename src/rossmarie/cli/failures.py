@@ -1,4 +1,4 @@
-"""`rossmarie failures`: what rules do when an input is stale."""
+"""`rossmarie failures`: the reaction of rules to stale inputs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _HEAD = ("Input", "Topic", "Stale after", "Becomes active", "May become active")
 def run_failures(
     rules: Path, form: ReportFormat, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
-    """Print a paragraph for each input, as the table of failures of a rules file."""
+    """Print a paragraph for each input, or the table of failures of a rules file."""
     with output.answering(form, "failures", files=1) as answer:
         try:
             compiled = compile_file(rules, systems=systems, message_folders=message_folders)

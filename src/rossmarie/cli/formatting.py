@@ -1,4 +1,4 @@
-"""`rossmarie fmt`: rules files in the one layout."""
+"""`rossmarie fmt`: rules files in canonical layout."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.driver.formatting import Formatted, format_file
 
 
 def run_fmt(files: Sequence[Path], check_only: bool) -> None:
-    """Write each file in the one layout, or only say which would change, and end."""
+    """Write each file in canonical layout, or only list the files that would change, and end."""
     exit_code = 0
     for path in files:
         result = format_file(path)

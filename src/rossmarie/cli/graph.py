@@ -29,7 +29,7 @@ def run_graph(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Print the wiring, or write it to `out`; a rules file is not written over."""
+    """Print the wiring, or write it to `out`. A rules file is not overwritten."""
     with output.answering(form, "graph", files=1) as answer:
         if out is not None and out.suffix == _RULES:
             output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)

@@ -59,7 +59,7 @@ def _texts(beginning: Beginning) -> dict[Path, str]:
 
 
 def _tell(beginning: Beginning, recording: Path, folder: Path) -> None:
-    """Say what was written, and which commands come next."""
+    """Print the written files, and the next commands."""
     rules = folder / RULES
     if beginning.definitions:
         typer.echo(f"wrote {len(beginning.definitions)} definitions of messages into {folder}/msg")

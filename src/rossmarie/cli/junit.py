@@ -1,4 +1,4 @@
-"""The outcome of tests in the XML of JUnit, which build servers read."""
+"""The results of tests in the XML format of JUnit, which build servers read."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rossmarie.driver.testing import RanTests
 
 
 def junit_text(tested: RanTests) -> str:
-    """A test suite with a case for each test; a failed one has the findings on it."""
+    """A test suite with a case for each test. A failed case contains its findings."""
     failed = sum(bool(ran.found) for ran in tested.ran)
     attributes = {"name": "rossmarie", "tests": str(len(tested.ran)), "failures": str(failed)}
     suite = ET.Element("testsuite", attributes)

@@ -1,8 +1,8 @@
 """The `rossmarie` command: one function per subcommand.
 
-Exit codes: 0 all is well (warnings may have been printed), 1 something was found or could not be
-done, 2 the command itself was called wrongly or a file could not be read, 70 a defect of this tool.
-Imports that only one subcommand needs are made in it, so that every other one starts fast.
+Exit codes: 0 success (warnings may have been printed), 1 errors were found or the task failed, 2
+the command was called wrongly or a file could not be read, 70 a defect of this tool. A subcommand
+imports its own modules itself, so that the other subcommands start fast.
 """
 
 from __future__ import annotations

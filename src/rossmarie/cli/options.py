@@ -16,14 +16,14 @@ from rossmarie.targets.manifest import BadFieldError, Person, parse_license, par
 
 
 def written(text: str) -> Path:
-    """A path to write to; an empty one would be the folder that one happens to be in."""
+    """A path to write to. An empty path is refused, because it would mean the current folder."""
     if not text:
         raise typer.BadParameter("the path is empty")
     return Path(text)
 
 
 def ros_name(text: str) -> str:
-    """A name that ROS and CMake take for a package and for a node."""
+    """A name that ROS and CMake accept for a package and for a node."""
     if not re.fullmatch("[a-z][a-z0-9_]*", text):
         raise typer.BadParameter(f"`{text}` is no name of a package: it takes a-z, 0-9 and _")
     return text
@@ -52,7 +52,7 @@ def _maintainer(text: str) -> Person:
 
 
 def choice(kind: type[enum.Enum], text: str) -> Any:
-    """An option that takes one of the values of `kind`, in upper or lower case."""
+    """An option with the values of `kind`, in upper or lower case."""
     values = [str(member.value) for member in kind]
 
     def parse(word: str) -> enum.Enum:
@@ -170,7 +170,7 @@ CoverageFile = Annotated[
 
 
 def _report_for(option: str) -> Any:
-    """The option that writes a file for `option` of `rossmarie report`."""
+    """The option for the report file that `option` of `rossmarie report` reads."""
     help = f"Write a file for `rossmarie report {option}`."
     return typer.Option("--out", "-o", metavar="FILE", help=help, parser=written)
 

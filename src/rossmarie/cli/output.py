@@ -1,4 +1,4 @@
-"""The voice of the `rossmarie` command."""
+"""The output of the `rossmarie` command."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ output = CommandLine(
 
 
 def each_once(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings, each once: what two rules files import is checked with each of them."""
+    """The findings, each once: a file that two rules files import is checked with each of them."""
     kept: dict[tuple[object, ...], Diagnostic] = {}
     for finding in found:
         span = finding.primary.span

@@ -1,5 +1,5 @@
-"""The step at hand of a command, on standard error if that is a terminal. The libraries that draw
-it are imported only when there is something to draw: most commands are done before.
+"""The current step of a command, on standard error if it is a terminal. The drawing libraries are
+imported only when there is something to draw: most commands end earlier.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 _PATIENCE_S = 1.0
-"""Before that, a reader has not begun to wonder."""
+"""The time in seconds before a reader starts to wonder."""
 
 
 @contextmanager
 def reported_progress(what: str) -> Iterator[Callable[[float], None]]:
-    """A function to call with the share that is done, from 0 to 1: it moves a bar on standard error
-    if that is a terminal.
+    """A function that moves a progress bar on standard error, if it is a terminal. Call it with the
+    completed share, from 0 to 1.
     """
     from rich.console import Console
     from rich.progress import (
@@ -44,8 +44,8 @@ def reported_progress(what: str) -> Iterator[Callable[[float], None]]:
 
 @contextmanager
 def reported_steps(first: str) -> Iterator[Callable[[str], None]]:
-    """A function to call with the words for each step: they stand on standard error, if that is a
-    terminal, while the whole takes longer than `_PATIENCE_S`.
+    """A function that shows the words for each step on standard error, if it is a terminal. They
+    appear only if the whole takes longer than `_PATIENCE_S`.
     """
     if not sys.stderr.isatty():
         yield lambda _: None
@@ -62,7 +62,7 @@ def reported_steps(first: str) -> Iterator[Callable[[str], None]]:
 
 
 class _Steps:
-    """The words for the step at hand, which a timer begins to draw."""
+    """The words for the current step. A timer starts to draw them."""
 
     def __init__(self, first: str) -> None:
         self._lock = threading.Lock()
@@ -71,13 +71,13 @@ class _Steps:
         self._stop: Callable[[], None] | None = lambda: None
 
     def tell(self, words: str) -> None:
-        """The next step begins."""
+        """Begin the next step."""
         with self._lock:
             self._words = words
             self._update(words)
 
     def draw(self) -> None:
-        """Draw from now on, unless the end has come."""
+        """Draw from now on, unless the work has ended."""
         from rich.console import Console
         from rich.status import Status
 
@@ -88,7 +88,7 @@ class _Steps:
                 self._update, self._stop = status.update, status.stop
 
     def end(self) -> None:
-        """Draw no more."""
+        """Stop drawing."""
         with self._lock:
             if self._stop is not None:
                 self._stop()

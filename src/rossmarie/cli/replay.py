@@ -1,4 +1,4 @@
-"""`rossmarie replay` and `rossmarie model`: what reads a recording."""
+"""`rossmarie replay` and `rossmarie model`: the commands that read a recording."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def _result(runs: Sequence[Replay], written: Sequence[Path]) -> Json:
 
 @contextmanager
 def refusing() -> Iterator[None]:
-    """End the run with the findings if rules, or a recording, cannot be used."""
+    """End the run with the findings if rules or a recording cannot be used."""
     try:
         yield
     except RulesError as error:
@@ -136,7 +136,7 @@ def refusing() -> Iterator[None]:
 
 
 def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
-    """The pairs that `--topic-map` states; the run ends if it contradicts itself."""
+    """The pairs that `--topic-map` states. Contradictory pairs end the run."""
     pairs: dict[str, str] = {}
     for text in topic_map:
         wanted, recorded = _pair(text)
@@ -176,8 +176,8 @@ def write_reports(
 
 
 def write_model_of(recording: Path, out: Path | None) -> None:
-    """Print the system model of a recording, or write it to `out`, beside the definitions of types
-    that no standard package has.
+    """Print the system model of a recording, or write it to `out`, with the definitions of
+    non-standard types beside it.
 
     The model has no mark: models are completed by hand, so it is the user's once it is written.
     """
@@ -196,7 +196,9 @@ def write_model_of(recording: Path, out: Path | None) -> None:
 
 
 def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
-    """Write the .msg files of a model. One that is there may be completed by hand, so it stays."""
+    """Write the .msg files of a model. An existing file stays, because a user may have completed it
+    by hand.
+    """
     for name, text in definitions.items():
         path = folder / definition_path(name)
         if path.is_file():
@@ -209,7 +211,7 @@ def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
 
 
 def replay_result(replay: Replay, written: Sequence[Path]) -> Mapping[str, Json]:
-    """The rules over a recording, and the paths of the reports that were written. Times are
+    """The results of rules over a recording, and the paths of the written reports. Times are
     nanoseconds.
     """
     return {

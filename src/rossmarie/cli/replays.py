@@ -1,5 +1,5 @@
-"""`rossmarie replay` over many recordings: each is an episode of a campaign, in a process of its
-own, and what cannot be read does not keep the others.
+"""`rossmarie replay` over many recordings. Each is an episode of a campaign, in a process of its
+own, so an unreadable recording does not stop the others.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ from rossmarie.report.wording import format_length
 
 @dataclass(frozen=True)
 class Job:
-    """The part of a job that is the same for all recordings. `warnings` are so many of the rules,
-    which were reported already; `width` is that of the terminal, if there is one. With `is_json`
-    the outcome is data for programs instead of text.
+    """The common part of all jobs. `warnings` is the number of warnings on the rules, which were
+    printed already. `width` is the width of the terminal, if there is one. With `is_json`, the
+    result is data for programs instead of text.
     """
 
     rules: Path
@@ -71,8 +71,8 @@ def run_replays(
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
-    """Replay all, and print what came of each in their order; write reports into folders of `out`
-    that are called as the recordings.
+    """Replay all recordings, and print their results in order. Reports go into folders of `out`
+    with the names of the recordings.
     """
     with output.answering(form, "replay", files=1 + len(recordings)) as answer:
         pairs = topic_pairs(topic_map)
@@ -111,7 +111,7 @@ def run_replays(
 
 
 def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
-    """A folder for each recording; those of one name in different places get numbers."""
+    """A folder for each recording. Recordings of one name in different places get numbers."""
     folders: dict[str, Path] = {}
     for key in keys:
         name, number = Path(key).resolve().name, 1
@@ -124,17 +124,17 @@ def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
 
 
 class _Reported:
-    """A line on standard error for each recording that is done."""
+    """A line on standard error for each completed recording."""
 
     def __init__(self) -> None:
         self._count = self._done = 0
 
     def begin(self, count: int, done: int) -> None:
-        """Of `count` recordings."""
+        """Begin a campaign of `count` recordings."""
         self._count, self._done = count, done
 
     def hear(self, result: Result) -> None:
-        """One more."""
+        """Print one more result."""
         self._done += 1
         words = result.failure if result.value is None else result.value["summary"]
         typer.echo(f"{self._done} of {self._count}: {result.key}: {words}", err=True)
@@ -154,7 +154,7 @@ def _campaign(keys: Sequence[str], job: Job) -> Campaign:
 
 
 def replay_one(job: Job, key: str) -> Value:
-    """Replay a recording, and return the outcome for the process that prints."""
+    """Replay a recording, and return the result to the process that prints."""
     try:
         replay, found = replay_file(
             job.rules,
@@ -210,7 +210,7 @@ def _outcome(
 
 
 def _write(replay: Replay, folder: Path) -> tuple[str, Sequence[Path]]:
-    """Write the reports; gives the reason why that failed, and the paths."""
+    """Write the reports. Returns the reason if that failed, and the paths."""
     try:
         return "", write_reports(replay, out=folder)
     except OSError as error:
@@ -218,7 +218,7 @@ def _write(replay: Replay, folder: Path) -> tuple[str, Sequence[Path]]:
 
 
 def _result(key: str, found: Campaign, answer: Answer) -> Json:
-    """The result of a recording; the answer gets the findings."""
+    """The result of a recording. The findings go to `answer`."""
     value = found.values.get(key)
     if value is None:
         reasons = {failure.key: failure.reason for failure in found.failures}
@@ -243,7 +243,7 @@ def _tell(keys: Sequence[str], found: Campaign) -> None:
 
 
 def _totals(found: Campaign, count: int) -> str:
-    """The last line."""
+    """The summary line."""
     used = [value for value in found.values.values() if "length_ns" in value]
     length_ns = sum(int(value["length_ns"] or 0) for value in used)
     activations = sum(int(value["activations"] or 0) for value in used)
@@ -256,7 +256,7 @@ def _counted(count: int, what: str) -> str:
 
 
 def _exit_code(found: Campaign) -> int:
-    """That of the worst; a replay that does not come to its end is a defect."""
+    """The worst exit code. An aborted replay is a defect."""
     if found.failures:
         return INTERNAL_ERROR
     return max(int(value["exit_code"] or 0) for value in found.values.values())

@@ -31,7 +31,7 @@ def run_report(
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
-    """Write the page to `out`; a rules file is not written over."""
+    """Write the page to `out`. A rules file is not overwritten."""
     if out.suffix == _RULES:
         output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
     if day is not None and _parsed(day) is None:
@@ -62,7 +62,7 @@ def run_report(
 
 
 def _today() -> str:
-    """The day that SOURCE_DATE_EPOCH names (reproducible builds), else the present one, in UTC."""
+    """The date in SOURCE_DATE_EPOCH (reproducible builds), else today's date in UTC."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH")
     if epoch is None:
         return datetime.now(tz=timezone.utc).date().isoformat()
@@ -73,7 +73,7 @@ def _today() -> str:
 
 
 def _parsed(day: str) -> date | None:
-    """The day that is meant, if it is written as the option wants it."""
+    """The date, if it has the format of the option."""
     try:
         return date.fromisoformat(day) if re.fullmatch(r"\d{4}-\d{2}-\d{2}", day) else None
     except ValueError:

@@ -1,4 +1,4 @@
-"""Reports that commands write beside what they print."""
+"""Reports that commands write in addition to their output."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ from rossmarie.cli.output import output
 
 
 def refuse_report(report: Path, read: Sequence[Path]) -> None:
-    """End the run, before it takes its time, if the report would replace what it is about."""
+    """End the run early if the report would overwrite its own input."""
     if any(os.path.realpath(report) == os.path.realpath(each) for each in read):
         output.fail(f"{report} is what is read; choose another --out", exit_code=2)

@@ -1,4 +1,4 @@
-"""`rossmarie test` and `rossmarie coverage`: what tests and recordings show of the rules."""
+"""`rossmarie test` and `rossmarie coverage`: the coverage of rules by tests and recordings."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def run_test(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Run the tests and print what they found and cover; generate them before, to `write` them."""
+    """Run the tests, and print their results and coverage. With `write`, generate them first."""
     with output.answering(form, "test", files=1) as answer:
         output.try_file(junit)
         try:
@@ -59,7 +59,7 @@ def run_test(
 
 
 def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> None:
-    """Write the tests of all boundaries beside the rules."""
+    """Write the tests of all boundaries into a file beside the rules."""
     if tests_beside(rules) == rules:
         output.fail(f"{rules} holds tests; name the rules that they are for", exit_code=2)
     output.try_file(tests_beside(rules))
@@ -98,8 +98,8 @@ def run_coverage(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Look at the recordings, and print what they cover and how far thresholds can go; write a
-    `report` of the first as JSON.
+    """Read the recordings, and print their coverage and the margins of thresholds. Write a `report`
+    of the coverage as JSON.
     """
     with output.answering(form, "coverage", files=1 + len(recordings)) as answer:
         pairs = topic_pairs(topic_map)
@@ -137,7 +137,7 @@ def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> s
 
 
 def tests_result(tested: RanTests) -> Json:
-    """Each test, and what the tests cover together. Lengths are seconds."""
+    """Each test, and the common coverage of all tests. Lengths are seconds."""
     return {
         "engines": ["interpreter", "c"] if tested.has_c else ["interpreter"],
         "tests": [

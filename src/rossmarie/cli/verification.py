@@ -1,4 +1,4 @@
-"""`rossmarie verify`: proofs that the generated C is what the rules mean."""
+"""`rossmarie verify`: proofs that the generated C implements the rules."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def run_verify(
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
-    """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
-    as JSON, and what the prover gets into the folder `kept`.
+    """Prove, print the results, and end with 0 only if everything is proved. Write a `report` as
+    JSON, and the input of the prover into the folder `kept`.
     """
     with output.answering(form, "verify", files=1) as answer:
         output.try_file(report)
@@ -94,7 +94,7 @@ def _proofs(queries: Queries, timeout_s: int) -> Proofs:
 
 
 def prover() -> Prover:
-    """The prover; without one the run ends."""
+    """The prover. If there is none, the run ends."""
     found = Prover()
     reason = found.lacking()
     if reason is not None:

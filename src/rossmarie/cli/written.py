@@ -1,4 +1,4 @@
-"""The lines that tell of files that were written."""
+"""The output lines for written files."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from rossmarie.targets.copies import SUMS
 
 
 def lines_of_written(paths: Sequence[Path]) -> Iterator[str]:
-    """A line for each file that was written, and one for each folder of files that are the same for
-    all rules.
+    """A line for each written file, and one line for each folder of files that are the same for all
+    rules.
     """
     folders = [path.parent for path in paths if path.name == SUMS]
     for path in paths:

@@ -1,6 +1,6 @@
-"""The core: what every function of the language means, in a handful of operations.
+"""The core: every function of the language as a few basic operations.
 
-Nothing here knows of messages, rules or targets. The numbered rules of
+The core does not depend on messages, rules or targets. The numbered rules of
 `docs/explanation/semantics.md` name these definitions.
 """
 

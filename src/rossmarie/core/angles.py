@@ -1,13 +1,13 @@
-"""Arc sine and arc tangent, made of sums, products, quotients and roots: rule S5.
+"""Arc sine and arc tangent, composed of sums, products, quotients and roots: rule S5.
 
-Each operation in here is rounded as IEEE 754 says and nothing looks at bits, so angles are the same
-to the last bit wherever numbers are binary64. Both stay within one unit in the last place (ulp) of
-the exact angle; `tests/rossmarie/core/test_angles.py` measures how far they get.
+Each operation is rounded as IEEE 754 specifies, and no operation uses bit patterns. So angles are
+equal to the last bit wherever numbers are binary64. Both functions stay within one unit in the last
+place (ulp) of the exact angle; `tests/rossmarie/core/test_angles.py` measures the error.
 
-The way is that of Sun's `e_asin.c` and `s_atan.c` (fdlibm): bring the operand near zero, where a
-polynomial is as good as the function, and carry what a rounding loses of the greater numbers
-as a number of its own. The coefficients interpolate the functions at Chebyshev nodes; the same test
-derives them. Each angle below is a double, followed by what the exact angle is more than that.
+The method is that of Sun's `e_asin.c` and `s_atan.c` (fdlibm). It reduces the operand to a range
+near zero, where a polynomial is accurate, and keeps the rounding error of the larger numbers as a
+separate number. The coefficients interpolate the functions at Chebyshev nodes; the same test
+derives them. Each angle below is a double, followed by its difference to the exact angle.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ DIAGONAL, DIAGONAL_REST = 0.7853981633974483, 3.061616997868383e-17
 OF_A_HALF, OF_A_HALF_REST = 0.4636476090008061, 2.2698777452961687e-17
 
 NEAR_SINE = 0.5
-"""Up to this sine the polynomial takes the sine itself."""
+"""The largest sine to which the polynomial is applied directly."""
 
 SINE_TERMS = (
     0.16666666666666669,
@@ -54,8 +54,8 @@ SINE_TERMS = (
 """Terms of `(asin(x) / x - 1) / z` in `z = x * x`, for `z` up to 1/4."""
 
 NEAR_TANGENT, MIDDLE_TANGENT = 0.4375, 0.6875
-"""Up to the first of these the polynomial takes a tangent itself, up to the other by how far it
-is from 1/2, and up to 1 by how far it is from that.
+"""The polynomial is applied to a tangent up to the first limit directly, up to the second limit to
+its difference from 1/2, and up to 1 to its difference from 1.
 """
 
 TANGENT_TERMS = (
@@ -79,8 +79,8 @@ _TINY = 2.0**-27
 
 
 def polynomial(terms: Sequence[float], z: Expression) -> Expression:
-    """The sum of terms times powers of `z` from the first; three at a time, so that none waits for
-    all others.
+    """The sum of terms times powers of `z`, from the first power on. Groups of three terms are
+    independent, so that processors can compute them in parallel.
     """
     cube = Local("cube", z * z * z)
     parts = [
@@ -99,7 +99,7 @@ def _nested(terms: Sequence[Written], z: Expression) -> Expression:
 
 
 def _leading(x: Expression) -> Expression:
-    """After Veltkamp. The product of two such numbers is exact."""
+    """The leading digits of a number, after Veltkamp. The product of two such numbers is exact."""
     scaled = Local("scaled", x * (2.0**27 + 1.0))
     return scaled - (scaled - x)
 
@@ -119,7 +119,7 @@ _SINE_SURPLUS = Subfunction(
 
 
 def _far_arc_sine(x: Expression) -> Expression:
-    """The angle that is left to a right angle is twice the arc sine of a number near zero."""
+    """The angle that remains to a right angle is twice the arc sine of a number near zero."""
     z = Local("z", 0.5 * (1.0 - x))
     root = Local("root", square_root(z))
     upper = Local("upper", LEADING(root))
@@ -155,12 +155,12 @@ _TANGENT_SURPLUS = Subfunction(
 
 
 def _arc_tangent(y: Expression, x: Expression) -> Expression:
-    """From the axis that is nearer, turn to the point by one of three known angles, and from there
-    by the arc tangent of what is left, `over / along`. The result has the sign of `y`, that of a
-    zero as well; to `x` all zeros are alike.
+    """The angle of a point. It starts at the nearer axis, adds one of three known angles, and then
+    the arc tangent of the remainder, `over / along`. The result has the sign of `y`, also of a
+    zero; the sign of a zero `x` has no effect.
 
-    It is within one ulp for points that are nowhere near the least and the greatest numbers: sines
-    and cosines are such. One coordinate may be infinite; of two, the result is NaN.
+    The result is within one ulp for points far from the least and the greatest numbers, such as
+    sines and cosines. One coordinate may be infinite; if both are, the result is NaN.
     """
     height, width = Local("height", abs(y)), Local("width", abs(x))
     is_steep = width < height
@@ -194,8 +194,8 @@ def _arc_tangent(y: Expression, x: Expression) -> Expression:
 
 
 def _halves(quotient: Expression, over: Expression, along: Expression) -> tuple[Local, Local]:
-    """A quotient in two numbers, together of more digits than one has; of a tiny one the second is
-    not needed, and its digits are not there.
+    """A quotient as two numbers, which together have more digits than one number. For a tiny
+    quotient the second number is zero, because its digits are not needed.
     """
     is_tiny = abs(quotient) < _TINY
     upper = Local("upper", choose(is_tiny, quotient, LEADING(quotient)))

@@ -1,10 +1,10 @@
-"""Expressions of the core: numbers and conditions on them, as IEEE 754 has them.
+"""Expressions of the core: numbers and conditions on them, as IEEE 754 defines them.
 
-This is all that a function of numbers can be made of (`functions.py`), and all that whoever
-computes, writes or encodes such functions has to know. Operands are `Operand(0)`, `Operand(1)` ...
-in the order of the parameters. A comparison with NaN is false, as in C.
+Every function of numbers is such an expression (`functions.py`). Code that computes, writes or
+encodes functions needs to know nothing else. Operands are `Operand(0)`, `Operand(1)` ... in the
+order of the parameters. A comparison with NaN is false, as in C.
 
-The operators of Python make expressions, so that a definition reads like its formula.
+Python's operators create expressions, so that a definition reads like its formula.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 
 class Primitive(enum.Enum):
-    """The operations that are not made of others; each rounds once, to nearest even."""
+    """The basic operations. Each rounds once, to nearest even."""
 
     ADD = "add"
     SUBTRACT = "subtract"
@@ -71,14 +71,14 @@ class _Formula:
 
 @dataclass(frozen=True)
 class Number(_Formula):
-    """A number known when compiling."""
+    """A number that is known at compile time."""
 
     value: float
 
 
 @dataclass(frozen=True)
 class Operand(_Formula):
-    """A number that the function is applied to."""
+    """An operand of the function."""
 
     index: int
 
@@ -93,7 +93,7 @@ class Computed(_Formula):
 
 @dataclass(frozen=True)
 class Chosen(_Formula):
-    """One number where a condition holds, else another."""
+    """One number if a condition is true, else another."""
 
     condition: Condition
     then: Expression
@@ -102,8 +102,8 @@ class Chosen(_Formula):
 
 @dataclass(frozen=True, eq=False)
 class Local(_Formula):
-    """A number with a name, which is computed once however often it stands in a function. Two with
-    the same name are two.
+    """A named number, which is computed once, however often it occurs in a function. Two with the
+    same name are two numbers.
     """
 
     name: str
@@ -123,13 +123,13 @@ class Subfunction:
     phrase: str
 
     def __call__(self, *operands: Expression) -> Applied:
-        """The function of some numbers."""
+        """The function applied to some numbers."""
         return Applied(self, operands)
 
 
 @dataclass(frozen=True)
 class Applied(_Formula):
-    """A function of that kind, of some numbers."""
+    """A subfunction applied to some numbers."""
 
     function: Subfunction
     operands: tuple[Expression, ...]
@@ -141,7 +141,7 @@ Written = _Formula | float
 
 @dataclass(frozen=True)
 class IsLess:
-    """The one is less than the other; false if either is NaN."""
+    """The condition that the first number is less than the second; false if either is NaN."""
 
     left: Expression
     right: Expression
@@ -149,7 +149,7 @@ class IsLess:
 
 @dataclass(frozen=True)
 class IsEqual:
-    """Both are equal; false if either is NaN."""
+    """The condition that both numbers are equal; false if either is NaN."""
 
     left: Expression
     right: Expression
@@ -157,7 +157,7 @@ class IsEqual:
 
 @dataclass(frozen=True)
 class IsUnknown:
-    """It is NaN."""
+    """The condition that a number is NaN."""
 
     operand: Expression
 
@@ -176,12 +176,12 @@ UNKNOWN = Number(math.nan)
 
 
 def written(value: Written) -> Expression:
-    """An expression, or a number as one."""
+    """An expression, or a number as an expression."""
     return value._own() if isinstance(value, _Formula) else Number(value)  # noqa: SLF001
 
 
 def choose(condition: Condition, then: Written, otherwise: Written) -> Chosen:
-    """`then` where the condition holds, else `otherwise`."""
+    """`then` if the condition is true, else `otherwise`."""
     return Chosen(condition, written(then), written(otherwise))
 
 
@@ -191,7 +191,7 @@ def square_root(x: Expression) -> Computed:
 
 
 def operands_of(expression: Expression) -> Iterator[int]:
-    """The operands in an expression, from left to right, as often as they stand in it."""
+    """The operands in an expression, from left to right, including repetitions."""
     match expression:
         case Number():
             pass
@@ -208,7 +208,7 @@ def operands_of(expression: Expression) -> Iterator[int]:
 
 
 def compared_in(condition: Condition) -> Iterator[Expression]:
-    """The numbers that a condition looks at."""
+    """The numbers in a condition."""
     match condition:
         case IsLess(left=left, right=right) | IsEqual(left=left, right=right):
             yield from (left, right)
@@ -220,7 +220,7 @@ def compared_in(condition: Condition) -> Iterator[Expression]:
 
 
 def locals_of(expression: Expression) -> tuple[Local, ...]:
-    """The named numbers in an expression, each once and after those that it uses."""
+    """The named numbers in an expression, each once, after the named numbers that it uses."""
     return tuple(each for each in _named_in(expression) if isinstance(each, Local))
 
 
@@ -230,7 +230,9 @@ def applied_in(expression: Expression) -> tuple[Subfunction, ...]:
 
 
 def subfunctions_of(expression: Expression) -> tuple[Subfunction, ...]:
-    """The same with those that these apply, each once and after those that it applies."""
+    """The subfunctions of an expression and of its subfunctions, each once, after the subfunctions
+    that it applies.
+    """
     found: dict[Subfunction, None] = {}
     for each in applied_in(expression):
         found.update(dict.fromkeys((*subfunctions_of(each.expression), each)))

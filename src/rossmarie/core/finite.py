@@ -1,7 +1,7 @@
-"""Infinities, as far as the expression of a function alone tells of them.
+"""Infinities, as far as the expression of a function alone determines them.
 
-Results that are not finite are unknown (S4), and numbers that stand outside of arrays are finite or
-unknown. So most operands need no look; targets ask here where one is needed.
+Results that are not finite are unknown (S4), and numbers outside arrays are finite or unknown. So
+most operands need no test. Targets use this module to find the operands that need one.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from rossmarie.core.functions import AnyFunction, defined, row
 
 @cache
 def may_be_infinite(function: AnyFunction, count: int, *, of_infinite: bool) -> bool:
-    """Say whether the expression of a function of `count` operands can be infinite: of operands
-    that are finite or NaN, or with `of_infinite`, of any.
+    """Say whether the expression of a function of `count` operands can be infinite. The operands
+    are finite or NaN; with `of_infinite`, they can also be infinite.
     """
     if all(map(math.isfinite, row(function).range)):
         return False
@@ -56,7 +56,9 @@ def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
 
 @cache
 def rounds(function: AnyFunction, count: int) -> bool:
-    """Say whether a function computes, and so rounds, instead of choosing among its operands."""
+    """Say whether a function computes and therefore rounds, instead of choosing among its
+    operands.
+    """
     return _rounds(defined(function, count))
 
 

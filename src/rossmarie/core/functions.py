@@ -1,8 +1,8 @@
 """The functions from numbers to a number, each defined once: rules S3 to S6.
 
-A member of `Function` with its row in `FUNCTIONS` is all that a function is: interpreter, targets,
-solvers and the words of reports go by that row. A result that is not finite is unknown (S4):
-whoever applies a function makes NaN of it.
+A member of `Function` and its row in `FUNCTIONS` define a function completely: interpreter,
+targets, solvers and the words of reports use that row. A result that is not finite is unknown (S4):
+the code that applies a function turns it into NaN.
 """
 
 from __future__ import annotations
@@ -68,25 +68,26 @@ class Function(enum.Enum):
     DIVIDE = "divide"
     NEGATE = "negate"
     ABSOLUTE = "absolute"
-    MINIMUM = "minimum"  # of two
-    MAXIMUM = "maximum"  # of two
-    ABOVE = "above"  # the third where the first is above the second, else 0
+    MINIMUM = "minimum"  # of two numbers
+    MAXIMUM = "maximum"  # of two numbers
+    ABOVE = "above"  # the third if the first is above the second, else 0
     BRAKING_DISTANCE = "braking_distance"  # of a speed, a deceleration and a latency
-    TIME_TO = "time_to"  # of what is left and the speed at which it becomes less
-    SEEN = "seen"  # the first where the second equals the third, else unknown
-    RAISED = "raised"  # the first where it is above the second, up to the third, else the second
-    LOWERED = "lowered"  # the first where it is below the second, down to the third, likewise
-    NORM = "norm"  # of one or more
+    TIME_TO = "time_to"  # of a remaining distance and the speed at which it shrinks
+    SEEN = "seen"  # the first if the second equals the third, else unknown
+    RAISED = "raised"  # the first if it is above the second, at most the third; else the second
+    LOWERED = "lowered"  # the first if it is below the second, at least the third; else the second
+    NORM = "norm"  # of one or more numbers
     HYPOT = "hypot"
-    ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
+    ROLL = "roll"  # of a quaternion x, y, z, w of any nonzero length
     PITCH = "pitch"
     YAW = "yaw"
     SINE = "sine"  # of an angle
     COSINE = "cosine"
-    TURNED_X = "turned_x"  # of a vector x, y, z and the quaternion x, y, z, w that turns it
+    TURNED_X = "turned_x"  # of a vector x, y, z and the quaternion x, y, z, w that rotates it
     TURNED_Y = "turned_y"
     TURNED_Z = "turned_z"
-    COMPOSED_X = "composed_x"  # of the quaternion of a turn, and of that of the turn before it
+    # of the quaternion of a rotation, and the quaternion of the rotation before it
+    COMPOSED_X = "composed_x"
     COMPOSED_Y = "composed_y"
     COMPOSED_Z = "composed_z"
     COMPOSED_W = "composed_w"
@@ -97,12 +98,14 @@ class Row:
     """The description of a function.
 
     `rule` is its rule in the semantics. It takes `least` to `most` operands (None: any number).
-    `define` gives its expression. `phrase` words it for readers, with `{0}` and `{1}` for operands,
-    `{all}` for a list of them, and `{vector}` for components of one thing. Results lie in `range`.
+    `define` gives its expression. `phrase` is its wording for readers, with `{0}` and `{1}` for
+    operands, `{all}` for a list of them, and `{vector}` for components of one vector. Results are
+    in `range`.
 
-    Solvers cannot compute with roots and angles: where `bounds` is given they know of a result only
-    that it lies in `range`, and these conditions on the operands and the result, in real numbers.
-    `easy` then gives cases in which they can compute it: with one of these they find examples.
+    Solvers cannot compute roots and angles. For a function with `bounds`, a solver knows only that
+    the result is in `range`, and these conditions on the operands and the result, in real numbers.
+    `easy` then gives cases in which solvers can compute the function, which they use to find
+    examples.
     """
 
     rule: str
@@ -115,21 +118,23 @@ class Row:
     easy: Callable[[Sequence[Expression]], tuple[Easy, ...]] | None = None
 
     def takes(self, count: int) -> bool:
-        """Say whether the function can have that many operands."""
+        """Say whether the function accepts this number of operands."""
         return self.least <= count and (self.most is None or count <= self.most)
 
     def worded(self, operands: Sequence[str], vector: str | None = None) -> str:
-        """The phrase about operands in words; `vector` is what they are components of."""
+        """The phrase with operands in words. `vector` is the name of the vector whose components
+        they are.
+        """
         listed = ", ".join(operands)
         return self.phrase.format(*operands, all=listed, vector=vector or f"({listed})")
 
 
 AnyFunction = Function | RegionFunction
-"""A function of all machines, or one of a region of a machine."""
+"""A function of all machines, or a function of a region of one machine."""
 
 
 def row(function: AnyFunction) -> Row:
-    """Find the row of a function."""
+    """The row of a function."""
     return _row_of(function) if isinstance(function, RegionFunction) else FUNCTIONS[function]
 
 
@@ -164,7 +169,7 @@ def defined(function: AnyFunction, count: int) -> Expression:
 
 
 def _minimum(a: Expression, b: Expression) -> Expression:
-    """S6; of two equal ones the second."""
+    """S6. If both are equal, the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a < b, a, b))
 
 
@@ -181,7 +186,7 @@ def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
 
 
 def _maximum(a: Expression, b: Expression) -> Expression:
-    """S6; of two equal ones the second."""
+    """S6. If both are equal, the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
 
 
@@ -200,14 +205,14 @@ def _lowered(x: Expression, usual: Expression, least: Expression) -> Expression:
 # --- geometry --------------------------------------------------------------------------------
 
 _SLACK = 2.0**-40
-"""More than the roundings in a norm of thousands of numbers can add."""
+"""More than the rounding errors in a norm of thousands of numbers."""
 
 _TINY = 2.0**-500
-"""Below this, squares are lost."""
+"""The number below which squares underflow."""
 
 
 def _sum_of_squares(*components: Expression) -> Expression:
-    """Added from left to right."""
+    """The sum of squares, added from left to right."""
     return reduce(lambda total, x: total + x, [x * x for x in components])
 
 
@@ -217,7 +222,7 @@ def _norm(*components: Expression) -> Expression:
 
 
 def _bounds_of_norm(norm: Expression, components: Sequence[Expression]) -> tuple[Condition, ...]:
-    """A length is no less than each component, and no greater than the sum of all."""
+    """Bounds: a length is at least each component, and at most the sum of all."""
     sizes = [abs(each) for each in components]
     total: Expression = reduce(lambda one, other: one + other, sizes)
     return (
@@ -227,7 +232,7 @@ def _bounds_of_norm(norm: Expression, components: Sequence[Expression]) -> tuple
 
 
 def _along_one(components: Sequence[Expression]) -> tuple[Easy, ...]:
-    """A length is its component where all others are 0."""
+    """Easy cases: a length equals its component if all other components are 0."""
     return tuple(
         Easy(tuple(other.equals(0.0) for other in components if other is not each), abs(each))
         for each in components
@@ -243,7 +248,7 @@ def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Express
 
 
 def _pitch(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
-    """S5. Rounding may leave the range of a sine by an ulp, where an arc sine has no value."""
+    """S5. Rounding may exceed the range of a sine by an ulp, where an arc sine is not defined."""
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = Local("sine", 2.0 * (w * y - z * x) / n)
     cut = choose(sine < -1.0, -1.0, choose(sine > 1.0, 1.0, sine))
@@ -259,17 +264,17 @@ def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expressi
 
 
 def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]:
-    """Leave open how an angle hangs together with its quaternion."""
+    """No bounds: the relation between an angle and its quaternion stays open."""
     return ()
 
 
 def _bounds_of_sine(sine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
-    """A sine is no greater than its angle."""
+    """Bounds: a sine is at most its angle."""
     return (abs(sine) < abs(angles[0]) * (1.0 + _SLACK) + 2.0 * _TINY,)
 
 
 def _bounds_of_cosine(cosine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
-    """A cosine is no further from 1 than the angle is from 0."""
+    """Bounds: the distance of a cosine from 1 is at most the distance of the angle from 0."""
     return (1.0 - abs(angles[0]) * (1.0 + _SLACK) - _SLACK < cosine,)
 
 

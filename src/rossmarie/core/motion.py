@@ -1,4 +1,4 @@
-"""Ways and times of what moves: `braking_distance` and `time_to` (S83, S84)."""
+"""Distances and times of motions: `braking_distance` and `time_to` (S83, S84)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.core.expressions import (
 )
 
 LONGEST_TIME = 1e9
-"""The seconds that `time_to` gives at most: as much as never."""
+"""The greatest result of `time_to` in seconds. It stands for "never"."""
 
 
 def braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
@@ -24,7 +24,9 @@ def braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
 
 
 def time_to(left: Expression, speed: Expression) -> Expression:
-    """S84. Something that does not come closer takes the longest time, and what is there none."""
+    """S84. For an object that does not come closer the result is the longest time, and for an
+    object that has arrived 0.
+    """
     time = left / speed
     running = choose(time < LONGEST_TIME, time, LONGEST_TIME)
     coming = choose(left > 0.0, choose(speed > 0.0, running, LONGEST_TIME), 0.0)
@@ -34,13 +36,15 @@ def time_to(left: Expression, speed: Expression) -> Expression:
 # --- what solvers may know ---------------------------------------------------------------------
 
 _SLACK = 2.0**-40
-"""More than the roundings can add."""
+"""More than the rounding errors."""
 _TINY = 2.0**-500
-"""Below this, products and quotients are lost."""
+"""The number below which products and quotients underflow."""
 
 
 def bounds_of_braking(result: Expression, operands: Sequence[Expression]) -> tuple[Condition, ...]:
-    """The formula without its division, but for roundings; nothing where no way is known."""
+    """Bounds: the formula without its division, except for rounding; empty if no distance is
+    known.
+    """
     v, a, t = operands
     whole = abs(v) * t * (2.0 * a) + v * v
     lost = (a + 1.0) * _TINY
@@ -50,7 +54,7 @@ def bounds_of_braking(result: Expression, operands: Sequence[Expression]) -> tup
 
 
 def bounds_of_time(result: Expression, operands: Sequence[Expression]) -> tuple[Condition, ...]:
-    """The formula without its division, but for roundings."""
+    """Bounds: the formula without its division, except for rounding."""
     left, speed = operands
     lost = (abs(speed) + 1.0) * _TINY
     run = result * speed

@@ -1,8 +1,8 @@
-"""The functions of a region: whether a point lies in it, and how far away it is (S63, S64, S81).
+"""The functions of a region: whether a point is in it, and the distance to it (S63, S64, S81).
 
-A region is some shapes in a plane, known when compiling. So its functions are like those of
-`functions.py`, but for their numbers: each shape is a subfunction, with its corners as they stand
-in the rules.
+A region consists of shapes in a plane, known at compile time. Its functions are like those of
+`functions.py`, except for their numbers: each shape is a subfunction that contains the corners from
+the rules.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ from rossmarie.core.shapes import (
 
 @dataclass(frozen=True)
 class Easy:
-    """A case in which a function is easy to compute: where these conditions on its operands hold,
-    it is that expression.
+    """A case in which a function is easy to compute: if these conditions on its operands are true,
+    the function equals that expression.
     """
 
     conditions: tuple[Condition, ...]
@@ -50,7 +50,7 @@ class Easy:
 
 
 class Measure(enum.Enum):
-    """The functions of a region, of x and y."""
+    """The functions of a region, of x and y in m."""
 
     INSIDE = "inside"
     DISTANCE = "distance"
@@ -58,7 +58,7 @@ class Measure(enum.Enum):
 
 @dataclass(frozen=True)
 class Region:
-    """Shapes in the plane of a frame: all things of a class, say, or a zone."""
+    """Shapes in the plane of a frame: all things of a class, or a zone, for example."""
 
     name: str
     about: str
@@ -67,8 +67,8 @@ class Region:
 
 @dataclass(frozen=True)
 class RegionFunction:
-    """A function of a point that a region has. Its operands are x and y in m, the frame that the
-    point is seen from, and the frame of the region: numbers of texts.
+    """A function of a point, for one region. Its operands are x and y in m, the frame of the point,
+    and the frame of the region; frames are numbers of texts.
     """
 
     measure: Measure
@@ -76,15 +76,15 @@ class RegionFunction:
 
     @property
     def value(self) -> str:
-        """`inside_corridor`, as functions are called in the languages of targets."""
+        """`inside_corridor`, the name of the function in target languages."""
         return f"{self.measure.value}_{self.region.name}"
 
     def __hash__(self) -> int:
-        return hash(self.value)  # corners are many, and tell no more
+        return hash(self.value)  # the many corners would not help a reader
 
 
 OPERANDS = 4
-"""x, y, the frame of the point, and that of the region."""
+"""x, y, the frame of the point, and the frame of the region."""
 
 _ABOUT = {
     Measure.INSIDE: "whether ({0}, {1}) is in {region}",
@@ -113,7 +113,7 @@ _X, _Y = Operand(0), Operand(1)
 
 
 def _inside(region: Region, x: Expression, y: Expression) -> Expression:
-    """S63: in one shape at least."""
+    """S63: in at least one shape."""
     parts = [inside_of(each)(_X, _Y) for each in region.shapes if has_area(each)]
     if not parts:
         return Number(0.0)
@@ -121,7 +121,7 @@ def _inside(region: Region, x: Expression, y: Expression) -> Expression:
 
 
 def _distance(region: Region, x: Expression, y: Expression) -> Expression:
-    """S64: the root of the least square, and S81: or the way to a circle."""
+    """S64, the root of the least square, and S81, the distance to a circle."""
     squares = [square_of(each)(_X, _Y) for each in region.shapes if not isinstance(each, Circle)]
     gaps = [gap_of(each)(_X, _Y) for each in region.shapes if isinstance(each, Circle)]
     found: list[Expression] = []
@@ -132,22 +132,24 @@ def _distance(region: Region, x: Expression, y: Expression) -> Expression:
         name, about = f"gap_{region.name}", f"circles of {region.about}"
         found.append(together(name, about, gaps, chain(LESSER))(x, y))
     least = Local("least", LESSER(*found) if len(found) > 1 else found[0])
-    # A NaN has a sign, which depends on the machine.
+    # The sign of a NaN depends on the processor.
     return choose(IsUnknown(least), UNKNOWN, least)
 
 
 # --- what solvers may know ---------------------------------------------------------------------
 
 _SLACK = 2.0**-40
-"""More than the roundings in a distance can add, with a billionth of a metre."""
+"""More than the rounding errors in a distance, plus a billionth of a metre."""
 _FEW = 24
-"""Edges through which solvers find their way in a second or two."""
+"""The number of edges that solvers can handle in a second or two."""
 
 
 def bounds(
     function: RegionFunction, result: Expression, operands: Sequence[Expression]
 ) -> tuple[Condition, ...] | None:
-    """The facts from which solvers go where the formula is too much for them; None if it is not."""
+    """Facts that solvers use when the formula is too complex for them; None if the formula is
+    simple enough.
+    """
     xs, ys = zip(*(each for part in function.region.shapes for each in part.corners), strict=True)
     if function.measure is Measure.INSIDE:
         return _bounds_of_inside(xs, ys, result, operands) if len(xs) > _FEW else None
@@ -157,7 +159,7 @@ def bounds(
 def _bounds_of_inside(
     xs: Sequence[float], ys: Sequence[float], result: Expression, operands: Sequence[Expression]
 ) -> tuple[Condition, ...]:
-    """Nothing is inside beyond the corners."""
+    """Bounds: no point outside the bounding box of the corners is inside."""
     outside = result.equals(0.0)
     found: list[Condition] = [Either(outside, result.equals(1.0))]
     for number, ends in zip(operands, (xs, ys), strict=False):
@@ -170,8 +172,8 @@ def _bounds_of_inside(
 def _bounds_of_distance(
     xs: Sequence[float], ys: Sequence[float], result: Expression, operands: Sequence[Expression]
 ) -> tuple[Condition, ...]:
-    """It is no less than that from the box around all corners along each axis, and no greater than
-    the way along both axes to the first corner.
+    """Bounds: the distance is at least the distance to the bounding box along each axis, and at
+    most the sum of the distances to the first corner along both axes.
     """
     beyond = [
         part for number, ends in zip(operands, (xs, ys), strict=False)
@@ -183,8 +185,8 @@ def _bounds_of_distance(
 
 
 def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy, ...]:
-    """The distance beside the corner that is farthest along x, in that direction; of a box, beside
-    the whole of that edge.
+    """Easy cases: the distance beyond the corner with the largest x, in that direction; for a box,
+    beyond the whole edge there.
     """
     x, y, seen, wanted = operands
     shape = max(function.region.shapes, key=lambda each: max(each.corners))
@@ -198,5 +200,5 @@ def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy
 
 
 def range_of(function: RegionFunction) -> tuple[float, float]:
-    """The numbers that can come out."""
+    """The range of the results."""
     return (0.0, 1.0) if function.measure is Measure.INSIDE else (0.0, math.inf)

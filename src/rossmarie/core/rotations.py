@@ -1,7 +1,7 @@
-"""Rotations by quaternions: a vector that is turned, and one turn behind another (S76).
+"""Rotations by quaternions: a rotated vector, and the composition of two rotations (S76).
 
-The length of a quaternion does not matter, but one that is far too short or too long is one that
-was not measured.
+The length of a quaternion does not matter, but a quaternion that is far too short or too long is no
+measurement.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from rossmarie.core.regions import Easy
 
 _SHORTEST = 2.0**-500
 _LONGEST = 2.0**500
-"""The limits of the square of the length: within these no square is lost."""
+"""The limits of the squared length. Within these limits no square underflows or overflows."""
 
 _SLACK = 2.0**-40
-"""More than the roundings in a rotation can add."""
+"""More than the rounding errors in a rotation."""
 
 
 class _Turn(NamedTuple):
-    """The components of a quaternion, and the square of its length."""
+    """The components of a quaternion, and its squared length."""
 
     x: Expression
     y: Expression
@@ -38,7 +38,7 @@ class _Turn(NamedTuple):
 
 
 def turned_x(*operands: Expression) -> Expression:
-    """The x of a vector (three operands) that is turned by a quaternion (four)."""
+    """The x of a vector (three operands) that is rotated by a quaternion (four operands)."""
     return _turned(
         operands,
         lambda q: (
@@ -50,7 +50,7 @@ def turned_x(*operands: Expression) -> Expression:
 
 
 def turned_y(*operands: Expression) -> Expression:
-    """The y of it."""
+    """The y of that vector."""
     return _turned(
         operands,
         lambda q: (
@@ -62,7 +62,7 @@ def turned_y(*operands: Expression) -> Expression:
 
 
 def turned_z(*operands: Expression) -> Expression:
-    """The z of it."""
+    """The z of that vector."""
     return _turned(
         operands,
         lambda q: (
@@ -77,7 +77,7 @@ _Row = Callable[[_Turn], tuple[Expression, Expression, Expression]]
 
 
 def _turned(operands: Sequence[Expression], row: _Row) -> Expression:
-    """One row of the matrix of a rotation, times a vector."""
+    """One row of a rotation matrix, times a vector."""
     a, b, c, x, y, z, w = operands
     n = Local("n", ((x * x + y * y) + z * z) + w * w)
     first, second, third = row(_Turn(x, y, z, w, n))
@@ -86,14 +86,14 @@ def _turned(operands: Sequence[Expression], row: _Row) -> Expression:
 
 
 def bounds_of_turned(result: Expression, operands: Sequence[Expression]) -> tuple[Condition, ...]:
-    """A rotation makes no component longer than all of them together."""
+    """Bounds: a rotated component is at most the sum of the components' absolute values."""
     a, b, c = map(abs, operands[:3])
     most = ((a + b) + c) * (1.0 + _SLACK) + 2.0 * _SHORTEST
     return (abs(result) < most,)
 
 
 def easy_turned(component: int) -> Callable[[Sequence[Expression]], tuple[Easy, ...]]:
-    """No turn leaves a component as it is."""
+    """Easy case: the identity leaves a component unchanged."""
     return lambda operands: (Easy(_is_upright(operands[3:]), operands[component]),)
 
 
@@ -101,7 +101,7 @@ def easy_turned(component: int) -> Callable[[Sequence[Expression]], tuple[Easy, 
 
 
 def composed_x(*operands: Expression) -> Expression:
-    """The x of the product of two quaternions, four operands each: of the second turn, and of the
+    """The x of the product of two quaternions with four operands each: the second rotation, and the
     first one.
     """
     px, py, pz, pw, qx, qy, qz, qw = operands
@@ -109,25 +109,25 @@ def composed_x(*operands: Expression) -> Expression:
 
 
 def composed_y(*operands: Expression) -> Expression:
-    """The y of it."""
+    """The y of that product."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qy - px * qz) + py * qw) + pz * qx
 
 
 def composed_z(*operands: Expression) -> Expression:
-    """The z of it."""
+    """The z of that product."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qz + px * qy) - py * qx) + pz * qw
 
 
 def composed_w(*operands: Expression) -> Expression:
-    """The w of it."""
+    """The w of that product."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qw - px * qx) - py * qy) - pz * qz
 
 
 def easy_composed(component: int) -> Callable[[Sequence[Expression]], tuple[Easy, ...]]:
-    """No turn, before or after another one, leaves that as it is."""
+    """Easy case: the identity, before or after another rotation, leaves that rotation unchanged."""
     return lambda operands: (
         Easy(_is_upright(operands[:4]), operands[4 + component]),
         Easy(_is_upright(operands[4:]), operands[component]),

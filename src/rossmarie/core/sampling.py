@@ -1,8 +1,9 @@
 """The functions of the last samples of a number, each defined once: S18 to S21, S43, S49, S50.
 
-A member of `Sampling` with its row in `SAMPLINGS` is all that such a function is: an expression
-over views of the samples, which whoever remembers samples gives it. A view of samples that are not
-there is NaN. Samples are taken, replaced and forgotten alike for all of them (S17, S18, S21).
+A member of `Sampling` and its row in `SAMPLINGS` define such a function completely: an expression
+over views of the samples. The code that stores samples provides the views. A view of missing
+samples is NaN. Samples are taken, replaced and forgotten in the same way for all functions (S17,
+S18, S21).
 """
 
 from __future__ import annotations
@@ -14,19 +15,20 @@ from dataclasses import dataclass
 from rossmarie.core.expressions import Expression, IsUnknown, Number, Operand, choose
 
 MOST_SAMPLES = 64
-"""The number of samples that a window holds at the most: the last ones."""
+"""The greatest number of samples in a window. The window keeps the last ones."""
 
 
 class View(enum.Enum):
-    """Numbers that are found among samples."""
+    """Numbers that are derived from samples."""
 
     NEWEST = "newest"
     BEFORE = "before"  # the sample before the newest
-    SECONDS = "seconds"  # from that to the newest, as a binary64 of nanoseconds divided by 1e9
+    # the time from that sample to the newest, as a binary64 of nanoseconds divided by 1e9
+    SECONDS = "seconds"
     LOWER = "lower"  # the middle sample of a window by size; of two, the lower
-    UPPER = "upper"  # of two, the upper
+    UPPER = "upper"  # the middle sample; of two, the upper
     TOTAL = "total"  # the sum of a window, added from the oldest sample to the newest
-    COUNT = "count"  # how many samples a window holds
+    COUNT = "count"  # the number of samples in a window
     CONSTANT = "constant"  # the time constant of a filter, in seconds
 
 
@@ -44,13 +46,13 @@ class Sampling(enum.Enum):
 class SamplingRow:
     """The description of a function of samples.
 
-    `rule` is its rule in the semantics, `views` are the operands of the expression that `define`
-    gives, `phrase` words it, with `{0}` for the number and `{window}` for the time that it takes:
-    the length of its window if it `has_window`, the time constant if it `feeds_back`.
-    Of one that feeds back the results are remembered instead of the samples: `NEWEST` is the sample
-    that comes, `BEFORE` the result at the one before. `at_rest` is the value of a number that does
-    not change. Infinite samples are ordinary numbers to some (S8), the others are functions (S4).
-    Some `wait`: they are unknown until a sample has come, which is no failure of a sensor (S30).
+    `rule` is its rule in the semantics. `views` are the operands of the expression that `define`
+    gives. `phrase` is its wording, with `{0}` for the number and `{window}` for its time: the
+    length of its window if it `has_window`, the time constant if it `feeds_back`. A function that
+    feeds back stores its results instead of samples: `NEWEST` is the new sample, `BEFORE` the
+    previous result. `at_rest` is the value for a number that does not change. For some functions,
+    infinite samples are ordinary numbers (S8); for the others, S4 applies. Functions that `wait`
+    are unknown until a sample has come, which is not a sensor failure (S30).
     """
 
     rule: str
@@ -65,12 +67,12 @@ class SamplingRow:
 
     @property
     def takes_time(self) -> bool:
-        """True if it is given a time."""
+        """True if the function has a time."""
         return self.has_window or self.feeds_back
 
     @property
     def gives_a_sample(self) -> bool:
-        """True if the value is one of the samples, of whatever kind these are."""
+        """True if the value is one of the samples, whatever their type."""
         return self.expression == Operand(0)
 
     @property
@@ -79,7 +81,7 @@ class SamplingRow:
         return self.define(*map(Operand, range(len(self.views))))
 
     def worded(self, number: str, window: str) -> str:
-        """The phrase about a number in words, and a window in words."""
+        """The phrase with the number and the window in words."""
         return self.phrase.format(number, window=window)
 
 
@@ -101,7 +103,7 @@ def _mean(total: Expression, count: Expression) -> Expression:
 def _low_pass(
     newest: Expression, before: Expression, seconds: Expression, constant: Expression
 ) -> Expression:
-    """S50: backward Euler, which is stable however far apart the samples are."""
+    """S50: backward Euler, which is stable for any time between the samples."""
     step = (seconds / (constant + seconds)) * (newest - before)
     return choose(IsUnknown(before), newest, before + step)
 
@@ -156,5 +158,5 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
 
 
 def sampling_row(function: Sampling) -> SamplingRow:
-    """Find the row of a function of samples."""
+    """The row of a function of samples."""
     return SAMPLINGS[function]

@@ -1,6 +1,6 @@
-"""The shapes that regions are made of, and the functions of one shape (S63, S64, S81).
+"""The shapes of regions, and the functions of one shape (S63, S64, S81).
 
-The numbers of a shape are known when compiling: they stand in the expressions of its functions.
+The numbers of a shape are known at compile time: they are part of the expressions of its functions.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ Corner = tuple[float, float]
 
 @dataclass(frozen=True)
 class Polygon:
-    """The corners of a polygon, in either direction; or the one corner of a point. `name` is a word
-    that no other shape of a program has, and `about` says what it is.
+    """The corners of a polygon, in either direction, or the one corner of a point. `name` is unique
+    among the shapes of a program, and `about` describes the shape.
     """
 
     name: str
@@ -36,7 +36,9 @@ class Polygon:
 
 @dataclass(frozen=True)
 class Rectangle:
-    """All between two corners, of which `low` has the least x and y; its edges are in it."""
+    """A rectangle between two corners, of which `low` has the lower x and y. Its edges belong to
+    it.
+    """
 
     name: str
     about: str
@@ -45,14 +47,14 @@ class Rectangle:
 
     @property
     def corners(self) -> tuple[Corner, ...]:
-        """Its four corners."""
+        """The four corners."""
         (left, right), (lower, upper) = zip(self.low, self.high, strict=True)
         return ((left, lower), (right, lower), (right, upper), (left, upper))
 
 
 @dataclass(frozen=True)
 class Circle:
-    """All that is no farther than `radius` from `centre`."""
+    """A disc with a `radius` in m around `centre`."""
 
     name: str
     about: str
@@ -61,7 +63,7 @@ class Circle:
 
     @property
     def corners(self) -> tuple[Corner, ...]:
-        """Its outermost points along both axes."""
+        """The outermost points along both axes."""
         (x, y), r = self.centre, self.radius
         return ((x + r, y), (x, y + r), (x - r, y), (x, y - r))
 
@@ -70,7 +72,7 @@ Shape = Polygon | Rectangle | Circle
 
 
 def has_area(shape: Shape) -> bool:
-    """Say whether something can lie in a shape."""
+    """Say whether a shape has an interior."""
     return len(shape.corners) > 1
 
 
@@ -79,7 +81,7 @@ def has_area(shape: Shape) -> bool:
 
 @cache
 def inside_of(shape: Shape) -> Subfunction:
-    """1 in the shape, else 0."""
+    """1 inside the shape, else 0."""
     match shape:
         case Polygon():
             found = _in_polygon(shape)
@@ -93,7 +95,7 @@ def inside_of(shape: Shape) -> Subfunction:
 
 
 def _in_polygon(polygon: Polygon) -> Expression:
-    """S63: a point beyond the corners is not looked at further."""
+    """S63. Points outside the bounding box are decided at once."""
     xs, ys = zip(*polygon.corners, strict=True)
     edges = [edge for edge in map(_upwards, _edges(polygon)) if edge]
     name, about = f"crossings_{polygon.name}", f"edges of {polygon.about}"
@@ -104,8 +106,8 @@ def _in_polygon(polygon: Polygon) -> Expression:
 
 
 def _crossings(name: str, about: str, edges: Sequence[_Edge]) -> Subfunction:
-    """1 if a point stands before an odd number of edges. Where they are many, only those that the
-    height of the point can meet are looked at: the others count 0.
+    """1 if the ray from a point crosses an odd number of edges. If there are many edges, only those
+    at the height of the point are tested: the others count 0.
     """
     middle = sorted(lower for _, lower, _, _ in edges)[len(edges) // 2]
     below = [edge for edge in edges if edge[1] < middle]
@@ -124,21 +126,21 @@ def _crossings(name: str, about: str, edges: Sequence[_Edge]) -> Subfunction:
 
 
 _Edge = tuple[float, float, float, float]
-"""x and y of the lower end, then of the upper one."""
+"""x and y of the lower end of an edge, then of the upper end."""
 _ALL_AT_ONCE = 12
-"""Edges of which each is looked at, rather than half of them."""
+"""The number of edges up to which all edges are tested, instead of half of them."""
 _MOST_IN_HALF = 0.75
-"""The share of edges in a half from which on halves are not worth it."""
+"""The share of edges in one half above which halving is not worthwhile."""
 
 
 def _upwards(edge: tuple[Corner, Corner]) -> _Edge | None:
-    """An edge from its lower end to its upper one; nothing of one that is level."""
+    """An edge from its lower end to its upper end; None for a horizontal edge."""
     (ax, ay), (bx, by) = sorted(edge, key=lambda corner: corner[1])
     return None if ay == by else (ax, ay, bx, by)
 
 
 def _crossing() -> Expression:
-    """S63: the lower end of an edge counts, the upper one does not."""
+    """S63: the lower end of an edge belongs to it, the upper end does not."""
     x, y, ax, ay, bx, by = map(Operand, range(6))
     is_before = (x - ax) * (by - ay) < (y - ay) * (bx - ax)
     return choose(y < ay, 0.0, choose(y < by, choose(is_before, 1.0, 0.0), 0.0))
@@ -168,7 +170,7 @@ def _edges(polygon: Polygon) -> list[tuple[Corner, Corner]]:
 
 @cache
 def square_of(shape: Polygon | Rectangle) -> Subfunction:
-    """The square of the distance from a shape, 0 inside of it; or from a point."""
+    """The squared distance from a shape or a point; 0 inside the shape."""
     if isinstance(shape, Rectangle):
         found = _from_rectangle(shape)
     elif len(shape.corners) == 1:
@@ -185,7 +187,7 @@ def square_of(shape: Polygon | Rectangle) -> Subfunction:
 
 @cache
 def gap_of(circle: Circle) -> Subfunction:
-    """S81: the distance from a circle, 0 inside of it."""
+    """S81: the distance from a circle; 0 inside the circle."""
     gap = Local("gap", square_root(_square_from_centre(circle)) - circle.radius)
     about = f"the distance of ({{0}}, {{1}}) from {circle.about}"
     return of_point(f"gap_{circle.name}", choose(gap > 0.0, gap, 0.0), about)
@@ -197,7 +199,7 @@ def _square_from_centre(circle: Circle) -> Expression:
 
 
 def _from_rectangle(shape: Rectangle) -> Expression:
-    """S81: the way along each axis."""
+    """S81: the distance along each axis."""
     ways = []
     for name, number, low, high in zip("xy", (_X, _Y), shape.low, shape.high, strict=True):
         beyond = choose(number > high, number - high, 0.0)
@@ -207,7 +209,7 @@ def _from_rectangle(shape: Rectangle) -> Expression:
 
 
 def _edge_square() -> Expression:
-    """S64: from the point of the edge that is nearest."""
+    """S64: the squared distance from the nearest point of the edge."""
     x, y, ax, ay, bx, by = map(Operand, range(6))
     dx, dy = Local("dx", bx - ax), Local("dy", by - ay)
     along = Local("along", ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy))
@@ -234,7 +236,9 @@ LESSER = Subfunction(
 
 _X, _Y = Operand(0), Operand(1)
 _MOST = 32
-"""Parts of one expression: compilers and Python bound how deep one may lie in another."""
+"""The greatest number of parts in one expression: compilers and Python limit the depth of
+nesting.
+"""
 
 Combine = Callable[[Sequence[Expression]], Expression]
 
@@ -245,7 +249,7 @@ def of_point(name: str, expression: Expression, about: str) -> Subfunction:
 
 
 def together(name: str, about: str, parts: Sequence[Expression], combine: Combine) -> Subfunction:
-    """A function of x and y that combines its parts."""
+    """A function of x and y that combines some parts."""
     if len(parts) <= _MOST:
         return of_point(f"{name}_together", combine(parts), f"the {about} at ({{0}}, {{1}})")
     groups = []
@@ -257,7 +261,7 @@ def together(name: str, about: str, parts: Sequence[Expression], combine: Combin
 
 
 def first(parts: Sequence[Expression]) -> Expression:
-    """1 if one of them is 1, else 0: C stops at the first."""
+    """1 if one of the parts is 1, else 0. C stops at the first."""
     found: Expression = Number(0.0)
     for part in reversed(parts):
         found = choose(part.equals(1.0), 1.0, found)
@@ -265,7 +269,7 @@ def first(parts: Sequence[Expression]) -> Expression:
 
 
 def chain(function: Subfunction) -> Combine:
-    """All of them, from the first to the last."""
+    """All parts, combined from the first to the last."""
 
     def combined(parts: Sequence[Expression]) -> Expression:
         found: Expression = Number(0.0)

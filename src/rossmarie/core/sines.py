@@ -1,13 +1,13 @@
-"""Sine and cosine, made of sums, products and differences: rule S69.
+"""Sine and cosine, composed of sums, products and differences: rule S69.
 
-Each operation in here is rounded as IEEE 754 says and nothing looks at bits, so results are the
-same to the last bit wherever numbers are binary64. `tests/rossmarie/core/test_sines.py` measures
-how near they are to the exact ones.
+Each operation is rounded as IEEE 754 specifies, and no operation uses bit patterns. So results are
+equal to the last bit wherever numbers are binary64. `tests/rossmarie/core/test_sines.py` measures
+the error.
 
-The way is that of Sun's `k_sin.c`, `k_cos.c` and `e_rem_pio2.c` (fdlibm): take whole right angles
-away from the angle, so that it is near zero, where a polynomial is as good as the function. The
-right angle is three numbers for that, together of more digits than one has. The coefficients
-interpolate the functions at Chebyshev nodes; the same test derives them.
+The method is that of Sun's `k_sin.c`, `k_cos.c` and `e_rem_pio2.c` (fdlibm). It subtracts whole
+right angles, so that the remaining angle is near zero, where a polynomial is accurate. For this
+subtraction, the right angle is split into three numbers, which together have more digits than one
+number. The coefficients interpolate the functions at Chebyshev nodes; the same test derives them.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ from rossmarie.core.expressions import (
 )
 
 LARGEST = 1e6
-"""Radians, up to which there are results; beyond, the three parts have too few digits."""
+"""The largest angle in radians with a result. Beyond it, the three parts have too few digits."""
 
 RIGHT_ANGLES = 0.6366197723675814
-"""The right angles in a radian."""
+"""The number of right angles in a radian."""
 
 FIRST, SECOND, THIRD = 1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21
-"""The parts of a right angle: 33 bits, so that some hundred thousand of them are exact; the next 33
-bits; and what is left.
+"""The parts of a right angle: 33 bits, so that some hundred thousand multiples are exact; the next
+33 bits; and the remainder.
 """
 
 ROUNDING = 1.5 * 2.0**52
-"""Whoever adds this to a number and takes it away again has rounded the number to a whole one."""
+"""Adding this number and subtracting it again rounds a number to a whole one."""
 
 SINE_TERMS = (
     -0.16666666666666666,
@@ -80,17 +80,17 @@ _NEAR_COSINE = Subfunction(
 
 
 def _whole(x: Expression) -> Expression:
-    """The nearest whole number, of a moderate number."""
+    """The nearest whole number to a number of moderate size."""
     return (x + ROUNDING) - ROUNDING
 
 
 def _turned(x: Expression, ahead: int) -> Expression:
-    """The sine of the angle that is `ahead` right angles further."""
+    """The sine of an angle plus `ahead` right angles."""
     turns = Local("turns", _whole(x * RIGHT_ANGLES))
     begun = Local("begun", x - turns * FIRST)
     taken = Local("taken", turns * SECOND)
     left = Local("left", begun - taken)
-    back = Local("back", begun - left)  # what the difference lost, after Knuth
+    back = Local("back", begun - left)  # the rounding error of the difference, after Knuth
     lost = (begun - (left + back)) + (back - taken)
     rest = Local("rest", lost - turns * THIRD)
     place = Local("place", turns + float(ahead))

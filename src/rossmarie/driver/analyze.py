@@ -1,4 +1,4 @@
-"""The findings on a rules file with those on what its rules mean together."""
+"""All findings on a rules file: those of the check, and those of the queries about its rules."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rossmarie.extras import EXTRAS
 from rossmarie.ir import Category, Machine
 
 TOGGLE_NS = 1_000_000_000
-"""The time within which a rule may not toggle, where nothing else is said, in nanoseconds."""
+"""The default time within which a rule may not toggle, in nanoseconds."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Analysis:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """The findings without what shows them."""
+        """The findings without their witnesses."""
         return tuple(finding.diagnostic for finding in self.findings)
 
 
@@ -49,10 +49,10 @@ def analyze_file(
     only: Sequence[Category] = (),
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
-    """Check a rules file, and ask what its rules mean together: the quick queries, or all.
-    `on_step` is told each query, in words.
+    """Check a rules file, and run the quick queries about its rules, or all queries. `on_step` is
+    called with the name of each query.
 
-    Of a file with errors, or one that no target can run, nothing is asked.
+    No query runs on a file with errors, or on a file that no target can run.
     """
     result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     without_answers = Analysis(tuple(map(Finding, result.diagnostics)), {})
@@ -83,7 +83,7 @@ def analyzed(
     toggle_ns: int = TOGGLE_NS,
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
-    """Ask what rules mean together; `checked` are the findings so far."""
+    """Run the queries about rules. `checked` are the findings so far."""
     from rossmarie.analysis.errors import InTime
     from rossmarie.analysis.witness import as_csv, within
 
@@ -115,7 +115,7 @@ def _answers(
     compiled: Compiled, thorough: bool, toggle_ns: int, on_step: Callable[[str], None]
 ) -> Iterator[tuple[Machine, Finding]]:
     """Each finding with the machine that it is about."""
-    from rossmarie.analysis.queries import ask_all, ask_required  # the solver loads slowly
+    from rossmarie.analysis.queries import ask_all, ask_required  # importing the solver is slow
 
     machine = compiled.machine
     for found in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):
@@ -126,7 +126,9 @@ def _answers(
 
 
 def _is_reported(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
-    """Say whether the check has said of a rule by its text that nothing clears it (ROSS408)."""
+    """Say whether the check has reported, from its text alone, that nothing clears a rule
+    (ROSS408).
+    """
     if found.code != "ROSS707":
         return False
     rule = next(rule for rule in machine.rules if rule.head == found.primary.span)

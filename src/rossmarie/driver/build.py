@@ -1,4 +1,4 @@
-"""From a rules file to the files of a target."""
+"""The build: from a rules file to the files of a target."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def check_for(
     message_folders: Sequence[Path] = (),
     only: Sequence[Category] = (),
 ) -> tuple[Diagnostic, ...]:
-    """The findings on a rules file; if it has no errors, with those for what the target, or any
-    target, cannot do.
+    """The findings on a rules file. Without errors, also the findings on features that this target,
+    or any target, does not support.
     """
     result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     if result.program is None:
@@ -48,16 +48,16 @@ def check_for(
 def generate(
     machine: Machine, target: str, placement: Placement = OWN_PACKAGE
 ) -> Mapping[str, str]:
-    """The files of a machine, by name. Raises `RulesError` for what the target cannot do."""
+    """The files of a machine, by name. Raises `RulesError` for unsupported features."""
     if refused := tuple(TARGETS[target].unsupported(machine)):
         raise RulesError(refused)
     return TARGETS[target].generate(machine, placement)
 
 
 class Built(NamedTuple):
-    """The paths of what was generated, the warnings, what comes next, if anything, the files that
-    all of it rests on, the texts of the rules' own part of the code in C and C++, by name, and the
-    rules that a selection left out.
+    """The result of a build: the paths of the generated files, the warnings, the next steps, if
+    any, the source files, the texts of the rules' own code in C and C++ by name, and the rules
+    outside a selection.
     """
 
     written: Sequence[Path]
@@ -80,8 +80,8 @@ def build_files(
     placement: Placement = OWN_PACKAGE,
     replaces_others: bool = False,
 ) -> Built:
-    """Generate `target` for a rules file into `folder`, with `name` instead of that of the file,
-    and `only` rules of these categories.
+    """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
+    file, and `only` rules of these categories.
 
     A file whose content would not change is not touched, so that a build system sees no change;
     one that belongs to the user is not touched once it is there. With `replaces_others`, files that
@@ -108,7 +108,7 @@ def build_files(
 
 
 def own_code(files: Mapping[str, str]) -> dict[str, str]:
-    """The rules' own part of the generated code in C and C++, by name."""
+    """The code of these rules in C and C++, by file name, without the shared runtime."""
     return {
         name: text
         for name, text in files.items()

@@ -1,4 +1,4 @@
-"""Coverage of a rules file by recordings, and the room that they leave to its thresholds."""
+"""Coverage of a rules file by recordings, and the margins of its thresholds."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ from rossmarie.testing.play import Step
 from rossmarie.testing.unreachable import unreachable
 
 Progress = Callable[[float], None]
-"""Called now and then with the part of the work that is done, from 0 to 1."""
+"""Called from time to time with the completed share of the work, from 0 to 1."""
 
 
 @dataclass(frozen=True)
 class Exercised:
-    """The goals that recordings cover, why some goals cannot be reached, how far each threshold can
-    go, and the findings on rules and recordings. `sources` are the files of the rules. `length_ns`
-    is the time that the recordings take together.
+    """The covered goals, the reasons why some goals cannot be reached, the margin of each
+    threshold, and the findings on rules and recordings. `sources` are the files of the rules.
+    `length_ns` is the total length of the recordings.
     """
 
     coverage: Coverage
@@ -49,7 +49,7 @@ class Exercised:
 
 @dataclass(frozen=True)
 class Trace:
-    """A recording as the monitor gets it."""
+    """A recording as the updates of a monitor."""
 
     updates: tuple[Update, ...]
     end_ns: int
@@ -64,8 +64,8 @@ def cover_recordings(
     message_folders: Sequence[Path] = (),
     on_progress: Progress = lambda _: None,
 ) -> Exercised:
-    """Look at recordings together. Raises `RulesError`, and `RecordingError` if nothing can be read
-    of one of them.
+    """Read recordings and compute their common coverage. Raises `RulesError`, and `RecordingError`
+    if a recording has no readable messages.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     machine = compiled.machine
@@ -117,7 +117,7 @@ def trace_of(
     topic_map: Mapping[str, str],
     collector: Collector,
 ) -> Trace:
-    """The updates that the monitor would get of a recording."""
+    """The updates that a monitor would receive from a recording."""
     with open_recording(path, message_folders) as recording:
         collector.extend(recording.findings)
         batches = recording.batches(machine, collector, topic_map)
@@ -145,8 +145,8 @@ def _replay(
     traces: Sequence[Trace],
     histories: Sequence[History],
 ) -> Replay:
-    """A function that runs whatever rests on a threshold: all of the machine if that cannot be
-    reported apart.
+    """A function that runs the part of a machine that depends on a threshold; the whole machine if
+    that part cannot be separated.
     """
     cone = cone_of(machine, threshold.propositions)
     if cone is None:

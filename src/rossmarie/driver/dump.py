@@ -25,7 +25,7 @@ class Stage(str, enum.Enum):
 
 
 JSON_STAGES = (Stage.PARSE, Stage.LOWER)
-"""The stages whose product has a JSON form."""
+"""The stages with a JSON form of their result."""
 
 
 def dump(
@@ -36,9 +36,9 @@ def dump(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
 ) -> str:
-    """The product of stage `after` for a rules file; JSON for one of `JSON_STAGES` only.
+    """The result of stage `after` for a rules file; JSON only for `JSON_STAGES`.
 
-    After `parse` the text is there even if the file has errors; otherwise raises `RulesError`.
+    The result of `parse` exists even if the file has errors. Other stages then raise `RulesError`.
     """
     assert after in JSON_STAGES or not as_json
     result = check_file(rules, systems=systems, message_folders=message_folders)
@@ -86,7 +86,7 @@ def _one_line(value: object) -> str:
 
 
 def _json(node: object) -> object:
-    """A node of a syntax tree as an object; a span as the offsets of its start and end."""
+    """A node of a syntax tree as an object. A span becomes the offsets of its start and end."""
     if isinstance(node, Span):
         return [node.start, node.end]
     assert dataclasses.is_dataclass(node)
@@ -95,7 +95,7 @@ def _json(node: object) -> object:
 
 
 def _tree(node: object, indent: str = "", label: str = "") -> Iterator[str]:
-    """One line a node, its children indented below it, spans as line:column ranges."""
+    """The tree with one node per line, children indented, and spans as line:column ranges."""
     lead = f"{indent}{label}"
     if isinstance(node, tuple):
         yield f"{lead}({len(node)})"

@@ -1,4 +1,4 @@
-"""ROSS8xx: files that cannot be read or found, or say too much."""
+"""ROSS8xx: files that cannot be read or found, or have too many findings."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
-    """A rules file that the operating system does not hand out."""
+    """A rules file that the operating system cannot open."""
 
     title = "cannot read `{path}`"
     label = "{reason}"
@@ -27,7 +27,7 @@ class NotUtf8(Error, code="ROSS802", name="not-utf8"):
 
 
 class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
-    """An import that leads nowhere."""
+    """An import of a file that does not exist."""
 
     title = "there is no file `{path}` to import"
     label = "looked for {looked_for}"
@@ -40,7 +40,7 @@ class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
 
 
 class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
-    """The point from which on the warnings of a file are no longer shown."""
+    """The point at which the warnings of a file are cut off."""
 
     title = "this file has more than {limit} warnings"
     label = "warnings from here on are not shown"
@@ -49,7 +49,7 @@ class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
 
 
 class OtherGeneration(Error, code="ROSS805", name="other-generation"):
-    """A package of one generation of ROS where one of the other is to be generated."""
+    """A package for one generation of ROS where a package for the other is to be generated."""
 
     title = "`{folder}` holds a package for {found}, not for {wanted}"
     label = "this line makes the package a package for {found}"
@@ -61,7 +61,7 @@ class OtherGeneration(Error, code="ROSS805", name="other-generation"):
 
 
 class OtherPackage(Error, code="ROSS806", name="other-package"):
-    """A package that was not generated from the rules, where theirs is to be generated."""
+    """A package that was not generated from these rules, in the output folder."""
 
     title = "`{folder}` holds the package `{package}`, which was not generated from {rules}"
     label = "`build` would replace this package"
@@ -85,7 +85,7 @@ class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
 
 
 class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
-    """A field of the package of the rules that a generated package cannot take over."""
+    """A field of the package of the rules that is not valid in a generated package."""
 
     title = "the generated package cannot use this `{field}`"
     label = "{form}"
@@ -113,7 +113,7 @@ class RulesAsSystem(Error, code="ROSS811", name="rules-as-system"):
 
 
 class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
-    """A file that is read as rules beside those that are checked, and is called otherwise."""
+    """A file beside the checked rules that is read as rules, but has another ending."""
 
     title = "`{path}` is not a rules file: its name does not end in .ross"
     label = "this file is not read"
@@ -126,7 +126,7 @@ class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
 
 
 class ForeignFile(Error, code="ROSS810", name="foreign-file"):
-    """A file of another kind, in the place of rules."""
+    """A file of another type in place of rules."""
 
     title = "`{path}` is {kind}, not a rules file"
     label = "the file begins with this text"

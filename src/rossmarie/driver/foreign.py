@@ -1,6 +1,6 @@
-"""Files of other kinds, given in the place of rules: a script, a web page, a launch file.
+"""Files of other types in place of rules: a script, a web page, a launch file.
 
-Each would be a long list of syntax errors; instead it is called by its kind.
+Instead of a long list of syntax errors, one finding names the type of the file.
 """
 
 from __future__ import annotations
@@ -29,13 +29,15 @@ _BEGUN = {
     "#!": "a script",
     "{": "a JSON file",
 }
-"""Beginnings that no rules file has."""
+"""Texts at the beginning of a file with which no rules file begins."""
 
 _LONGEST = max(map(len, _BEGUN))
 
 
 def foreign_kind(path: Path, text: str) -> str | None:
-    """The kind of a file that is not rules, by its name or its first signs; None if it may be."""
+    """The type of a file that is not a rules file, by its name or its first characters; None if it
+    may be one.
+    """
     begin = text.lstrip()[:_LONGEST].lower()
     found = next((kind for sign, kind in _BEGUN.items() if begin.startswith(sign)), None)
     return found or _BY_ENDING.get(path.suffix.lower())

@@ -1,4 +1,4 @@
-"""Rules files in the one layout."""
+"""The formatter: rules files in canonical layout."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from rossmarie.syntax import format_module, parse
 
 @dataclass(frozen=True)
 class Formatted:
-    """The canonical text of a file, and whether it differs from what is there."""
+    """The canonical text of a file, and whether it differs from the present text."""
 
     text: str
     has_changed: bool
 
 
 def format_text(text: str) -> str:
-    """Rules without syntax errors in the one layout; the same text if there are some."""
+    """Rules in canonical layout; the same text if it has syntax errors."""
     collector = Collector()
     module = parse(SourceFile("", text), collector)
     return text if collector.has_errors else format_module(module)
@@ -30,7 +30,7 @@ def format_text(text: str) -> str:
 def format_file(path: Path) -> Formatted | tuple[Diagnostic, ...]:
     """The canonical text of a rules file; its findings instead if it cannot be parsed.
 
-    Reads only; a file with syntax errors is left as it is.
+    Reads only. A file with syntax errors stays unchanged.
     """
     collector = Collector()
     source = read_source(path, collector)

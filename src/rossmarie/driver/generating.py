@@ -1,7 +1,7 @@
-"""Tests written from rules: proposals that reach something, with what the interpreter says.
+"""Tests generated from rules: proposed messages that reach a goal, with the verdicts of the
+interpreter.
 
-The proposals are written as text and read again, so that every number is the one that is in the
-file.
+The proposals are written as text and parsed again, so that every number is the number in the file.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ import "{rules}";
 
 @dataclass(frozen=True)
 class Written:
-    """The text of a file of tests, where it belongs, and how many tests it has. `left_out` says in
-    words which conditions on points no test makes true or false.
+    """The text of a file of tests, its path, and its number of tests. `left_out` names the
+    conditions on points for which there is no test.
     """
 
     path: Path
@@ -48,8 +48,8 @@ class Written:
 def generate_tests(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
 ) -> Written:
-    """Tests of all boundaries of the rules; those of the library have theirs beside them. Raises
-    `RulesError`.
+    """Tests of all boundaries of the rules. Rules of the library are left out, because the library
+    contains their tests. Raises `RulesError`.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     proposals = list(_renamed(propose(compiled.machine, tested_rules(compiled.machine, rules))))
@@ -75,7 +75,7 @@ def generate_tests(
 
 
 def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
-    """Each with a name of its own."""
+    """The proposals with unique names."""
     seen: Counter[str] = Counter()
     for proposal in proposals:
         script = dataclasses.replace(proposal.script, name=own_name(proposal.script.name, seen))
@@ -88,8 +88,8 @@ def _telling(
     known: dict[str, Script],
     reached: set[Goal],
 ) -> Iterator[Proposal]:
-    """Those that show something of their rule that none before them shows; `reached` is what they
-    show.
+    """The proposals that cover a new goal of their rule. `reached` gives the goals that a proposal
+    covers.
     """
     for proposal in proposals:
         script = known[proposal.script.name]

@@ -1,8 +1,9 @@
 """Licence, maintainers and version of a generated package: from options, else from the package that
-the rules lie in.
+contains the rules.
 
-The package of the rules is the first `package.xml` in their folder or one above it, up to the root
-of their workspace or repository. A generated `package.xml` does not count: it is no source.
+The package of the rules is the first `package.xml` in their folder or in a folder above, up to the
+root of their workspace or repository. A generated `package.xml` does not count, because it is not a
+source.
 """
 
 from __future__ import annotations
@@ -35,17 +36,17 @@ _VERSION = re.compile(r"\d+\.\d+\.\d+")
 
 @dataclass(frozen=True)
 class Described:
-    """A manifest, and the fields that nobody has said, in words."""
+    """A manifest, and the fields without a value, in words."""
 
     manifest: Manifest
     missing: tuple[str, ...]
 
 
 def describe(rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]) -> Described:
-    """The manifest of the package of some rules. What is given by options is not looked up.
+    """The manifest of the package of some rules. Values given by options are not looked up.
 
-    Raises `BadPackageXmlError` if the package of the rules cannot be read or has a field that
-    cannot be taken over, and `OSError`.
+    Raises `BadPackageXmlError` if the package of the rules cannot be read or has a field that is
+    not valid here, and `OSError`.
     """
     found = _package_of(rules)
     manifest = Manifest(
@@ -58,7 +59,7 @@ def describe(rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]
 
 
 def _package_of(rules: Path) -> PackageXml | None:
-    """The package that the rules lie in, None if they lie in none."""
+    """The package that contains the rules; None if there is none."""
     for folder in _folders_around(rules):
         path = folder / PACKAGE_XML
         if path.is_file():
@@ -69,7 +70,7 @@ def _package_of(rules: Path) -> PackageXml | None:
 
 
 def _folders_around(rules: Path) -> Iterator[Path]:
-    """The folder of the rules and those above it, up to a root."""
+    """The folder of the rules and the folders above it, up to a root."""
     for folder in rules.absolute().parents:
         yield folder
         if any((folder / root).exists() for root in _ROOTS):

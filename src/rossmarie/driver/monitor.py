@@ -1,4 +1,4 @@
-"""A rules file as a running monitor: native where there is a C compiler, in Python elsewhere."""
+"""A rules file as a running monitor: native if there is a C compiler, else in Python."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rossmarie.native import NativeMonitor, fit
 
 
 class Run(Protocol):
-    """The findings of a run over whole columns; worked out when they are asked for."""
+    """The results of a run over whole columns, computed on demand."""
 
     @property
     def events(self) -> list[Event]:
@@ -30,32 +30,32 @@ class Run(Protocol):
 
     @property
     def active(self) -> NDArray[np.bool_]:
-        """The rules that were active after each row: of shape (rows, rules).
+        """The rules that were active after each row, of shape (rows, rules).
 
-        Raises `ValueError` if the run was not asked for it.
+        Raises `ValueError` if the run did not record them.
         """
 
 
 class Bound(Protocol):
-    """Columns that fit a monitor; they must not change while they are used."""
+    """Columns that fit a monitor. They must not change while they are used."""
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> Run:
-        """Take in the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
         """
 
 
 class Monitor:
-    """A rules file, running. Fields go by the names of inputs: `speed`, `orientation.x`.
+    """A rules file, running. Names of fields are names of inputs: `speed`, `orientation.x`.
 
     Instants are integers in nanoseconds on one clock; values are in the units of the messages.
     An instant that is no integer raises `TypeError`, one outside the years 1896 to 2116
-    (`ir.EARLIEST_NS`, `ir.LATEST_NS`) `ValueError`; whatever is refused changes nothing.
+    (`ir.EARLIEST_NS`, `ir.LATEST_NS`) `ValueError`; a refused call changes nothing.
     """
 
     def __init__(self, machine: Machine) -> None:
-        """Margins of the machine are for guards; a monitor runs without them."""
+        """Margins of the machine are for guards. A monitor runs without them."""
         self._with_margins = machine
         self.machine = without_margins(machine)
         started = start_monitor(self.machine)
@@ -65,7 +65,7 @@ class Monitor:
         self._values = NamedValues(machine)
 
     def fresh(self) -> Monitor:
-        """Another monitor of the same rules, which has seen nothing. It costs next to nothing:
+        """Another monitor of the same rules in its initial state. This is cheap:
         nothing is generated, built or loaded again.
         """
         another = copy(self)
@@ -73,11 +73,11 @@ class Monitor:
         return another
 
     def guard(self, *, observe: Declared, act: Declared) -> Guard:
-        """A guard of the same rules, which has seen nothing: between a policy and its robot.
+        """A guard of the same rules in its initial state, to place between a policy and its robot.
 
-        The declarations say which numbers of flat observations and actions stand for which fields.
-        Raises `MappingError` if they do not fit the rules. Gives a `RuntimeWarning` with the reason
-        if the guard is not native.
+        The declarations map the numbers of flat observations and actions to fields. Raises
+        `MappingError` if they do not fit the rules. Issues a `RuntimeWarning` with the reason if
+        the guard is not native.
         """
         guard = Guard(self._with_margins, observe, act)
         if guard.reason is not None:
@@ -96,30 +96,34 @@ class Monitor:
         return tuple(rule.name for rule, is_active in pairs if is_active)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if no message comes before, in nanoseconds."""
+        """The instant in nanoseconds at which `advance` has to be called if no message comes
+        before; None if there is none.
+        """
         return self._engine.next_wake()
 
     def update(self, at_ns: int, values: Mapping[str, Value]) -> list[Event]:
-        """Messages arrive: one on each topic of which a field is named; other fields are unknown.
+        """Process arriving messages: one on each topic with a named field. Unnamed fields are
+        unknown.
 
-        An input of which rules read only the age is named by itself, with any value. Raises
-        `KeyError` for a name that nothing reads, `TypeError` for a value of another type than the
+        An input of which rules read only the age is given by its own name, with any value. Raises
+        `KeyError` for a name that no rule reads, `TypeError` for a value of another type than the
         field or an instant that is no integer, `OverflowError` for an integer beyond all floats,
-        `ValueError` for an instant out of range, `MemoryError` if events were lost for lack of
+        `ValueError` for an instant out of range, and `MemoryError` if events were lost for lack of
         memory.
         """
         return self._engine.update(as_instant(at_ns), self._values.messages(values))
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message; timers due at this very instant fire as well.
+        """Let time pass without a message. Timers due exactly at this instant fire.
 
-        Raises `TypeError` for an instant that is no integer, `ValueError` for one out of range,
-        `MemoryError` if events were lost for lack of memory.
+        Raises `TypeError` for an instant that is no integer, `ValueError` for one out of
+        range, `MemoryError` if events were lost for lack of memory.
         """
         return self._engine.advance(as_instant(at_ns))
 
     def reset(self, at_ns: int, rule: str | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all: those with a false condition clear.
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear.
 
         Raises `ValueError` for an unknown rule or an instant out of range, `TypeError` for an
         instant that is no integer, `MemoryError` if events were lost for lack of memory.
@@ -129,40 +133,40 @@ class Monitor:
         )
 
     def explain(self, event: Event) -> str:
-        """An event in words: the rule, what happened, and why."""
+        """An event in words: the rule, the change, and its causes."""
         return event_line(self.machine, event)
 
     def update_call(self, topic: str) -> Callable[..., int]:
         """The fastest call for one topic: `(at_ns, *scalars) -> number of events, or -1`.
 
-        The scalars are those that rules read, in the order of `fields(topic)`; -1 is an instant out
-        of range. Numbers are Python's own. Events wait for `take_events`. Raises `ValueError` for
-        an unknown topic, and for one whose arrays are read.
+        The scalars are those that rules read, in the order of `fields(topic)`. -1 means that the
+        instant is out of range. Numbers are Python's own types. Events wait for `take_events`.
+        Raises `ValueError` for an unknown topic, and for a topic whose arrays rules read.
         """
         return self._engine.update_call(self._topic(topic))
 
     def take_events(self) -> list[Event]:
-        """The events of the calls that `update_call` gave, since the last time.
+        """The events since the last call, from the functions that `update_call` returned.
 
         Raises `MemoryError` if events were lost for lack of memory.
         """
         return self._engine.take_events()
 
     def fields(self, topic: str) -> tuple[str, ...]:
-        """The scalars of a topic that rules read, in the order of `update_call`; arrays are not
-        among them, nor is an input of which only the age is read.
+        """The scalars of a topic that rules read, in the order of `update_call`, without arrays and
+        without inputs of which rules read only the age.
 
         Raises `ValueError` for a topic that no input reads.
         """
         return self._values.scalars(self._topic(topic))
 
     def run(self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]) -> Run:
-        """Whole columns: each row is a message on every topic of which a column is given.
+        """Process whole columns. Each row is a message on every topic with a given column.
 
-        `times_ns` has the shape (rows,), as every column of scalars has; a column of an array has
-        the shape (rows, elements). There is a column for each field that rules read; one for an
-        input of which only the age is read may be left out, and then it never arrives. Raises
-        `ColumnError`, a `ValueError`, before anything is taken in if the columns do not fit, and
+        `times_ns` has the shape (rows,), as every column of scalars; a column of an array has the
+        shape (rows, elements). Every field that rules read needs a column. The column of an input
+        of which rules read only the age may be left out; then the input never arrives. Raises
+        `ColumnError`, a `ValueError`, before processing if the columns do not fit, and
         `MemoryError` if events were lost for lack of memory.
         """
         return self.bind(times_ns, columns).run(active=True)
@@ -170,7 +174,7 @@ class Monitor:
     def bind(
         self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
     ) -> Bound:
-        """Columns as for `run`, looked at once, to be run over in chunks: `bound.run(0, 1000)`.
+        """Check columns as for `run` once, for runs over chunks: `bound.run(0, 1000)`.
 
         Raises `ColumnError` if they do not fit.
         """
@@ -192,11 +196,11 @@ def load(
     message_folders: Sequence[Path] = (),
     only: Collection[str] = (),
 ) -> Monitor:
-    """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it.
+    """The monitor of a rules file.
 
-    `only` are categories: the monitor has the rules that fit, such as `only=["human"]`. Raises
-    `ValueError` for a category that does not exist, `RulesError` if no rule fits. Gives a
-    `RuntimeWarning` for each order that names a rule that is left out, and with the reason if the
+    `only` selects rules by category, such as `only=["human"]`. Raises `RulesError` with all errors
+    in the rules, or if no rule matches, and `ValueError` for an unknown category. Issues a
+    `RuntimeWarning` for each order that names an excluded rule, and, with the reason, if the
     monitor is not native.
     """
     compiled = compile_file(

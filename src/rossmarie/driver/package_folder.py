@@ -1,4 +1,4 @@
-"""Decide whether a package may be generated into a folder that holds one already."""
+"""A check whether a package may be generated into a folder that already contains a package."""
 
 from __future__ import annotations
 
@@ -20,8 +20,9 @@ from rossmarie.driver.package_xml import (
 
 
 def check_package_folder(folder: Path, files: Mapping[str, str], rules: Path) -> Diagnostic | None:
-    """The finding on a folder that `files`, generated from `rules`, must not be written into
-    because it holds another package, or the same one for another generation of ROS.
+    """The finding on a folder that `files`, generated from `rules`, must not be written into: it
+    holds another package, or the same package for another generation of ROS. None if there is no
+    such problem.
     """
     path = folder / PACKAGE_XML
     if PACKAGE_XML not in files or not path.exists():

@@ -1,7 +1,7 @@
-"""A `package.xml` of ROS as far as a build looks at it: its elements, and where they stand.
+"""The parts of a ROS `package.xml` that a build needs: its elements, and their places.
 
-Takes the text of a file, of either generation of ROS; gives a `PackageXml`, or a finding at the
-place from which on it is no XML.
+The input is the text of a file, for either generation of ROS. The result is a `PackageXml`, or a
+finding at the place of the first XML error.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from rossmarie.driver.errors import MalformedPackageXml
 
 PACKAGE_XML = "package.xml"
 LARGEST_FILE = 256 << 10
-"""Bytes of a `package.xml`."""
+"""The largest size of a `package.xml` in bytes."""
 DEEPEST = 50
-"""The most elements that may lie in each other."""
+"""The greatest depth of nested elements."""
 
 
 class Generation(enum.Enum):
-    """Whose package it is; the value is what people call it."""
+    """The generation of ROS. The value is its usual name."""
 
     ROS1 = "ROS 1"
     ROS2 = "ROS 2"
@@ -32,7 +32,9 @@ class Generation(enum.Enum):
 
 @dataclass(frozen=True)
 class Element:
-    """An element below the root: `path` is `name` or `export/build_type`; `span` is all of it."""
+    """An element below the root. `path` is `name` or `export/build_type`; `span` covers the whole
+    element.
+    """
 
     path: str
     attributes: Mapping[str, str]
@@ -41,7 +43,7 @@ class Element:
 
 
 class BadPackageXmlError(Exception):
-    """A `package.xml` that cannot be read; `diagnostic` says why."""
+    """A `package.xml` that cannot be read. `diagnostic` gives the reason."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
@@ -50,7 +52,7 @@ class BadPackageXmlError(Exception):
 
 @dataclass(frozen=True)
 class PackageXml:
-    """The elements of a `package.xml`, in their order."""
+    """The elements of a `package.xml`, in order."""
 
     file: SourceFile
     elements: tuple[Element, ...]
@@ -64,11 +66,11 @@ class PackageXml:
         return next(self.all(path), None)
 
     def build_system(self) -> Element | None:
-        """The element that says by which build system the package is built."""
+        """The element with the build system of the package."""
         return self.first("export/build_type") or self.first("buildtool_depend")
 
     def generation(self) -> Generation | None:
-        """The generation of ROS that the package is for; None if its build system does not say."""
+        """The generation of ROS of the package; None if its build system does not determine it."""
         named = self.build_system()
         if named is None:
             return None
@@ -111,12 +113,12 @@ def parse_package_xml(file: SourceFile) -> PackageXml:
 
 
 class _TooMuchError(Exception):
-    """More than a `package.xml` may have; the text says what."""
+    """A `package.xml` that exceeds a limit. The text names the limit."""
 
 
 @dataclass
 class _Open:
-    """An element whose end has not come."""
+    """An element whose end has not been read yet."""
 
     tag: str
     attributes: Mapping[str, str]
@@ -139,11 +141,11 @@ class _Reader:
         self.parser.EntityDeclHandler = self._entity
 
     def parse(self) -> None:
-        """Read all of the text."""
+        """Parse the whole text."""
         self.parser.Parse(self._bytes, True)
 
     def offset(self, byte: int) -> int:
-        """The offset in code points of a byte."""
+        """The offset in code points for an offset in bytes."""
         return len(self._bytes[: max(byte, 0)].decode("utf-8", errors="ignore"))
 
     def _entity(self, *_: object) -> None:

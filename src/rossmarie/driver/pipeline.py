@@ -1,7 +1,7 @@
-"""The stages in their order: text -> syntax tree -> checked program -> machine.
+"""The stages in order: text -> syntax tree -> checked program -> machine.
 
-Each stage gets what the one before it made; findings are collected, and a stage with errors is the
-last one that runs.
+Each stage gets the result of the stage before it. Findings are collected, and no stage runs after a
+stage with errors.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from rossmarie.targets.unsupported import unsupported
 
 @dataclass(frozen=True)
 class CheckResult:
-    """The findings on one rules file that are shown; `program` is None if there are errors."""
+    """The visible findings on one rules file. `program` is None if there are errors."""
 
     modules: Sequence[ast.Module]
     program: CheckedProgram | None
@@ -37,7 +37,9 @@ class CheckResult:
 
 
 class RulesError(Exception):
-    """A rules file has errors; `diagnostics` holds those that are shown, and the warnings."""
+    """The error for a rules file with errors. `diagnostics` holds the visible ones, and the
+    warnings.
+    """
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         self.diagnostics = diagnostics
@@ -54,12 +56,12 @@ def check_file(
     tests: SourceFile | None = None,
     only: Sequence[Category] = (),
 ) -> CheckResult:
-    """Parse and check a rules file and all that it imports.
+    """Parse and check a rules file and everything that it imports.
 
-    `systems` are further system models, `message_folders` hold .msg files; a file `system.ross`
-    beside the rules is a system model without being named. `tests` is a file of tests that is
-    not on the disk: it is checked as if it imported the rules.
-    Of the rules `only` those with these categories are kept (all if it is empty).
+    `systems` are further system models, `message_folders` hold .msg files. A file `system.ross`
+    beside the rules is an implicit system model. `tests` is a file of tests in memory: it is
+    checked as if it imported the rules. `only` keeps the rules with these categories (all if it is
+    empty).
     """
     collector = Collector()
     files = load_modules(rules, systems, collector)
@@ -78,12 +80,11 @@ def check_file(
 
 @dataclass(frozen=True)
 class Compiled:
-    """A rules file without errors: its machine, the warnings on it, and where the definitions of
-    its messages may lie, the tests in it, and of each input the path that its declaration chooses.
-    `sources` are all files that the machine rests on, each once, as they were read, the main one
-    last.
-    `with_margins` is the machine for those that learn: with the margins that rules declare;
-    `requirements` are what rules keep.
+    """A rules file without errors: its machine, its warnings, the folders of its message
+    definitions, its tests, and for each input the path that its declaration selects. `sources` are
+    all files that the machine depends on, each once, as they were read, the main file last.
+    `with_margins` is the machine for learners, with the declared margins. `requirements` are the
+    requirements of rules.
     """
 
     machine: Machine
@@ -105,7 +106,7 @@ def compile_file(
     tests: SourceFile | None = None,
     only: Sequence[Category] = (),
 ) -> Compiled:
-    """Check a rules file and lower it, as `check_file` does. Raises `RulesError`."""
+    """Check a rules file and lower it, with the arguments of `check_file`. Raises `RulesError`."""
     result = check_file(
         rules, systems=systems, message_folders=message_folders, tests=tests, only=only
     )
@@ -113,8 +114,8 @@ def compile_file(
 
 
 def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -> Compiled:
-    """Lower what `check_file` has made, with the same folders. Raises `RulesError` for errors, and
-    for what no target can do.
+    """Lower the result of `check_file`, with the same folders. Raises `RulesError` for errors, and
+    for features that no target supports.
     """
     if result.program is None:
         raise RulesError(result.diagnostics)

@@ -1,4 +1,4 @@
-"""Whole columns, row by row through a monitor in Python: what `rossmarie.native` does in C."""
+"""Whole columns, row by row through a monitor in Python; `rossmarie.native` does the same in C."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from rossmarie.native import FLAG_VALUES, Columns
 
 @dataclass(frozen=True, eq=False)
 class PythonRun:
-    """The findings of a run over some rows."""
+    """The results of a run over some rows."""
 
     events: list[Event]
     asked_active: NDArray[np.bool_] | None
 
     @property
     def active(self) -> NDArray[np.bool_]:
-        """The rules that were active after each row: of shape (rows, rules).
+        """The rules that were active after each row, of shape (rows, rules).
 
-        Raises `ValueError` if the run was not asked for it.
+        Raises `ValueError` if the run did not record them.
         """
         if self.asked_active is None:
             raise ValueError("run with active=True to learn which rules were active")
@@ -31,7 +31,7 @@ class PythonRun:
 
 
 class PythonColumns:
-    """Columns that a monitor in Python is to run over."""
+    """Columns for a monitor in Python."""
 
     def __init__(self, machine: Machine, monitor: PythonMonitor, columns: Columns) -> None:
         self._machine = machine
@@ -45,7 +45,7 @@ class PythonColumns:
         ]
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> PythonRun:
-        """Take in the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows.
         """

@@ -19,7 +19,7 @@ from rossmarie.report.model import Plot, Replay
 from rossmarie.report.rehearsal import rehearse
 
 Progress = Callable[[float], None]
-"""Called now and then with the part of the recording that is done, from 0 to 1."""
+"""Called from time to time with the completed share of the recording, from 0 to 1."""
 
 
 def replay_file(
@@ -55,7 +55,7 @@ def replay_file(
             taken = take(batch)
             events += taken.events
             sampler.take(taken.times_ns, taken.values)
-        # Rows that no rule reads may come before the first sample and after the last one.
+        # Rows that no rule reads may come before the first sample and after the last sample.
         start_ns = min((recording.start_ns, *sampler.instants[:1]))
         end_ns = max((recording.end_ns, *sampler.instants[1:]))
         events += started.engine.advance(end_ns)
@@ -86,7 +86,7 @@ def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tupl
 def _reported(
     batches: Iterator[Batch], recording: Recording, on_progress: Progress
 ) -> Iterator[Batch]:
-    """The same batches, with word of how far they have come."""
+    """The same batches, with progress reports."""
     length = max(recording.end_ns - recording.start_ns, 1)
     reported = 0.0
     for batch in batches:

@@ -1,4 +1,4 @@
-"""From a rules file, and the reports on it, to its safety file."""
+"""The safety report: from a rules file, and the reports on it, to its safety file."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ def safety_file(
 ) -> tuple[SafetyFile, tuple[Diagnostic, ...]]:
     """The safety file, and the findings on the rules and the reports.
 
-    `tool` is the program with its version, `date` the day that the file shall bear; all
-    queries about the rules are asked if it is to be `thorough`. Raises
-    `RulesError`, and `EvidenceError` for a report that cannot be used.
+    `tool` is the program with its version, `date` the date on the file. With `thorough`, all
+    queries about the rules run. Raises `RulesError`, and `EvidenceError` for a report that cannot
+    be used.
     """
-    from rossmarie.analysis.failures import losses  # the solver takes its time to load
+    from rossmarie.analysis.failures import losses  # importing the solver is slow
     from rossmarie.analysis.inquiry import Inquiry
 
     result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
@@ -94,7 +94,7 @@ def _evidence(kind: EvidenceKind, path: Path) -> Evidence:
 def _strange(
     content: SafetyFile, verification: Path | None, coverage: Path | None
 ) -> Iterator[Diagnostic]:
-    """Reports on another text of the rules."""
+    """Warnings on reports about another text of the rules."""
     for path, evidence in ((verification, content.verification), (coverage, content.coverage)):
         if path is None or evidence is None:
             continue

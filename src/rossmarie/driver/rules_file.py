@@ -1,6 +1,6 @@
-"""The file that tells other programs of a rules file: `rules.json`.
+"""The description of a rules file for other programs: `rules.json`.
 
-Its keys are described in `docs/reference/rules-file.md`.
+`docs/reference/rules-file.md` describes its keys.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ WORDS: Mapping[type, str] = {
     reactions.Hook: "hook",
     reactions.Reset: "reset",
 }
-"""The words for effects; a limit may also be a block."""
+"""The words for effects. A limit may also be a block."""
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
 
 def rules_file(machine: ir.Machine, sources: Sequence[SourceFile], out: Path) -> str:
-    """The text of the file `out`; paths in it are relative to its folder, but for those of the
-    library. `sources` are all files that the machine rests on. Equal sources give equal texts.
+    """The text of the file `out`. Paths in it are relative to its folder, except for files of the
+    library. `sources` are all files that the machine depends on. Equal sources give equal texts.
     """
     read = sorted((name_of(Path(each.path), out), each.sha256) for each in sources)
     whole: Json = {
@@ -57,7 +57,9 @@ def rules_file(machine: ir.Machine, sources: Sequence[SourceFile], out: Path) ->
 
 
 def _place(span: Span, out: Path) -> Json:
-    """Lines and columns count from 1, as in findings; the end is behind the last character."""
+    """A place with lines and columns from 1, as in findings. The end is after the last
+    character.
+    """
     return {
         "path": name_of(Path(span.file.path), out),
         "line": span.begin.line,

@@ -1,7 +1,7 @@
 """The plotted signals of a replay, sampled in constant memory.
 
-They come after each message, and before it wherever a timer was due. Whenever there are many, those
-are kept that a picture needs.
+Samples are taken after each message, and before a message if a timer was due. If there are many
+samples, only those that affect a picture are kept.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from rossmarie.report.model import Plot
 from rossmarie.report.plots import plan_plots
 
 _BLOCK = 20_000
-"""Samples that are noted before they are thinned."""
+"""The number of samples that are collected before they are thinned."""
 
 
 class Sampler:
-    """Keeps what a picture needs of the values of some signals."""
+    """Keeps the samples of some signals that a picture needs."""
 
     def __init__(self, machine: Machine) -> None:
         self._plans = plan_plots(machine)
@@ -36,11 +36,11 @@ class Sampler:
 
     @property
     def instants(self) -> tuple[int, ...]:
-        """The instants of the first and the last sample; nothing if there is none."""
+        """The instants of the first and the last sample; empty if there is none."""
         return () if self._first_ns is None else (self._first_ns, self._last_ns)
 
     def take(self, times_ns: NDArray[np.int64], values: NDArray[np.float64]) -> None:
-        """The next samples: instants, and a row of values at each."""
+        """Take the next samples: instants, and a row of values at each."""
         if not len(times_ns):
             return
         if self._first_ns is None:
@@ -57,14 +57,14 @@ class Sampler:
                 self._thin()
 
     def _thin(self) -> None:
-        """Move what has been noted to what is kept."""
+        """Move the collected samples to the kept ones."""
         times = self._axis.place(self._times_ns[: self._noted])
         for values, kept in zip(self._values, self._kept, strict=True):
             kept.add(times, values[: self._noted], self._limit)
         self._noted = 0
 
     def plots(self, start_ns: int) -> tuple[Plot, ...]:
-        """The plots of what has been sampled."""
+        """The plots of the samples."""
         self._thin()
         first_ns = start_ns if self._first_ns is None else self._first_ns
         return tuple(
@@ -81,7 +81,7 @@ class Kept:
         self.values: NDArray[np.float64] = np.empty(0)
 
     def add(self, times: NDArray[np.int64], values: NDArray[np.float64], limit: int) -> None:
-        """More samples, at later positions."""
+        """Add samples at later positions."""
         self.times = np.concatenate((self.times, times))
         self.values = np.concatenate((self.values, values))
         if len(self.times) > 2 * limit:

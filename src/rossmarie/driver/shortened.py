@@ -1,4 +1,6 @@
-"""The part of very many findings that is shown: the first of each file, and that there are more."""
+"""The visible part of very many findings: the first of each file, and a note that there are
+more.
+"""
 
 from __future__ import annotations
 
@@ -18,8 +20,8 @@ _CLOSING: Mapping[Severity, type[TooManyErrors | TooManyWarnings]] = {
 
 
 def shortened(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Findings, in their order, without those of a file after its first `MAXIMUM_ERRORS` errors
-    and its first as many warnings: a finding that is as bad stands in the place of these.
+    """Findings in order, limited to the first `MAXIMUM_ERRORS` errors and as many warnings of each
+    file. A finding of the same severity replaces the rest.
     """
     counts: Counter[tuple[int, Severity]] = Counter()
     shown = []
@@ -30,7 +32,7 @@ def shortened(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
         if count <= MAXIMUM_ERRORS:
             shown.append(finding)
         elif severity not in _CLOSING:
-            shown.append(finding)  # notes are as many as were asked for
+            shown.append(finding)  # the user asked for the notes, so all are shown
         elif count == MAXIMUM_ERRORS + 1:
             here = Span(span.file, span.start, span.start)
             shown.append(_CLOSING[severity](limit=MAXIMUM_ERRORS).at(here))

@@ -1,5 +1,5 @@
-"""The files that a statement about rules rests on, with their hashes: those of the rules as they
-were checked, and others as they are.
+"""The files behind a statement about rules, with their hashes: rules files as they were checked,
+other files as they are on the disk.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ _PIECE = 1 << 20
 
 
 def hashed_sources(sources: Sequence[SourceFile], rules: Path) -> tuple[Hashed, ...]:
-    """All files of `Compiled.sources`, named relative to the main file."""
+    """All files of `Compiled.sources`, with names relative to the main file."""
     return tuple(Hashed(name_of(Path(each.path), rules), each.sha256) for each in sources)
 
 
 def hashed_files(path: Path, rules: Path) -> Iterator[Hashed]:
-    """A file, or all files in a folder, as they are on the disk. Raises `OSError`."""
+    """A file, or all files in a folder, from the disk. Raises `OSError`."""
     files = sorted(each for each in path.rglob("*") if each.is_file()) if path.is_dir() else [path]
     for file in files:
         digest = hashlib.sha256()
@@ -33,7 +33,7 @@ def hashed_files(path: Path, rules: Path) -> Iterator[Hashed]:
 
 
 def name_of(path: Path, rules: Path) -> str:
-    """A file as the rules call it: relative to the main one."""
+    """The name of a file relative to the main rules file."""
     if path.parent == LIBRARY:
         return f"rossmarie/{path.name}"
     return Path(os.path.relpath(path, rules.parent)).as_posix()

@@ -1,7 +1,7 @@
 """Batches of updates -> events, and samples of the signals that a timeline shows.
 
-The native monitor gives both. A monitor in Python keeps no number that it does not need, so that
-the interpreter runs beside it, for the samples.
+The native monitor provides both. A monitor in Python keeps only the numbers that it needs, so the
+interpreter runs beside it for the samples.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rossmarie.native import NativeMonitor
 def taking(
     machine: Machine, engine: NativeMonitor | PythonMonitor, shown: Sequence[int]
 ) -> Callable[[Batch], Taken]:
-    """A function that takes the batches of a recording, one after the other."""
+    """A function that processes the batches of a recording, one after another."""
     match engine:
         case NativeMonitor():
             return partial(engine.take, shown=shown)
@@ -38,13 +38,13 @@ class Beside:
         self._machine = machine
         self._engine = engine
         self._shown = shown
-        without_rules = dataclasses.replace(machine, rules=())  # signals may count propositions
+        without_rules = dataclasses.replace(machine, rules=())  # signals may depend on propositions
         self._interpreter = Interpreter(without_rules)
         self._times_ns: list[int] = []
         self._rows: list[list[float]] = []
 
     def take(self, batch: Batch) -> Taken:
-        """The updates of a batch. Raises `ValueError` at an instant out of range."""
+        """Process the updates of a batch. Raises `ValueError` at an instant out of range."""
         self._times_ns, self._rows = [], []
         events: list[Event] = []
         for at_ns, messages in each_update(self._machine, batch):

@@ -27,12 +27,12 @@ from rossmarie.testing.unreachable import unreachable
 from rossmarie.testing.unread import unread
 
 SUFFIX = ".tests.ross"
-"""The file of this ending beside `rules.ross`, `rules.tests.ross`, holds tests of it."""
+"""The ending of test files: `rules.tests.ross` beside `rules.ross` holds tests of it."""
 
 
 @dataclass(frozen=True)
 class Ran:
-    """One test: what was not as expected, and how long it took, in seconds."""
+    """One test: its failed expectations, and its run time in seconds."""
 
     script: Script
     found: tuple[Diagnostic, ...]
@@ -41,8 +41,8 @@ class Ran:
 
 @dataclass(frozen=True)
 class RanTests:
-    """All tests that ran, what they cover together, and the findings beside them. `has_c` is False
-    if there was no C to run; `reasons` says of goals why they cannot be reached.
+    """The tests that ran, their common coverage, and further findings. `has_c` is False if there
+    was no C compiler. `reasons` maps goals to the reasons why they cannot be reached.
     """
 
     machine: Machine
@@ -54,7 +54,7 @@ class RanTests:
 
 
 class UnknownTestError(Exception):
-    """No test has the wanted name."""
+    """No test has the requested name."""
 
     def __init__(self, wanted: str, known: Sequence[str]) -> None:
         self.wanted = wanted
@@ -76,8 +76,8 @@ def run_test_file(
     in_c: bool = True,
 ) -> RanTests:
     """Run the tests of a rules file and of the file of tests beside it, on the interpreter and, if
-    `in_c`, in C; those whose names match one of `names`, in which `*` stands for anything. What
-    they cover is told of `tested_rules`.
+    `in_c`, in C. Only tests run whose name matches one of `names`, in which `*` stands for any
+    text. The coverage concerns `tested_rules`.
 
     Raises `RulesError` and `UnknownTestError`.
     """
@@ -96,8 +96,8 @@ def run_test_file(
 
 
 def tested_rules(machine: Machine, rules: Path) -> Sequence[int]:
-    """The numbers of the rules that tests of a rules file are about: not those of files of the
-    library that it imports, which have tests beside them.
+    """The numbers of the rules that tests of a rules file concern. Rules of imported library files
+    are left out, because the library has tests for them.
     """
     is_shipped = LIBRARY in rules.resolve().parents
     return [
@@ -123,7 +123,7 @@ def run_tests(
     *,
     in_c: bool = True,
 ) -> RanTests:
-    """Run scripts on the machine that they belong to."""
+    """Run scripts on their machine."""
     machine = compiled.machine
     native = _native(machine) if scripts and in_c else None
     if isinstance(native, str):
@@ -139,7 +139,7 @@ def run_tests(
 
 
 def _native(machine: Machine) -> NativeMonitor | str:
-    """The machine in C, or why there is none."""
+    """The machine in C, or the reason why there is none."""
     refused = next(iter(c99.unsupported(machine)), None)
     if refused is not None:
         return refused.title

@@ -1,4 +1,4 @@
-"""From a rules file to proofs about the C that is generated from it."""
+"""Verification: from a rules file to proofs about the C that is generated from it."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Queries:
     programs: tuple[Harness, ...]
 
     def texts(self) -> dict[str, str]:
-        """All that the prover gets, by name."""
+        """All input of the prover, by name."""
         return {**self.files, **{f"{program.name}.c": program.text for program in self.programs}}
 
 
@@ -45,7 +45,7 @@ def queries_of(
     message_folders: Sequence[Path] = (),
     only: Sequence[ir.Category] = (),
 ) -> Queries:
-    """The queries about the rules of a file, or `only` about those of these categories.
+    """The queries about the rules of a file, or `only` about the rules of these categories.
 
     Raises `RulesError`.
     """
@@ -60,7 +60,7 @@ def queries_of(
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
-    """One about the monitor and, if rules do anything, one about the reactor."""
+    """One program for the monitor and, if rules have actions, one for the reactor."""
     yield harness(machine)
     if machine.reactions.tasks:
         yield reactor_harness(machine)
@@ -80,9 +80,9 @@ def prove(
     seconds: int,
     on_progress: Callable[[float], None] = lambda _: None,
 ) -> Proofs:
-    """Ask all queries; no solver is given more than so many seconds for one.
+    """Run all queries, each with a time limit in seconds per solver.
 
-    Raises `ProverError` if the prover does not take the program.
+    Raises `ProverError` if the prover rejects the program.
     """
     checks = [(program, check) for program in queries.programs for check in program.checks]
     with prover.workshop() as folder:
@@ -101,7 +101,7 @@ def prove(
 
 
 def _unasked(queries: Queries) -> Iterator[str]:
-    """Sources that no program includes."""
+    """The sources that no program includes."""
     for name in queries.files:
         asked = any(f'"{name}"' in program.text for program in queries.programs)
         if name.endswith(".c") and not asked:
@@ -127,7 +127,7 @@ def _ended(check: Check) -> ProofOutcome:
 
 
 def complaint(error: ProverError) -> str:
-    """The line of what the prover says that has the reason."""
+    """The line with the reason in the output of the prover."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     reasons = [line for line in lines if re.search(r"\berror: |^Reason: ", line)]
     return (reasons or lines[-1:] or ["it said nothing"])[0]

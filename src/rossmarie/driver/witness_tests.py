@@ -1,6 +1,6 @@
-"""Tests that show findings: the witnesses of a check as text in the rules language.
+"""Tests that demonstrate findings: the witnesses of a check as text in the rules language.
 
-They are written as text and read again, so that they expect what is in the file.
+The tests are written as text and parsed again, so that their expectations fit the file.
 """
 
 from __future__ import annotations
@@ -34,7 +34,9 @@ import "{rules}";
 
 @dataclass(frozen=True)
 class WitnessTests:
-    """The text of a file of tests, how many it has, and what could not be reported as a test."""
+    """The text of a file of tests, its number of tests, and the findings that cannot be written as
+    tests.
+    """
 
     text: str
     count: int
@@ -43,7 +45,7 @@ class WitnessTests:
 
 @dataclass(frozen=True)
 class _Shown:
-    """A script, the rules that it is about, and the witness that it tells."""
+    """A script, the rules that it concerns, and its witness."""
 
     script: Script
     rules: tuple[int, ...]
@@ -58,8 +60,8 @@ def witness_tests(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
 ) -> WitnessTests | None:
-    """A file of tests at `path` that shows the findings on rules; None if nothing does. Raises
-    `RulesError`.
+    """A file of tests at `path` that demonstrates the findings on rules; None if there is none.
+    Raises `RulesError`.
     """
     showing = list(_with_witness(analysis.findings))
     if analysis.compiled is None or not showing:
@@ -104,7 +106,9 @@ def _with_witness(findings: Sequence[Finding]) -> Iterator[tuple[Finding, Witnes
 
 
 def _rules_of(machine: Machine, finding: Finding, witness: Witness) -> tuple[int, ...]:
-    """The rules that a finding points at, or else those that are active in its witness, or all."""
+    """The rules that a finding points at, else the rules that are active in its witness, else
+    all.
+    """
     places = [finding.diagnostic.primary, *finding.diagnostic.labels]
     named = [
         index
@@ -118,7 +122,7 @@ def _rules_of(machine: Machine, finding: Finding, witness: Witness) -> tuple[int
 
 
 def _expecting(machine: Machine, shown: _Shown, script: Script) -> Script:
-    """A script as it is written, with what it is read to do."""
+    """The script as it is parsed, with the observed behavior as expectations."""
     expectations = [
         expected
         for rule in shown.rules

@@ -1,4 +1,4 @@
-"""Long queries, several at once, each in a process that can be ended at any moment."""
+"""Long queries in parallel, each in a process that can be ended at any moment."""
 
 from __future__ import annotations
 
@@ -22,10 +22,9 @@ def answers(
     queries: Sequence[Query],
     on_progress: Callable[[float], None],
 ) -> Iterator[Answer | None]:
-    """The answers in the order of the queries; None where the system ended the process.
+    """The answers in the order of the queries; None if the system killed the process.
 
-    If this run ends early, even if it is killed, so do the processes, with what they have opened
-    in `with`.
+    If this run ends early, even by a kill, its worker processes and their open files end, too.
     """
     with _workers() as pool:
         waiting = [pool.submit(_answer, ask, query) for query in queries]
@@ -43,7 +42,8 @@ def _result(done: Future[Answer]) -> Answer | None:
 
 @contextmanager
 def _workers() -> Iterator[ProcessPoolExecutor]:
-    context = multiprocessing.get_context("spawn")  # others copy threads that draw progress
+    # other start methods copy the threads that draw progress
+    context = multiprocessing.get_context("spawn")
     others = multiprocessing.active_children()
     pool = ProcessPoolExecutor(os.cpu_count(), context, initializer=_begin)
     try:
@@ -59,18 +59,21 @@ def _workers() -> Iterator[ProcessPoolExecutor]:
 
 
 def _give_up_writing(pool: ProcessPoolExecutor) -> None:
-    """A long query may be half written to a worker that has ended. Without a reader the writer
-    ends, too. Python closes the reader itself from 3.11.5 on (gh-94777), and waits for ever before.
+    """Let the pool stop writing. A long query may be half written to a worker that has ended; the
+    writer ends only without a reader. Python closes the reader itself from 3.11.5 on (gh-94777);
+    before, it waits forever.
     """
     if sys.version_info >= (3, 11, 5):
-        return  # a second one to close it would get in the way of the first
+        return  # closing it a second time would fail
     reader = getattr(getattr(pool, "_call_queue", None), "_reader", None)
     if reader is not None:
         reader.close()
 
 
 def _begin() -> None:
-    """Who interrupts means the run as a whole, which then ends its workers; without it they end."""
+    """Ignore Ctrl-C: an interrupt concerns the whole run, which ends its workers. If the run ends
+    without doing so, the workers end themselves.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_the_run, daemon=True).start()
 
@@ -87,11 +90,11 @@ def _answer(ask: Callable[[Query], Answer], query: Query) -> Answer:
     try:
         return ask(query)
     except SystemExit:
-        os._exit(1)  # the pool would go on with its next query
+        os._exit(1)  # otherwise the pool would continue with its next query
     finally:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _leave(*_: object) -> None:
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second one would cut the leaving short
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second interrupt would stop the cleanup
     sys.exit()

@@ -1,6 +1,7 @@
-"""From the path of a rules file to the syntax trees of it and of everything that it imports.
+"""The loader: from the path of a rules file to the syntax trees of the file and of everything that
+it imports.
 
-Reads files, never fails: a file that cannot be read is a finding, and a module without items.
+It reads files and never fails: an unreadable file is a finding, and becomes a module without items.
 """
 
 from __future__ import annotations
@@ -28,16 +29,16 @@ from rossmarie.driver.foreign import WEB_PAGE, foreign_kind
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 
 SYSTEM_MODEL = "system.ross"
-"""The system model that is used without being imported: a file of this name beside the rules."""
+"""The name of the implicit system model: a file of this name beside the rules."""
 
 MOST_INSTANCES = 256
-"""The files that are imported under names, or with values."""
+"""The greatest number of files that are imported under names, or with values."""
 
 _RULES = ".ross"
 
 LIBRARY = Path(__file__).parents[1] / "library"
-"""The files that come with this program, to be imported as `rossmarie/NAME.ross` or as
-`rossmarie/FOLDER/NAME.ross`; such a file beside the one that imports takes their place.
+"""The built-in files, for import as `rossmarie/NAME.ross` or `rossmarie/FOLDER/NAME.ross`. A file
+with this path beside the importing file takes precedence.
 """
 
 _SHIPPED = "rossmarie"
@@ -46,8 +47,8 @@ _SHIPPED = "rossmarie"
 def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[Imported]:
     """The trees of `systems`, of the folder's system model and of all imports, `main` last.
 
-    Each file is read once, whatever imports it: `main` too, if a system model does. It is there
-    once for each name that it is imported under.
+    Each file is read once, however many files import it, even if a system model imports `main`. The
+    result contains it once for each name under which it is imported.
     """
     loader = _Loader(collector, main)
     beside = main.parent / SYSTEM_MODEL
@@ -59,7 +60,9 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
 
 
 class _Wanted(NamedTuple):
-    """A file to open, for an import in another one; `importer` is None for those of the command."""
+    """A file to open for an import in another file. `importer` is None for files of the command
+    line.
+    """
 
     path: Path
     written: ast.Import | None = None
@@ -67,7 +70,7 @@ class _Wanted(NamedTuple):
 
     @property
     def space(self) -> tuple[str, ...]:
-        """The space of the file: that of the whole program, unless the import says another."""
+        """The name space of the file: that of the whole program, unless the import has a name."""
         if self.written is None or self.importer is None or not _is_instance(self.written):
             return ()
         alias = self.written.alias
@@ -83,13 +86,13 @@ class _Loader:
     parsed: dict[Path, ast.Module] = field(default_factory=dict)
 
     def with_last(self, path: Path) -> list[Imported]:
-        """All files, that of `path` at the end."""
+        """All files, with that of `path` at the end."""
         last = self.visited[_identity(path), ()]
         return [each for each in self.loaded if each is not last] + [last]
 
     def load(self, path: Path) -> None:
-        """Add the file at `path` after everything it imports (an explicit stack, so that a long
-        chain of imports cannot exhaust Python's).
+        """Add the file at `path` after everything it imports (with an explicit stack, so that a
+        long chain of imports cannot exhaust Python's stack).
         """
         stack: list[tuple[Imported, list[_Wanted]]] = []
         self._open(_Wanted(path), stack)
@@ -137,7 +140,7 @@ class _Loader:
         stack.append((imported, _imports(imported, path.parent, self.main)))
 
     def _again(self, known: Imported, wanted: _Wanted) -> None:
-        """An import of a file that is there: its values count if there are none so far."""
+        """Handle an import of a loaded file: its values count if there are none so far."""
         written = wanted.written
         if written is None or not written.given or written.alias is not None:
             return
@@ -151,7 +154,7 @@ class _Loader:
         self.collector.add(finding.at(written.path.span, place))
 
     def _is_endless(self, wanted: _Wanted, identity: Path) -> bool:
-        """Say whether an import would go on for ever, or makes too many instances; report it."""
+        """Say whether an import would never end, or creates too many instances. Report it if so."""
         written, importer = wanted.written, wanted.importer
         if written is None or importer is None or written.alias is None:
             return False
@@ -170,8 +173,8 @@ class _Loader:
         return True
 
     def _is_rules_file(self, path: Path) -> bool:
-        """Say whether a file may be read as rules. `main` may be called as its user likes, but must
-        not be a link to a file of another kind.
+        """Say whether a file may be read as rules. `main` may have any name, but must not be a link
+        to a file of another type.
         """
         return ending(path) in (_RULES, self.main.suffix.lower() if path == self.main else _RULES)
 
@@ -181,7 +184,7 @@ def _unread(path: Path) -> ast.Module:
 
 
 def _identity(path: Path) -> Path:
-    """One path for all ways to name a file; links that lead in a circle lead nowhere."""
+    """One path for all names of a file. Circular links lead nowhere."""
     try:
         return Path(os.path.realpath(path))
     except (OSError, ValueError):
@@ -189,15 +192,15 @@ def _identity(path: Path) -> Path:
 
 
 def read_source(path: Path, collector: Collector) -> SourceFile | None:
-    """The text of a file, or None after reporting why there is none.
+    """The text of a file; None after reporting the reason.
 
-    Reads little more than the parser accepts, however large the file is.
+    Reads little more than the parser accepts, even if the file is huge.
     """
     nothing = SourceFile(str(path), "")
     try:
         with path.open("rb") as stream:
             content = stream.read(MAXIMUM_FILE_SIZE + 8)
-    except (OSError, ValueError) as error:  # ValueError: what no path can be
+    except (OSError, ValueError) as error:  # ValueError: an impossible path
         reason = getattr(error, "strerror", None) or "it cannot be opened"
         finding = FileUnreadable(path=str(path), reason=reason.lower())
         collector.add(finding.at(Span(nothing, 0, 0)))
@@ -243,13 +246,13 @@ def _imports(importer: Imported, folder: Path, main: Path) -> list[_Wanted]:
 
 
 def _is_instance(written: ast.Import) -> bool:
-    """Say whether an import is more than a plain one."""
+    """Say whether an import has a name or values."""
     return bool(written.given) or written.alias is not None
 
 
 def _imported(written: str, folder: Path, main: Path) -> Path:
-    """The file that an import in a file of a folder means. A file of the library means what the
-    main file would mean: so a copy beside that file counts for all.
+    """The file for an import in a file of a folder. In a file of the library, an import has the
+    same meaning as in the main file, so a copy beside the main file is used everywhere.
     """
     shipped = _shipped(written)
     if shipped is None:
@@ -259,7 +262,7 @@ def _imported(written: str, folder: Path, main: Path) -> Path:
 
 
 def _shipped(written: str) -> Path | None:
-    """The file of the library that is called so, if there is one."""
+    """The library file with this name; None if there is none."""
     first, *others = PurePosixPath(written).parts or ("",)
     if first != _SHIPPED or not others or ".." in others:
         return None

@@ -1,4 +1,4 @@
-"""The engines that run a machine in this process: a monitor, or one with a reactor beside it."""
+"""The engines that run a machine in this process: a monitor, or a monitor with a reactor."""
 
 from rossmarie.engines.python_guard import PythonGuard
 from rossmarie.engines.python_monitor import PythonMonitor

@@ -1,4 +1,6 @@
-"""A monitor in Python with the reactor of its rules: as `native`'s guard, decision by decision."""
+"""A monitor in Python with the reactor of its rules; each decision equals that of `native`'s
+guard.
+"""
 
 from __future__ import annotations
 
@@ -30,9 +32,9 @@ from rossmarie.native import AllowCall, StepCall, packed_note
 
 
 class PythonGuard:
-    """A monitor and its reactor, which looks after each call of the monitor, at the same instant.
-    Every method that takes an instant raises `ValueError` outside of `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`, but for `bounds`.
+    """A monitor and its reactor, which runs after each call of the monitor, at the same instant.
+    Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and `ir.LATEST_NS`,
+    except `bounds`.
     """
 
     def __init__(self, machine: Machine, source: str) -> None:
@@ -54,14 +56,14 @@ class PythonGuard:
         self._events: list[Event] = []
         self._orders: list[Order] = []
         self.now_ns = EARLIEST_NS
-        """The instant at which it is; before the first, one that is out of range."""
+        """The current instant; before the first call, an instant out of range."""
 
     def restart(self) -> None:
-        """Forget everything. Functions that `update_call` gave before are void."""
+        """Forget everything. Functions that `update_call` returned before become invalid."""
         self._begin()
 
     def fresh(self) -> PythonGuard:
-        """Another guard of the same machine, that has seen nothing."""
+        """Another guard of the same machine in its initial state."""
         another = copy(self)
         another._begin()  # noqa: SLF001 - of this class
         return another
@@ -73,7 +75,7 @@ class PythonGuard:
 
     @property
     def states(self) -> tuple[State, ...]:
-        """Where each task stands, by index."""
+        """The state of each task, by index."""
         return self._reactor.states
 
     @property
@@ -87,11 +89,11 @@ class PythonGuard:
         return self._monitor.margins
 
     def open(self) -> None:
-        """Commands may pass (R12)."""
+        """Let commands pass (R12)."""
         self._reactor.open()
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if nothing else comes before."""
+        """The instant at which `advance` has to be called if no other call comes before."""
         wakes = (self._monitor.next_wake(), self._reactor.next_wake())
         return min((wake for wake in wakes if wake is not None), default=None)
 
@@ -99,26 +101,28 @@ class PythonGuard:
         """The bounds on the fields of a command topic at an instant (R11)."""
         return self._reactor.bounds(at_ns, command)
 
-    # --- what happens ------------------------------------------------------------------------
+    # --- events and time ---------------------------------------------------------------------
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
-        """The messages that arrive at one instant, by channel index."""
+        """Process the messages that arrive at one instant, by channel index."""
         self._events += self._monitor.update(at_ns, messages)
         self._missing -= messages.keys()
         self._follow(at_ns)
 
     def advance(self, at_ns: int) -> None:
-        """Time passes without a message; what is due at this very instant happens as well."""
+        """Let time pass without a message. Timers due exactly at this instant fire."""
         self._events += self._monitor.advance(at_ns)
         self._follow(at_ns)
 
     def reset(self, at_ns: int, rule: int | None = None) -> None:
-        """An operator resets one latched rule, or all."""
+        """Reset one latched rule, or all, for an operator."""
         self._events += self._monitor.reset(at_ns, rule)
         self._follow(at_ns)
 
     def report(self, at_ns: int, task: int, *, success: bool) -> None:
-        """The end of a task that was ordered to start. Raises `IndexError` if there is none."""
+        """Report the end of a task that was ordered to start. Raises `IndexError` if there is no
+        such task.
+        """
         if not 0 <= task < len(self._machine.reactions.tasks):
             raise IndexError(f"there is no task {task}")
         self._events += self._monitor.advance(at_ns)
@@ -127,7 +131,7 @@ class PythonGuard:
 
     def update_call(self, channel: int) -> Callable[..., int]:
         """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
-        channel, as `PythonMonitor.update_call` describes it.
+        channel. `PythonMonitor.update_call` describes the arguments.
         """
         take = self._monitor.update_call(channel)
 
@@ -143,7 +147,7 @@ class PythonGuard:
         return call
 
     def watch_call(self, channel: int) -> Callable[..., int | None]:
-        """A function for one message on a channel, as that of `native`'s guard."""
+        """A function for one message on a channel, like that of `native`'s guard."""
         inputs = self._machine.inputs
         if any(inputs[each.input].channel == channel for each in self._machine.lists):
             raise ValueError("a channel with lists has no fast call")
@@ -164,21 +168,21 @@ class PythonGuard:
         return watch
 
     def row(self, count: int) -> PythonRow:
-        """So many guards of the same machine, that have seen nothing."""
+        """A row of `count` guards of the same machine in their initial state."""
         return PythonRow([self.fresh() for _ in range(count)])
 
     def take_events(self) -> list[Event]:
-        """The events that were reported since the last time; orders wait on."""
+        """The events since the last call. Orders stay."""
         events, self._events = self._events, []
         return events
 
     def save(self) -> object:
-        """All that it knows, and orders that nobody has taken."""
+        """The whole state, and the orders that have not been taken."""
         kept = deepcopy((self._reactor, self._missing, self._orders, self.now_ns))
         return (self._monitor.save(), kept)
 
     def load(self, saved: object) -> None:
-        """Know what another guard of the same rules has known."""
+        """Restore the state of another guard of the same rules."""
         assert isinstance(saved, tuple)
         monitor, kept = saved
         self._monitor.load(monitor)
@@ -186,42 +190,42 @@ class PythonGuard:
         self._events = []
 
     def step_call(self, wiring: Wiring) -> StepCall:
-        """The fastest step, for arrays of the sizes of a wiring."""
+        """The fastest step for arrays of the sizes in a wiring."""
         return self.steps(wiring).step
 
     def allow_call(self, wiring: Wiring) -> AllowCall:
-        """Say which of some actions would pass as they are."""
+        """A function that says which of some actions would pass unchanged."""
         steps = self.steps(wiring)
         return lambda actions: np.array([steps.allows(each) for each in actions], np.bool_)
 
     def steps(self, wiring: Wiring) -> PythonSteps:
-        """Steps for arrays of the sizes of a wiring."""
+        """Steps for arrays of the sizes in a wiring."""
         return PythonSteps(self._machine, self, wiring)
 
     def take(self) -> Reported:
-        """All that was reported since the last time."""
+        """All events and orders since the last call."""
         orders, self._orders = self._orders, []
         return Reported(self.take_events(), orders)
 
     @property
     def has_news(self) -> bool:
-        """True if there is anything to take."""
+        """True if there are events or orders to take."""
         return bool(self._events or self._orders)
 
     @property
     def begun(self) -> set[int]:
-        """The tasks that have begun, of the orders that nobody has taken yet."""
+        """The tasks that have started, among the orders that have not been taken."""
         return {each.task for each in self._orders if each.kind is OrderKind.START}
 
     def note(self, said: int) -> bytes:
-        """The facts after a step in which this happened, as `native` has them."""
+        """The facts after a step with these events, in the format of `native`."""
         bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
         size = (max(1, len(self._machine.rules)) + 7) // 8
         active = bits.to_bytes(size, "little")
         return packed_note(said, active, self.margins, self.states, self._reactor.since_ns)
 
     def _follow(self, at_ns: int) -> None:
-        """Let the reactor look, and do the resets of all latched rules that it orders."""
+        """Run the reactor, and perform the resets of all latched rules that it orders."""
         self.now_ns = at_ns
         while self._ordered(
             self._reactor.react(at_ns, self.active, self._monitor.watches, self._monitor.readings)

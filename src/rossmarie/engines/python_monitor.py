@@ -1,6 +1,6 @@
-"""A monitor in Python that was generated for a machine: the same methods and events as `native`'s.
+"""A generated monitor in Python, with the methods and events of `native`'s monitor.
 
-Takes the machine and the text that the Python target wrote for it.
+The input is the machine and the text that the Python target wrote for it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _NAN = float("nan")
 
 class PythonMonitor:
     """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
+    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside that range.
     """
 
     def __init__(self, machine: ir.Machine, source: str) -> None:
@@ -41,7 +41,7 @@ class PythonMonitor:
         self.next_wake: Callable[[], int | None] = self._generated.next_wake
 
     def fresh(self) -> PythonMonitor:
-        """Another monitor of the same machine, that has seen nothing."""
+        """Another monitor of the same machine in its initial state."""
         another = copy(self)
         another._begin()  # noqa: SLF001 - of this class
         return another
@@ -67,43 +67,47 @@ class PythonMonitor:
 
     @property
     def readings(self) -> tuple[float, ...]:
-        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        """The values of the signals that memories of poses use, by index; NaN if unknown."""
         return tuple(self._generated.readings()) if self._has_readings else ()
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
-        """The messages that arrive at one instant, by channel index."""
+        """Process the messages that arrive at one instant, by channel index."""
         fields = {channel: self._fields(channel, values) for channel, values in messages.items()}
         return self._events_of(at_ns, self._generated.update, fields)
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message; timers due at this very instant fire as well."""
+        """Let time pass without a message. Timers due exactly at this instant fire."""
         return self._events_of(at_ns, self._generated.advance)
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all: those with a false condition clear."""
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear.
+        """
         return self._events_of(at_ns, self._generated.reset, rule)
 
     def __deepcopy__(self, memo: object) -> PythonMonitor:
-        """Another one that knows the same: functions would be shared, with what they remember."""
+        """A copy with the same state. An ordinary copy would share the functions, and the state
+        inside them.
+        """
         another = self.fresh()
         another.load(self.save())
         another._waiting = list(self._waiting)  # noqa: SLF001 - of this class
         return another
 
-    # --- its memory --------------------------------------------------------------------------
+    # --- state -------------------------------------------------------------------------------
 
     def save(self) -> object:
-        """All that it knows: what its functions remember between calls."""
+        """The whole state: the variables that its functions keep between calls."""
         return deepcopy({name: cell.cell_contents for name, cell in self._cells().items()})
 
     def load(self, saved: object) -> None:
-        """Know what another monitor of the same rules has known."""
+        """Restore the state of another monitor of the same rules."""
         assert isinstance(saved, dict)
         for name, cell in self._cells().items():
             cell.cell_contents = deepcopy(saved[name])
 
     def _cells(self) -> dict[str, CellType]:
-        """The variables that the generated functions share, but for other functions."""
+        """The variables that the generated functions share, without the functions among them."""
         found: dict[str, CellType] = {}
         waiting: list[Any] = list(self._generated)
         seen: set[Any] = set()
@@ -122,21 +126,21 @@ class PythonMonitor:
                     found[name] = cell
         return found
 
-    # --- fast --------------------------------------------------------------------------------
+    # --- fast calls --------------------------------------------------------------------------
 
     def update_call(self, channel: int) -> Callable[..., int]:
         """A function `(at_ns, *slots) -> number of new events` for one message on a channel, with
         its slots in index order, in the units of the message. -1: the instant is out of range.
 
-        Its numbers are Python's own (numpy has some that compare otherwise). The events wait for
-        `take_events`. Raises `ValueError` if the channel carries arrays.
+        Numbers are Python's own types, because some numpy types compare differently. The
+        events wait for `take_events`. Raises `ValueError` if the channel carries arrays.
         """
         if self._arrays[channel]:
             raise ValueError("a channel with arrays has no fast call")
         return self.message_call(channel)
 
     def message_call(self, channel: int) -> Callable[..., int]:
-        """The same for any channel: its arrays stand behind its slots."""
+        """The same for any channel. The arrays follow the slots."""
         call: Callable[..., int] = self._generated[channel]
         return call
 
@@ -155,7 +159,7 @@ class PythonMonitor:
         return [self._event(reported) for reported in self._generated.take_events()]
 
     def _keep(self) -> None:
-        """The events of fast calls wait."""
+        """Keep the events of fast calls until they are taken."""
         self._waiting += [self._event(reported) for reported in self._generated.take_events()]
 
     def _event(self, reported: Any) -> Event:
@@ -172,12 +176,12 @@ class PythonMonitor:
         )
 
     def _fields(self, channel: int, values: ChannelValues) -> list[object]:
-        """One message: its slots, then its arrays."""
+        """The fields of one message: its slots, then its arrays."""
         slots = [values.slots.get(slot, _NAN) for slot in self._slots[channel]]
         return [*slots, *(self._elements(array, values) for array in self._arrays[channel])]
 
     def _elements(self, array: int, values: ChannelValues) -> list[float] | None:
-        """The elements of an array; of a column that the message lacks, None."""
+        """The elements of an array; None for a column that the message does not have."""
         if array not in values.arrays and self._is_column[array]:
             return None
         return list(values.arrays.get(array, ()))

@@ -1,4 +1,4 @@
-"""Guards in a row, in Python: as `native`'s."""
+"""Guards in a row, in Python; the counterpart of `native`'s row."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Steered(Protocol):
 
     @property
     def now_ns(self) -> int:
-        """The instant at which it is; before the first, one that is out of range."""
+        """The current instant; before the first call, an instant out of range."""
 
     @property
     def active(self) -> Sequence[bool]:
@@ -29,27 +29,27 @@ class Steered(Protocol):
         """The margins that rules declare, in SI units."""
 
     def take(self) -> ir.Reported:
-        """All that was reported since the last time."""
+        """All events and orders since the last call."""
 
     def take_events(self) -> list[ir.Event]:
-        """The events among it; orders wait on."""
+        """The events among them. Orders stay."""
 
     def restart(self) -> None:
         """Forget everything."""
 
     def steps(self, wiring: ir.Wiring) -> PythonSteps:
-        """Steps for arrays of the sizes of a wiring."""
+        """Steps for arrays of the sizes in a wiring."""
 
 
 class PythonRow:
-    """Guards in a row: a step of all of them is one call."""
+    """Guards in a row. One call performs a step of all guards."""
 
     def __init__(self, guards: Sequence[Steered]) -> None:
         self._guards = guards
         self._steps: list[PythonSteps] = []
 
     def connect(self, wiring: ir.Wiring) -> None:
-        """Take arrays of the sizes of a wiring from now on."""
+        """Use arrays of the sizes in a wiring from now on."""
         self._steps = [guard.steps(wiring) for guard in self._guards]
 
     def step(
@@ -59,7 +59,7 @@ class PythonRow:
         observations: NDArray[np.float64] | None,
         actions: NDArray[np.float64] | None,
     ) -> tuple[int, NDArray[np.bool_], NDArray[np.bool_]]:
-        """As `NativeRow.step`."""
+        """Perform a step of all guards, like `NativeRow.step`."""
         count = len(self._guards)
         active = np.empty((count, len(self._guards[0].active)), np.bool_)
         changed = np.zeros(count, np.bool_)
@@ -82,7 +82,7 @@ class PythonRow:
         return count, active, changed
 
     def _instant(self, row: int, times_ns: NDArray[np.int64] | None) -> int | None:
-        """The instant of a row; None if it cannot be at it, or if there is none yet."""
+        """The instant of a row; None if it is not possible, or not known yet."""
         now_ns = self._guards[row].now_ns
         if times_ns is None:
             return None if now_ns == ir.EARLIEST_NS else now_ns
@@ -91,7 +91,7 @@ class PythonRow:
         return at_ns if can_be else None
 
     def allow(self, actions: NDArray[np.float64]) -> tuple[int, NDArray[np.bool_]]:
-        """As `NativeRow.allow`."""
+        """Say which actions would pass unchanged, like `NativeRow.allow`."""
         allowed = np.empty((len(self._guards), len(actions)), np.bool_)
         for row, guard in enumerate(self._guards):
             if guard.now_ns == ir.EARLIEST_NS:
@@ -100,12 +100,12 @@ class PythonRow:
         return len(self._guards), allowed
 
     def margins(self) -> NDArray[np.float64]:
-        """As `NativeRow.margins`."""
+        """The margins of all guards, like `NativeRow.margins`."""
         found = [guard.margins for guard in self._guards]
         return np.array(found, np.float64)
 
     def restart(self, which: NDArray[np.bool_]) -> None:
-        """Let those that are marked forget everything."""
+        """Let the marked guards forget everything."""
         for guard, is_marked in zip(self._guards, which.tolist(), strict=True):
             if is_marked:
                 guard.restart()

@@ -1,4 +1,4 @@
-"""Steps of a guard in Python: as those in C, number by number."""
+"""Steps of a guard in Python; each number equals that of the steps in C."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ from rossmarie.native import CHANGED, CLOSED, REFUSED, REPORTED, fits, put_back
 
 
 class Stepped(Protocol):
-    """The guard whose steps these are."""
+    """The guard that performs the steps."""
 
     @property
     def now_ns(self) -> int:
-        """The instant at which it is; before the first, one that is out of range."""
+        """The current instant; before the first call, an instant out of range."""
 
     @property
     def states(self) -> Sequence[State]:
-        """Where each task stands."""
+        """The state of each task, by index."""
 
     @property
     def has_all_inputs(self) -> bool:
@@ -43,27 +43,27 @@ class Stepped(Protocol):
 
     @property
     def has_news(self) -> bool:
-        """True if there is anything to take."""
+        """True if there are events or orders to take."""
 
     @property
     def begun(self) -> set[int]:
-        """The tasks that have begun, of the orders that nobody has taken yet."""
+        """The tasks that have started, among the orders that have not been taken."""
 
     def open(self) -> None:
-        """Commands may pass."""
+        """Let commands pass."""
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
-        """Messages arrive."""
+        """Process arriving messages."""
 
     def bounds(self, at_ns: int, command: int) -> Sequence[FieldBounds]:
         """The bounds on the fields of a command topic."""
 
     def note(self, said: int) -> bytes:
-        """The facts after a step in which this happened."""
+        """The facts after a step with these events."""
 
 
 class PythonSteps:
-    """Steps for arrays of the sizes of a wiring."""
+    """Steps for arrays of the sizes in a wiring."""
 
     def __init__(self, machine: Machine, guard: Stepped, wiring: Wiring) -> None:
         self._guard = guard
@@ -77,7 +77,7 @@ class PythonSteps:
     def _by_channel(
         self, machine: Machine
     ) -> tuple[dict[int, dict[int, Part]], dict[int, dict[int, Part]]]:
-        """The parts of the slots and of the arrays of the channels that arrive."""
+        """The parts of the slots and arrays of each arriving channel."""
         slots: dict[int, dict[int, Part]] = {each: {} for each in self._wiring.arriving}
         arrays: dict[int, dict[int, Part]] = {each: {} for each in self._wiring.arriving}
         for index, slot in enumerate(machine.slots):
@@ -93,8 +93,9 @@ class PythonSteps:
     def step(
         self, at_ns: int, observation: NDArray[Any] | None, action: NDArray[Any] | None
     ) -> bytes | None:
-        """An instant, an observation, and an action that is changed in its place; gives what is
-        known then, or None if they do not fit: then nothing has happened.
+        """Perform a step at an instant, with an observation, and an action that is changed in
+        place. Returns the facts after the step. If the arguments do not fit, nothing changes, and
+        the result is None.
         """
         if not (fits(observation, self._wiring.observed) and fits(action, self._wiring.acted)):
             return None
@@ -110,7 +111,7 @@ class PythonSteps:
         return self._guard.note(said | (REPORTED if self._guard.has_news else 0))
 
     def _decide(self, at_ns: int, action: NDArray[Any]) -> int:
-        """Let an action become what may be done; gives bits of what happened to it."""
+        """Change an action into a permitted one. Returns bits that tell what was changed."""
         begun = self._guard.begun
         numbers = action.astype(np.float64).tolist()
         said = 0
@@ -121,11 +122,11 @@ class PythonSteps:
         return said
 
     def allows(self, action: NDArray[np.float64]) -> bool:
-        """Say whether an action would pass as it is, at the instant of the last observation."""
+        """Say whether an action would pass unchanged, at the instant of the last observation."""
         return self._decide(self._guard.now_ns, action.copy()) == 0
 
     def _take(self, at_ns: int, observation: Sequence[float]) -> None:
-        """Let an observation arrive."""
+        """Process an observation."""
         self._guard.update(
             at_ns,
             {channel: self._message(channel, observation) for channel in self._wiring.arriving},
@@ -143,7 +144,7 @@ class PythonSteps:
         return ChannelValues(slots, arrays)
 
     def _published(self, command: int, begun: set[int]) -> Iterator[float] | None:
-        """The numbers that rules publish in the place of this action, if any do."""
+        """The numbers that rules publish in place of this action; None if no rule publishes."""
         found = None
         for each in self._wiring.publications:
             if each.command == command and self._publishes(each, begun):

@@ -1,4 +1,4 @@
-"""Queries to the skills that run, by the names that users give them: as rules write them."""
+"""Queries about the running skills, by the names that users give them, as in rules."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from rossmarie.ir.skills import SkillMessage, answer
 
 
 class Queries:
-    """The queries of one machine. `named` are the slots of each, by its words,
-    `doing Push(Object: Fragile)`: several inputs may ask the same.
+    """The queries of one machine. `named` maps the words of each, `doing Push(Object: Fragile)`, to
+    its slots: several inputs may have the same query.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -29,7 +29,7 @@ class Queries:
                 self._channels[used.name] = used.channel
 
     def is_context(self, name: str, value: object) -> bool:
-        """Say whether a value is a message that tells which skills run, for an input that asks."""
+        """Say whether a value is a message about the running skills, for an input with queries."""
         return name in self._channels and hasattr(value, "running")
 
     def answers(self, name: str, message: SkillMessage) -> dict[int, float]:
@@ -38,6 +38,6 @@ class Queries:
         return {index: answer(self._steps[index], message) for index in asked}
 
     def words(self, index: int) -> str | None:
-        """The words of the query that a slot is; None if it has none of its own."""
+        """The words of the query in a slot; None if it has none of its own."""
         step = self._steps.get(index)
         return str(step) if isinstance(step, Doing) else None

@@ -1,4 +1,4 @@
-"""All that rules read of a scan, of the message itself."""
+"""All values that rules read from a scan, computed from the message itself."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from rossmarie.ir.scans import Scan, all_taken
 
 
 def values_of_scan(machine: Machine, fields: ScanFields, scan: Scan) -> tuple[int, ChannelValues]:
-    """The channel of a scan, and what the machine reads of it there: its sectors and beams (S70),
-    and its plain fields.
+    """The channel of a scan, and the values that the machine reads there: its sectors and beams
+    (S70), and its plain fields.
     """
     arrays: dict[int, Sequence[float]] = {**all_taken(machine, scan, fields.arrays)}
     for index, array in enumerate(machine.arrays):
@@ -32,7 +32,7 @@ def _is_inside(field: Slot | Array, fields: ScanFields) -> bool:
 
 
 def _along(value: Any, path: Path) -> Any:
-    """The field at the end of a path; None for an element that is not there."""
+    """The field at the end of a path; None for an element that does not exist."""
     for step in path:
         if isinstance(step, str):
             value = getattr(value, step)

@@ -1,4 +1,4 @@
-"""An engine for a machine: native where there is a C compiler, in Python elsewhere."""
+"""An engine for a machine: native if there is a C compiler, else in Python."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ GuardRow = NativeRow | PythonRow
 
 @dataclass(frozen=True)
 class Started(Generic[_Engine]):
-    """An engine in its initial state, its kind (`NATIVE` or `PYTHON`), and why it is not native."""
+    """An engine in its initial state, its kind (`NATIVE` or `PYTHON`), and the reason if it is not
+    native.
+    """
 
     engine: _Engine
     kind: str
@@ -43,7 +45,7 @@ class Started(Generic[_Engine]):
 
 
 def start_monitor(machine: Machine) -> Started[MonitorEngine]:
-    """A monitor; its verdicts are the same whatever its kind."""
+    """A monitor. Its verdicts do not depend on its kind."""
     return _started(
         machine,
         "the monitor",
@@ -53,7 +55,7 @@ def start_monitor(machine: Machine) -> Started[MonitorEngine]:
 
 
 def start_guard(machine: Machine) -> Started[GuardEngine]:
-    """A monitor with the reactor of its rules; its decisions are the same whatever its kind."""
+    """A monitor with the reactor of its rules. Its decisions do not depend on its kind."""
     return _started(
         machine,
         "the guard",

@@ -1,4 +1,4 @@
-"""Values by the names of fields, as users give them, and as engines take them."""
+"""Values by the names of fields, in the user's form and in the form of engines."""
 
 from __future__ import annotations
 
@@ -35,22 +35,22 @@ Value: TypeAlias = (
     float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | Scan
     | SkillMessage | None
 )  # fmt: skip
-"""The content of a message field: a number, a flag, a string, the elements of an array, or those of
-a list of messages, as dictionaries or objects; None is a list of which nothing is known. The points
-of a cloud may also be given as the message that has them, what rules read of a scan as the scan,
-and the answers of skills as the message that tells which of them run.
+"""The content of a message field: a number, a flag, a string, the elements of an array, or the
+elements of a list of messages, as dictionaries or objects. None is an unknown list. The points of a
+cloud may also be given as their message, the values of a scan as the scan, and the answers of
+skills as the message about the running skills.
 """
 
 _FRAME = ("header", "frame_id")
-"""The field that tells from where a message is seen."""
+"""The field with the frame of a message."""
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 
 class NamedValues:
-    """The names of one machine. Fields go by the names of inputs: `speed`, `orientation.x`; an
-    input of which rules read only the age is named by itself. What skills are asked goes by its
-    words, `doing Push`, for all inputs that ask it.
+    """The names of one machine. Names of fields are names of inputs: `speed`, `orientation.x`. An
+    input of which rules read only the age has its own name. A query about skills is named by its
+    words, `doing Push`, for all inputs with this query.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -63,9 +63,9 @@ class NamedValues:
         self._scans = scan_names(machine)
 
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
-        """One message on each channel of which a field is named, by channel.
+        """The messages, by channel: one on each channel with a named field.
 
-        Raises `KeyError` for a name that nothing reads, `TypeError` for a value of another type
+        Raises `KeyError` for a name that no rule reads, `TypeError` for a value of another type
         than the field, `OverflowError` for an integer beyond all floats.
         """
         slots: dict[int, dict[int, float]] = {}
@@ -105,7 +105,7 @@ class NamedValues:
         }
 
     def _answers(self, name: str, value: Value) -> dict[int, float]:
-        """Answers of skills, by slot, where these are named: by the topic, or by one query."""
+        """Answers of skills, by slot, given for a whole topic or for one query."""
         if self.queries.is_context(name, value):
             return self.queries.answers(name, cast("SkillMessage", value))
         asked = self.queries.named.get(name, ())
@@ -129,7 +129,7 @@ class NamedValues:
         )
 
     def unknown(self, name: str) -> str:
-        """The words for a name that nothing reads."""
+        """The error text for a name that no rule reads."""
         near = near_name(
             name,
             (
@@ -147,7 +147,7 @@ class NamedValues:
         return self._machine.inputs[used].channel
 
     def _number(self, slot: int, value: Value) -> float:
-        """A string is its index among the strings of the machine, or -1."""
+        """The number of a value. A string is its index among the strings of the machine, or -1."""
         return self._number_of(self._machine.slots[slot].kind, value)
 
     def _number_of(self, kind: Kind, value: object) -> float:
@@ -167,8 +167,8 @@ class NamedValues:
         return [self._number_of(Kind.TEXT, each) for each in value]
 
     def _columns(self, name: str, its_list: int, value: Value) -> dict[int, list[float]]:
-        """The columns of a list of dictionaries or of objects, or of a cloud; none if it is not
-        known.
+        """The columns of a list of dictionaries or objects, or of a cloud; empty if the list is
+        unknown.
         """
         if value is None:
             return {}
@@ -193,7 +193,7 @@ class NamedValues:
         return found
 
     def _frame(self, used: int, value: Value) -> dict[int, float]:
-        """The frame of a cloud that is given as its message, by the slot that holds it."""
+        """The frame of a cloud that is given as its message, by slot."""
         frame = getattr(getattr(value, "header", None), "frame_id", None)
         if not isinstance(frame, str):
             return {}
@@ -204,7 +204,7 @@ class NamedValues:
         }
 
     def _points(self, its_list: int, cloud: Cloud) -> dict[int, list[float]]:
-        """The columns of the points of a cloud; none if nothing is known of them (S56)."""
+        """The columns of the points of a cloud; empty if they are unknown (S56)."""
         found = columns_of(self._machine, its_list)
         names = [str(self._machine.arrays[column].path[-1]) for column in found]
         try:
@@ -223,7 +223,7 @@ def _is_nan(point: object, axis: str) -> bool:
 
 
 def _field(name: str, element: object, words: Sequence[str]) -> object:
-    """A field of an element of a list; None if a dictionary lacks it."""
+    """A field of an element of a list; None if it is missing in a dictionary."""
     if isinstance(element, Mapping) and ".".join(words) in element:
         return element[".".join(words)]
     for word in words:
@@ -237,7 +237,9 @@ def _field(name: str, element: object, words: Sequence[str]) -> object:
 
 
 def _is_column(value: Value) -> bool:
-    """Say whether a value has one field of each element, and not the elements themselves."""
+    """Say whether a value is a column, with one field of each element, instead of the elements
+    themselves.
+    """
     if isinstance(value, str) or not isinstance(value, Sequence | np.ndarray):
         return False
     return all(isinstance(each, (str, *_NUMBERS)) for each in value)

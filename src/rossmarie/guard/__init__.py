@@ -1,4 +1,4 @@
-"""A guard in this process: rules decide what a program, or a policy, may do to a robot."""
+"""A guard in this process: rules decide which actions of a program, or a policy, reach a robot."""
 
 from rossmarie.engines import Value
 from rossmarie.guard.batch import BatchDecision, GuardBatch

@@ -1,4 +1,4 @@
-"""Arrays of a policy: what is none is refused before anything is done."""
+"""Arrays of a policy. Values that are not arrays are refused before anything changes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ FLOATS = (np.float64, np.float32)
 
 
 def require_array(what: str, array: object) -> None:
-    """Raise `TypeError` for what is no array, `MappingError` for one that is not flat floats."""
+    """Raise `TypeError` for a value that is not an array, `MappingError` for an array that is not
+    flat floats.
+    """
     if not isinstance(array, np.ndarray):
         refuse(what, array)
     elif array.ndim != 1:
@@ -24,5 +26,5 @@ def require_array(what: str, array: object) -> None:
 
 
 def refuse(what: str, array: object) -> Array:
-    """Raise `TypeError`."""
+    """Raise `TypeError` for `what`."""
     raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")

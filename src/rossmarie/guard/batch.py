@@ -1,4 +1,4 @@
-"""Guards of many environments: a step of all of them is one call."""
+"""Guards of many environments. One call performs a step of all of them."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ Array = NDArray[Any]
 
 
 class BatchDecision(NamedTuple):
-    """The decisions: the actions to execute, of shape (n, m); which rules are active, of shape
-    (n, rules); and which actions are not those that were wanted, of shape (n,).
+    """The decisions: the actions to execute, of shape (n, m); the active rules, as a mask of shape
+    (n, rules); and the changed actions, as a mask of shape (n,).
     """
 
     actions: Array
@@ -30,9 +30,9 @@ class BatchDecision(NamedTuple):
 
 
 class GuardBatch:
-    """So many guards of the same rules, each for an environment of its own. What rules want done
-    beside the action is not reported, and nobody reports how it ended. It cannot be copied; calls
-    of several threads wait for each other.
+    """Guards of the same rules, each for its own environment. Requests of rules beside the action
+    are not reported, and their ends cannot be reported. A batch cannot be copied. Calls from
+    several threads wait for each other.
     """
 
     def __init__(
@@ -42,8 +42,8 @@ class GuardBatch:
         row_of: Callable[[int], GuardRow],
         wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
-        """`row_of` makes so many guards, `wiring_of` connects arrays of the sizes of an observation
-        and of an action.
+        """`row_of` makes the guards, `wiring_of` connects arrays of the sizes of an observation and
+        of an action.
         """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
@@ -68,8 +68,8 @@ class GuardBatch:
 
     @property
     def margin(self) -> NDArray[np.float64]:
-        """The margins in each environment at its last observation, of shape (n, margins), as
-        `Decision.margin`; NaN where nothing was observed.
+        """The margins in each environment at its last observation, of shape (n, margins), as in
+        `Decision.margin`; NaN before the first observation.
         """
         with self._lock:
             return self._meter.margins(self._row.margins())
@@ -77,11 +77,11 @@ class GuardBatch:
     def step(
         self, times_ns: int | NDArray[np.int64], observations: Array, actions: Array
     ) -> BatchDecision:
-        """Decide about an action in each environment: `times_ns` is one instant, or int64 of shape
+        """Decide about an action in each environment. `times_ns` is one instant, or int64 of shape
         (n,); observations have the shape (n, k), actions (n, m).
 
-        Raises `MappingError` for arrays of another shape or type, `ValueError` for an instant
-        before the last one of its guard or out of range: then nothing has happened to any.
+        Raises `MappingError` for arrays of another shape or type, `ValueError` for an instant out
+        of range or before the last instant of its guard. After an error no guard has changed.
         """
         self._connect(observations, actions)
         numbers = np.array(actions, np.float64, order="C")
@@ -94,18 +94,18 @@ class GuardBatch:
         observations: Array,
         which: NDArray[np.bool_] | None = None,
     ) -> NDArray[np.bool_]:
-        """Let an observation arrive in each environment, or in those that a mask of shape (n,)
-        marks, for `decide`; gives which rules are active, of shape (n, rules).
+        """Process an observation in each environment, or in the environments that a mask of shape
+        (n,) marks, for `decide`. Returns a mask of the active rules, of shape (n, rules).
 
-        Raises what `step` raises.
+        Raises the errors of `step`.
         """
         self._connect(observations, None)
         return self._step(self._mask(which), self._times(times_ns), observations, None)[0]
 
     def decide(self, actions: Array, which: NDArray[np.bool_] | None = None) -> BatchDecision:
-        """Decide about an action in each environment, or in those that a mask marks, at the
-        instants of their last observations. Raises what `step` raises, and `ValueError` for a guard
-        that has observed nothing.
+        """Decide about an action in each environment, or in the environments that a mask marks, at
+        the instants of their last observations. Raises the errors of `step`, and `ValueError` for a
+        guard without an observation.
         """
         self._connect(None, actions)
         numbers = np.array(actions, np.float64, order="C")
@@ -113,8 +113,8 @@ class GuardBatch:
         return BatchDecision(_of_type(numbers, actions), active, changed)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Say which of some actions, of shape (k, m), would pass as they are in each environment:
-        of shape (n, k). Nothing happens. Raises what `decide` raises.
+        """Say which of some actions, of shape (k, m), would pass unchanged in each environment, as
+        a mask of shape (n, k). Changes nothing. Raises the errors of `decide`.
         """
         with self._lock:
             self._connect(None, actions, "k")
@@ -149,7 +149,9 @@ class GuardBatch:
     def _connect(
         self, observations: Array | None, actions: Array | None, rows: str | None = None
     ) -> None:
-        """Connect the arrays when their sizes are known; raise what is wrong with them."""
+        """Connect the arrays when their sizes are known. Raises `MappingError` if they do not
+        fit.
+        """
         observed, acted = self._sizes or (None, None)
         given = (
             None if observations is None else self._width("observations", observations),
@@ -166,7 +168,9 @@ class GuardBatch:
             self._sizes = (sizes[0], sizes[1])
 
     def restart(self, which: NDArray[np.bool_] | None = None) -> None:
-        """Forget everything, in all environments or in those that a mask of shape (n,) marks."""
+        """Forget everything, in all environments or in the environments that a mask of shape (n,)
+        marks.
+        """
         mask = self._mask(which)
         with self._lock:
             self._row.restart(np.ones(self._count, np.bool_) if mask is None else mask)
@@ -189,7 +193,7 @@ class GuardBatch:
         return np.ascontiguousarray(times)
 
     def _width(self, what: str, rows: Array, length: str | None = None) -> int:
-        """The numbers in a row; there are `length` rows, or as many as guards."""
+        """The numbers in a row. There are `length` rows, or as many as guards."""
         if not isinstance(rows, np.ndarray):
             raise TypeError(f"{what} are a {type(rows).__name__}, not an array of numpy")
         if rows.ndim != 2 or (length is None and len(rows) != self._count):
@@ -202,7 +206,7 @@ class GuardBatch:
 
 
 def _of_type(numbers: Array, actions: Array) -> Array:
-    """Numbers as actions of the type of those that were wanted."""
+    """Numbers as actions, of the type of the proposed actions."""
     if actions.dtype == np.float64:
         return numbers
     executed = np.array(actions, order="C")

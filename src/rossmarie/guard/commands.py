@@ -1,4 +1,4 @@
-"""A command topic: what a program sends passes, bounded, or is blocked, or is sent again.
+"""A command topic: each command of a program passes, is bounded, is blocked, or is sent again.
 
 The nodes of ROS do the same (`runtime/ros/filter.h`).
 """
@@ -15,7 +15,7 @@ Message = TypeVar("Message")
 Bounds = Sequence[FieldBounds]
 
 UPDATE_PERIOD_NS = 50_000_000
-"""The time between two commands of the filter's own, and between two calls of `update`."""
+"""The time between two commands of the filter itself, and between two calls of `update`."""
 
 _UNBOUNDED = FieldBounds(1.0, -math.inf, math.inf)
 _NEVER = -(10**18)
@@ -26,18 +26,18 @@ class Commands(Protocol[Message]):
     """The messages of one command topic."""
 
     def still(self) -> Message:
-        """A command that is 0."""
+        """A command with all numbers 0."""
 
     def numbers(self, message: Message, /) -> Sequence[float]:
         """The numbers of a command, in the order of the fields of its topic."""
 
     def with_numbers(self, message: Message, numbers: Sequence[float], /) -> Message:
-        """Another command that has these numbers, and all else of this one."""
+        """Another command with these numbers, and all other data of this command."""
 
 
 class CommandFilter(Generic[Message]):
-    """The filter of one command topic. `bounds` are those of an instant; while they let everything
-    pass, they are asked for again only after `forget`.
+    """The filter of one command topic. `bounds` returns the bounds at an instant. While they let
+    everything pass, it is called again only after `forget`.
     """
 
     def __init__(
@@ -56,10 +56,10 @@ class CommandFilter(Generic[Message]):
         self._sent: Bounds = ()
         self._is_taken_over = self._is_blocked = False
         self.is_restricting = False
-        """True if the last command that was sent is not the one that a program gave."""
+        """True if the last command sent is not the command of the program."""
 
     def receive(self, now_ns: int, message: Message) -> None:
-        """A command of a program; while a rule commands, nobody hears it."""
+        """Receive a command of a program. While a rule commands, it is ignored."""
         if self._is_taken_over:
             return
         self._latest, self._received_ns = message, now_ns
@@ -67,33 +67,33 @@ class CommandFilter(Generic[Message]):
 
     @property
     def is_idle(self) -> bool:
-        """True if `update` has nothing to do before `forget`: nothing lies on commands, and the
-        last one was sent like that.
+        """True if `update` has nothing to do before `forget`: no bounds exist, and the last command
+        was sent without bounds.
         """
         return self._free is not None and self._sent is self._free
 
     def take_over(self, now_ns: int, message: Message) -> None:
-        """A command of a rule, in the place of the program's until `give_back`."""
+        """Receive a command of a rule, which replaces the program's until `give_back`."""
         self._is_taken_over = True
         self._latest = message
         self._pass(now_ns, message)
 
     def forget(self) -> None:
-        """Rules have changed: other bounds may lie on the commands."""
+        """Note that rules have changed, so that other bounds may apply."""
         self._free = None
 
     def give_back(self) -> None:
-        """The program commands again."""
+        """Let the program command again."""
         self._is_taken_over = False
         self._latest = self._still
         self._received_ns = _NEVER
 
     def pass_once(self, now_ns: int, message: Message) -> None:
-        """A single command of a rule."""
+        """Send a single command of a rule."""
         self._pass(now_ns, message)
 
     def update(self, now_ns: int) -> None:
-        """To be called whenever bounds may have changed, and regularly."""
+        """Apply the bounds. Call it whenever bounds may have changed, and regularly."""
         bounds = self._bounds(now_ns)
         if bounds is self._sent:
             return
@@ -111,7 +111,7 @@ class CommandFilter(Generic[Message]):
         return self._is_taken_over or now_ns - self._received_ns < _TIMEOUT_NS
 
     def _tightens(self, bounds: Bounds) -> bool:
-        """Say whether bounds hold anything back that was let through at last: that cannot wait."""
+        """Say whether bounds restrict a number that was sent last. This cannot wait."""
         return any(
             new.factor < old.factor or new.low > old.low or new.high < old.high
             for new, old in zip(bounds, self._sent, strict=True)

@@ -1,4 +1,4 @@
-"""The core of a guard: it decides; whoever has it carries messages, and performs its orders."""
+"""The core of a guard: it decides. Its owner carries messages, and performs its orders."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, as_instan
 
 class Core:
     """The monitor and the reactor of a rules file, together. After each message and each step of
-    time the reactor looks at what the monitor says, at the same instant (R1).
+    time, the reactor processes the verdicts of the monitor at the same instant (R1).
 
-    Fields, instants and errors are as those of `rossmarie.Monitor`; tasks, commands and orders go
-    by their indexes in `machine.reactions`. Whatever is refused changes nothing.
+    Fields, instants and errors are as in `rossmarie.Monitor`. Tasks, commands and orders are
+    indices in `machine.reactions`. A refused call changes nothing.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -27,7 +27,7 @@ class Core:
         self._topics = [channel.topic for channel in machine.channels]
 
     def fresh(self) -> Core:
-        """Another core of the same rules, which has seen nothing. It costs next to nothing."""
+        """Another core of the same rules in its initial state. This is cheap."""
         another = copy(self)
         another._engine = self._engine.fresh()  # noqa: SLF001 - of this class
         return another
@@ -40,7 +40,7 @@ class Core:
 
     @property
     def states(self) -> tuple[State, ...]:
-        """Where each task stands."""
+        """The state of each task, by index."""
         return self._engine.states
 
     @property
@@ -49,7 +49,7 @@ class Core:
         return self._engine.has_all_inputs
 
     def open(self) -> None:
-        """Commands may pass; until then every field of every command is bounded to zero (R12)."""
+        """Let commands pass. Before, every field of every command is bounded to zero (R12)."""
         self._engine.open()
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
@@ -57,14 +57,16 @@ class Core:
         return self._engine.bounds(at_ns, command)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if no message comes before, in nanoseconds."""
+        """The instant in nanoseconds at which `advance` has to be called if no message comes
+        before; None if there is none.
+        """
         return self._engine.next_wake()
 
     def explain(self, event: Event) -> str:
-        """An event in words: the rule, what happened, and why."""
+        """An event in words: the rule, the change, and its causes."""
         return event_line(self.machine, event)
 
-    # --- what happens ------------------------------------------------------------------------
+    # --- events and time ---------------------------------------------------------------------
 
     def update(self, at_ns: int, values: Mapping[str, Value]) -> Reported:
         """Messages arrive: one on each topic of which a field is named."""
@@ -77,28 +79,33 @@ class Core:
         return self.take()
 
     def reset(self, at_ns: int, rule: str | None = None) -> Reported:
-        """An operator resets one latched rule, or all: those with a false condition clear."""
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear.
+        """
         names = [each.name for each in self.machine.rules]
         self._engine.reset(as_instant(at_ns), None if rule is None else names.index(rule))
         return self.take()
 
     def report(self, at_ns: int, task: int, *, success: bool) -> Reported:
-        """The end of a task that was ordered to start; of one that is not running, nothing follows
-        (R6). Raises `IndexError` if there is no such task.
+        """Report the end of a task that was ordered to start. For a task that is not running,
+        nothing follows (R6). Raises `IndexError` if there is no such task.
         """
         self._engine.report(as_instant(at_ns), task, success=success)
         return self.take()
 
     def watch_call(self, topic: str) -> Callable[..., int | None]:
-        """The fastest call for one topic: `(at_ns, *scalars, *arrays)`, those that rules read, in
-        the order of the machine. Gives None if events or orders wait for `take`; else the instant
-        at which `advance` is wanted if no message comes before (`ir.NEVER_NS`: never).
+        """The fastest call for one topic: `(at_ns, *scalars, *arrays)`, in the order of the
+        machine, with only those that rules read. Returns None if events or orders wait for `take`;
+        else the instant at which `advance` has to be called if no message comes before
+        (`ir.NEVER_NS`: never).
 
-        Arrays are of numpy, of float64 or float32. Raises `ValueError` for a topic of which rules
-        read lists, as the function does for an instant out of range.
+        Arrays are numpy arrays of float64 or float32. Raises `ValueError` for a topic of which
+        rules read lists; the returned function raises it for an instant out of range.
         """
         return self._engine.watch_call(self._topics.index(topic))
 
     def take(self) -> Reported:
-        """The findings of the calls that `watch_call` gave, since the last time."""
+        """The events and orders since the last call, from the functions that `watch_call`
+        returned.
+        """
         return self._engine.take()

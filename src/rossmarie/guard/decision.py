@@ -46,17 +46,17 @@ Array = NDArray[Any]
 
 
 Before: TypeAlias = "tuple[int, bytes] | None"
-"""The instant and the facts of the observation before; None at the first one."""
+"""The instant and the facts of the previous observation; None at the first one."""
 
 
 def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
-    """Say which of so many rules are active, by the facts after a step."""
+    """A mask of the active rules, from the facts after a step."""
     bits = np.frombuffer(note, np.uint8, offset=1, count=(rules + 7) // 8)
     return np.unpackbits(bits, count=rules, bitorder="little").astype(np.bool_)
 
 
 def margins_in(note: bytes, meter: FeedbackMeter) -> NDArray[np.float64]:
-    """The margins that rules declare, each in its unit, by the facts after a step."""
+    """The declared margins, each in its unit, from the facts after a step."""
     first = 1 + (max(1, meter.rules) + 7) // 8
     declared = np.frombuffer(note, np.uint8, 8 * meter.declared_margins, first)
     return meter.margins(declared.view(np.float64))
@@ -72,10 +72,10 @@ def feedback_between(
 
 @dataclass(frozen=True)
 class Request:
-    """Something that rules want done outside of the action: `kind` says whether its `effect` is to
-    start or to stop, or is given up because another rule overrules it or it has failed. `task` is
-    its number; whoever starts it says how it ended with `Guard.report`. With `OrderKind.RETRACE`
-    `pose` is to be sent: x, y and z in m, and with an orientation its quaternion (x, y, z, w).
+    """A request of rules beside the action. `kind` says whether its `effect` starts, stops, or is
+    given up because another rule overrules it or because it has failed. `task` is its number; the
+    program that starts it reports its end with `Guard.report`. With `OrderKind.RETRACE`, send
+    `pose`: x, y and z in m, and with an orientation its quaternion (x, y, z, w).
     """
 
     kind: OrderKind
@@ -88,8 +88,8 @@ class Request:
 
 @dataclass(frozen=True)
 class Reasons:
-    """The ground of decisions: the rules, how arrays stand for fields, and the verdicts by which
-    rules became active.
+    """The basis of decisions: the rules, the mapping of arrays to fields, and the verdicts that
+    activated rules.
     """
 
     machine: Machine
@@ -100,7 +100,7 @@ class Reasons:
 
 
 class Decision:
-    """An action that may be done, and why; the rest is worked out when it is asked for."""
+    """A permitted action, and the reasons. All other data are computed on demand."""
 
     __slots__ = (
         "_at_ns",
@@ -133,16 +133,16 @@ class Decision:
         self._reasons = reasons
         self._given = given
         self.requests = requests
-        """All that rules want done beside the action, in order."""
+        """All requests of rules beside the action, in order."""
 
     @property
     def changed(self) -> bool:
-        """True if the action is not the one that was wanted."""
+        """True if the action differs from the proposed action."""
         return bool(self._note[0] & CHANGED)
 
     @property
     def refused(self) -> bool:
-        """True if the wanted action had a number that is not finite."""
+        """True if the proposed action had a number that is not finite."""
         return bool(self._note[0] & REFUSED)
 
     @property
@@ -152,8 +152,8 @@ class Decision:
 
     @property
     def feedback(self) -> NDArray[np.float64]:
-        """The feedback of each rule for a learner since the observation of the decision before, of
-        shape (rules,); 0 at the first one.
+        """The feedback of each rule to a learner since the observation of the previous decision, of
+        shape (rules,); 0 at the first observation.
         """
         meter = self._reasons.meter
         if self._before is None:
@@ -163,8 +163,8 @@ class Decision:
 
     @property
     def margin(self) -> NDArray[np.float64]:
-        """The distances of conditions of rules to where they change, of shape (margins,), in the
-        order of `Guard.rules_with_margin` and each in the unit that its rule declares: positive
+        """The distances of conditions to the point where their value changes, of shape (margins,),
+        in the order of `Guard.rules_with_margin`, each in the unit that its rule declares: positive
         while the condition is false, negative while it is true, NaN while it is unknown.
         """
         return margins_in(self._note, self._reasons.meter)
@@ -176,7 +176,7 @@ class Decision:
         return tuple(rule.name for rule in self._reasons.machine.rules if rule.name in found)
 
     def why(self) -> str:
-        """The active rules with their causes, and each change with its rules: a line for each."""
+        """The active rules with their causes, and each change with its rules, one per line."""
         return "\n".join(self._lines()) or "no rule is active"
 
     def __repr__(self) -> str:
@@ -203,7 +203,7 @@ class Decision:
             yield words + (f", by {', '.join(rules)}" if rules else "")
 
     def _changes(self) -> Iterator[tuple[str, list[str]]]:
-        """Each number that was changed, in words, and the rules that would change it alone."""
+        """Each changed number, in words, and the rules that would change it alone."""
         if self._given is None:
             return
         for part in self._reasons.wiring.commands:
@@ -224,7 +224,7 @@ class Decision:
         ]
 
     def _changes_it(self, task: int, part: CommandPart, number: float) -> bool:
-        """Say whether a task alone would change a number, of a command that is finite."""
+        """Say whether one task alone would change a number of a finite command."""
         if self.refused:
             return False
         effect = self._reasons.machine.reactions.tasks[task].effect

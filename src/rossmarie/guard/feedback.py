@@ -1,4 +1,4 @@
-"""The feedback of rules for a learner (thesis, section 6.3): the cost of a step, and margins."""
+"""The feedback of rules to a learner (thesis, section 6.3): the cost of a step, and margins."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ Floats = NDArray[np.float64]
 
 
 class FeedbackMeter:
-    """The amounts of all rules. Works on one guard, with arrays of shape (rules,), and on guards in
-    a row, of shape (n, rules).
+    """The amounts of all rules. It works on one guard, with arrays of shape (rules,), and on guards
+    in a row, of shape (n, rules).
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -27,9 +27,9 @@ class FeedbackMeter:
         self.declared_margins = len(self._margin_scales)
 
     def between(self, before: Active, after: Active, elapsed_ns: Any) -> Floats:
-        """The feedback of each rule from one observation to the next: of those that have become
-        active, and of those that were active, for the time between. `elapsed_ns` is a number, or
-        of shape (n,).
+        """The feedback of each rule from one observation to the next: an amount for a rule that
+        became active, and an amount per second for a rule that was active. `elapsed_ns` is a
+        number, or of shape (n,).
         """
         if not before.any() and not after.any():
             return np.zeros(np.shape(before))
@@ -39,8 +39,8 @@ class FeedbackMeter:
         return found
 
     def margins(self, numbers: Floats) -> Floats:
-        """The margins that rules declare, each in its unit; `numbers` are they in SI units, of
-        shape (margins,) or (n, margins).
+        """The declared margins, each in its unit. `numbers` are the margins in SI units, of shape
+        (margins,) or (n, margins).
         """
         with np.errstate(over="ignore"):
             found: Floats = numbers * self._margin_scales

@@ -1,5 +1,5 @@
-"""The guard of a policy: an observation and an action go in, and the action that may be executed
-comes out (thesis, section 6.4, figure 5: the safety interface).
+"""The guard of a policy: it takes an observation and an action, and returns an action that may be
+executed (thesis, section 6.4, figure 5: the safety interface).
 """
 
 from __future__ import annotations
@@ -48,13 +48,15 @@ _NEWS = CHANGED | REPORTED
 
 
 class Guard:
-    """Rules on guard over a policy. Instants are integers in nanoseconds, which never go back.
+    """A guard between a policy and its robot. Instants are integers in nanoseconds, which never go
+    back.
 
-    A copy is a guard of its own that knows the same. Calls of several threads wait for each other.
+    A copy is an independent guard with the same state. Calls from several threads wait for each
+    other.
     """
 
     def __init__(self, machine: Machine, observe: Declared, act: Declared) -> None:
-        """`mapping.py` says what declarations there are. Raises `MappingError` for those that do
+        """`mapping.py` describes the declarations. Raises `MappingError` for declarations that do
         not fit the rules.
         """
         self.machine = machine
@@ -71,7 +73,7 @@ class Guard:
         self.reason = started.reason
         self._engine = started.engine
         self.on_event: Callable[[Event], object] = _unheard
-        """Called with each verdict, in the order of verdicts: for a log of them."""
+        """Called with each verdict, in order, for logging."""
         self._begin()
 
     def _begin(self) -> None:
@@ -87,25 +89,26 @@ class Guard:
 
     @property
     def margin(self) -> NDArray[np.float64]:
-        """The margins at the last observation, as `Decision.margin`. Raises `ValueError` before
-        any observation.
+        """The margins at the last observation, as in `Decision.margin`. Raises `ValueError` before
+        the first observation.
         """
         self._now()
         assert self._latest is not None, "it was observed"
         return margins_in(self._latest[1], self._meter)
 
     def require_sizes(self, observed: int, acted: int) -> None:
-        """Raise `MappingError` if observations and actions of so many numbers lack a place that is
-        declared.
+        """Raise `MappingError` if a declared place is outside observations or actions of these
+        sizes.
         """
         self._mapping.wiring(observed, acted)
 
     def step(self, at_ns: int, observation: Array, action: Array) -> Decision:
-        """Decide about an action that a policy wants to execute after an observation.
+        """Decide about an action that a policy proposes after an observation.
 
         Arrays are flat, of float32 or float64, and always as long as at the first step. Raises
-        `MappingError` for those that are not, `ValueError` for an instant before the last one or
-        out of range, `TypeError` for what is no array and no integer: then nothing has happened.
+        `MappingError` for other arrays, `ValueError` for an instant out of range or before the last
+        one, `TypeError` for a value that is not an array or not an integer. After an error nothing
+        has changed.
         """
         executed = action.copy() if isinstance(action, np.ndarray) else refuse("action", action)
         with self._lock:
@@ -118,13 +121,13 @@ class Guard:
     def observe(
         self, at_ns: int, observation: Array, *, one_by_one: bool = False
     ) -> NDArray[np.bool_]:
-        """Let an observation arrive, for `decide`; gives which rules are active, of shape (rules,).
-        Several may come before a decision: those of the substeps of a simulation, each at its
-        instant. With `one_by_one` the topics of an observation arrive one after the other, in the
-        order in which the rules name them, as they do at a node; those of the first one arrive
-        together, as a node waits for all.
+        """Process an observation, for `decide`. Returns a mask of the active rules, of shape
+        (rules,). Several observations may precede a decision: those of the substeps of a
+        simulation, each at its instant. With `one_by_one`, the topics of an observation arrive one
+        after another, in the order in which the rules name them, as in a node. The topics of the
+        first observation arrive together, because a node waits for all.
 
-        Raises what `step` raises.
+        Raises the errors of `step`.
         """
         if not isinstance(observation, np.ndarray):
             refuse("observation", observation)
@@ -141,8 +144,9 @@ class Guard:
         return active_in(note, len(self.rules))
 
     def decide(self, action: Array) -> Decision:
-        """Decide about an action at the instant of the last observation: `observe` and `decide` are
-        together one `step`. Raises what `step` raises, and `ValueError` before any observation.
+        """Decide about an action at the instant of the last observation: `observe` and `decide`
+        together are one `step`. Raises the errors of `step`, and `ValueError` before the first
+        observation.
         """
         executed = action.copy() if isinstance(action, np.ndarray) else refuse("action", action)
         with self._lock:
@@ -156,8 +160,8 @@ class Guard:
             return self._decision(at_ns, executed, note, action)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Say which of some actions, of shape (k, m), would pass as they are after the last
-        observation: of shape (k,). Nothing happens. Raises what `decide` raises.
+        """Say which of some actions, of shape (k, m), would pass unchanged after the last
+        observation, as a mask of shape (k,). Changes nothing. Raises the errors of `decide`.
         """
         if not isinstance(actions, np.ndarray):
             refuse("action", actions)
@@ -183,7 +187,7 @@ class Guard:
         note: bytes | None = None
         for step in self._topic_steps:
             note = step(at_ns, observation, None)
-            if note is None:  # of the first topic: then nothing has happened
+            if note is None:  # for the first topic: then nothing has changed
                 return None
         return note
 
@@ -197,8 +201,8 @@ class Guard:
         return Decision(at_ns, executed, note, self._reasons, before, earlier, given, requests)
 
     def _see(self, at_ns: int, note: bytes) -> None:
-        """Take note of an observation, and of the one before; of those before it about which nobody
-        has decided, of their feedback only.
+        """Record an observation, and the observation before it. Of earlier observations without a
+        decision, record only the feedback.
         """
         self._at_ns = at_ns
         if self._is_decided:
@@ -210,8 +214,8 @@ class Guard:
         self._before, self._latest = self._latest, (at_ns, note)
 
     def report(self, request: Request | int, *, success: bool) -> None:
-        """The end of something that was requested, or of a task by its number; what follows comes
-        with the next decision.
+        """Report the end of a request, or of a task by its number. The consequences come with the
+        next decision.
         """
         task = request if isinstance(request, int) else request.task
         with self._lock:
@@ -219,8 +223,8 @@ class Guard:
             self._note(self._engine.take_events())
 
     def reset(self, rule: str | None = None) -> None:
-        """An operator resets one latched rule, or all: those with a false condition clear. Raises
-        `ValueError` for a rule that there is not.
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear. Raises `ValueError` for an unknown rule.
         """
         if rule is not None and rule not in self.rules:
             near = near_name(rule, self.rules)
@@ -232,17 +236,19 @@ class Guard:
             self._note(self._engine.take_events())
 
     def restart(self) -> None:
-        """Forget everything, for another episode."""
+        """Forget everything, for the next episode."""
         with self._lock:
             self._engine.restart()
             self._begin()
 
     def batch(self, count: int) -> GuardBatch:
-        """So many guards by the same rules and declarations, which have seen nothing."""
+        """A batch of `count` guards with the same rules and declarations, in their initial
+        state.
+        """
         return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
-        """All that it knows, for `restore`; it can be pickled if the guard is native."""
+        """The whole state, for `restore`. It can be pickled if the guard is native."""
         with self._lock:
             return self._state()
 
@@ -262,9 +268,9 @@ class Guard:
         )
 
     def restore(self, state: GuardState) -> None:
-        """Know what a guard of the same rules has known. Raises `ValueError` for the state of one
-        of other rules, of another version of ROSSMARie, or of another kind, and `MappingError` if
-        its arrays do not fit the declarations; then nothing has changed.
+        """Restore the state of a guard of the same rules. Raises `ValueError` for a state of other
+        rules, of another version of ROSSMARie, or of another kind of guard, and `MappingError` if
+        its arrays do not fit the declarations. After an error nothing has changed.
         """
         if state.fingerprint != self._fingerprint:
             raise ValueError(
@@ -302,7 +308,7 @@ class Guard:
 
     @cached_property
     def _fingerprint(self) -> str:
-        """The rules, the version of what runs them, and the kind of the guard."""
+        """The rules, the version of the engine, and the kind of the guard."""
         text = machine_to_json(self.machine)
         reported = f"{text}\0{c99.version()}\0{self.kind}"
         return f"{self.machine.name} {hashlib.sha256(reported.encode()).hexdigest()[:16]}"
@@ -337,14 +343,18 @@ class Guard:
         self._allow = self._engine.allow_call(wiring)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
-        """Take a step for which the arrays have to be copied first; raise what is wrong with it."""
+        """Perform a step whose arrays have to be copied first. Raises the errors of the
+        arguments.
+        """
         self._require_fit(at_ns, observation, action)
         return self.step(
             as_instant(at_ns), np.ascontiguousarray(observation), np.ascontiguousarray(action)
         )
 
     def _require_fit(self, at_ns: int, observation: Array | None, action: Array | None) -> None:
-        """Raise what does not fit; with the first action, connect again for its size."""
+        """Raise an error for arguments that do not fit. With the first action, connect again for
+        its size.
+        """
         assert self._sizes is not None
         if action is not None and self._sizes[1] is None:
             require_array("action", action)
@@ -366,7 +376,7 @@ class Guard:
             )
 
     def _take(self) -> tuple[Request, ...]:
-        """Take note of what was reported."""
+        """Record the reported events and orders. Returns the requests."""
         reported = self._engine.take()
         self._note(reported.events)
         return tuple(requests_of(self.machine, reported.orders, self._acted))
@@ -384,11 +394,11 @@ class Guard:
 
 
 def _unheard(_: Event) -> None:
-    """Nobody keeps a log."""
+    """Ignore an event: there is no log."""
 
 
 def _again(machine: Machine, observe: Declared, act: Declared, state: GuardState) -> Guard:
-    """A guard that knows what another one has known; raises what `restore` raises."""
+    """A guard with the state of another one. Raises the errors of `restore`."""
     guard = Guard(machine, observe, act)
     guard.restore(state)
     return guard

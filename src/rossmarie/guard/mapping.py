@@ -3,9 +3,9 @@
     observe={"speed": 0, "force.z": (8, "N"), "joints.position": slice(1, 8), "battery": None}
     act={"/cmd_vel.linear.x": 0, "angular.z": (1, "deg/s")}
 
-A number goes by its index, an array by a slice, with a unit behind it if it is not that of the
-message; None is a field that the arrays do not have. An array whose elements have declared names
-goes by a slice as well, or element by element: `efforts.elbow`. What skills are asked goes by its
+A number is given by its index, an array by a slice, followed by a unit if it differs from the unit
+of the message. None is a field that the arrays do not contain. An array with named elements is
+given by a slice, too, or element by element: `efforts.elbow`. A query about skills is given by its
 words, `doing Push(Object: Fragile)`, and is 1 or 0.
 """
 
@@ -34,7 +34,7 @@ from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, parse_unit
 
 Index: TypeAlias = int | slice
 Place: TypeAlias = Index | tuple[Index, str] | None
-"""Where a field is in a flat array, and in which unit."""
+"""The place of a field in a flat array, and its unit."""
 
 Declared: TypeAlias = Mapping[str, Place]
 
@@ -48,8 +48,8 @@ class MappingError(ValueError):
 
 @dataclass(frozen=True)
 class _Entry:
-    """A field that is declared; `part` has all but the indexes. A `listed` one is an element of the
-    array that is declared.
+    """A declared field. `part` has everything but the indexes. A `listed` entry is an element of
+    the declared array.
     """
 
     name: str
@@ -59,7 +59,7 @@ class _Entry:
     listed: Listed | None = None
 
     def placed(self, what: str, size: int) -> Part:
-        """The part in an array of a size."""
+        """The part in an array of a given size."""
         if self.index is None:
             return self.part
         if isinstance(self.index, int):
@@ -84,7 +84,9 @@ class _Entry:
 
 
 class ArrayMapping:
-    """All declarations for one machine. Raises `MappingError` for what does not fit its rules."""
+    """All declarations for one machine. Raises `MappingError` for declarations that do not fit its
+    rules.
+    """
 
     def __init__(self, machine: Machine, observe: Declared, act: Declared) -> None:
         self._machine = machine
@@ -103,8 +105,8 @@ class ArrayMapping:
         self._require_limited()
 
     def wiring(self, observed: int, acted: int | None) -> Wiring:
-        """The same for arrays of these sizes; None: there was no action yet. Raises `MappingError`
-        if they are too small.
+        """The declarations for arrays of these sizes; None means that there was no action yet.
+        Raises `MappingError` if the arrays are too small.
         """
         slots = [self._slots[index] for index in range(len(self._machine.slots))]
         arrays = [self._arrays[index] for index in range(len(self._machine.arrays))]
@@ -126,7 +128,7 @@ class ArrayMapping:
         )
 
     def name(self, part: CommandPart) -> str:
-        """The name by which a field of a command was declared."""
+        """The name under which a field of a command was declared."""
         return self._fields[part.command, part.field].name
 
     # --- observations ------------------------------------------------------------------------
@@ -168,7 +170,7 @@ class ArrayMapping:
         return Part(is_flag=slot.kind is Kind.FLAG)
 
     def _require_all(self) -> None:
-        """Every field that rules read is declared."""
+        """Raise `MappingError` unless every field that rules read is declared."""
         slots, arrays = self._values.shortest()
         words = self._values.queries.words
         missing = [
@@ -184,7 +186,9 @@ class ArrayMapping:
             )
 
     def _require_lists(self, observed: int) -> None:
-        """All fields of a list that is observed are, and as many times."""
+        """Raise `MappingError` unless all fields of an observed list are declared, with equal
+        lengths.
+        """
         arriving = self._arriving()
         for number, its_list in enumerate(self._machine.lists):
             if self._machine.inputs[its_list.input].channel not in arriving:
@@ -224,7 +228,9 @@ class ArrayMapping:
         _enter(self._fields, known[name], _Entry(name, index, part, field.is_array))
 
     def _require_limited(self) -> None:
-        """Each field that is limited by itself, and one of each command, is declared."""
+        """Raise `MappingError` unless each separately limited field, and at least one field of each
+        command, is declared.
+        """
         reactions = self._machine.reactions
         for index, command in enumerate(reactions.commands):
             limited = {
@@ -251,7 +257,9 @@ class ArrayMapping:
                 yield Publication(index, effect.command, lasts, tuple(numbers))
 
     def _published(self, effect: Publish, part: CommandPart) -> Sequence[float]:
-        """The numbers that a rule publishes in the place of a part; 0 if it says nothing."""
+        """The numbers that a rule publishes in place of a part; 0 for a field that the rule does
+        not set.
+        """
         path = self._machine.reactions.commands[part.command].fields[part.field].path
         values = (each.value for each in effect.assignments if each.path == path)
         value = next(values, (0.0,) * part.part.count)
@@ -265,7 +273,7 @@ class ArrayMapping:
 
 
 def _listed_slots(machine: Machine) -> dict[str, dict[int, Listed]]:
-    """The slots that are elements by declared names, by the names of their arrays."""
+    """The slots of named elements, by the names of their arrays."""
     found: dict[str, dict[int, Listed]] = {}
     for index, slot in enumerate(machine.slots):
         *words, last = slot.path or ("",)
@@ -292,7 +300,7 @@ def _full_name(topic: str, field: CommandField) -> str:
 
 
 def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
-    """The names of all fields of commands: with the topic, or by any ending that no other has."""
+    """The names of all fields of commands: with the topic, or by any unique ending."""
     found: list[tuple[str, tuple[int, int]]] = []
     for number, command in enumerate(machine.reactions.commands):
         for index, field in enumerate(command.fields):
@@ -307,8 +315,8 @@ def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
 def _converted(
     name: str, unit: str, of_message: str, scale: float | None = None, offset: float = 0.0
 ) -> Part:
-    """The part of a field that is in another unit than its message. The number of a message becomes
-    SI by its own scale and offset, or by those of its unit.
+    """The part of a field whose unit differs from that of its message. The number of a message
+    becomes SI by its own scale and offset, or by those of its unit.
     """
     given, wanted = _parsed(name, unit), _parsed(name, of_message)
     if given.dimension != wanted.dimension:

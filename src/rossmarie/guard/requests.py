@@ -1,4 +1,4 @@
-"""The orders of a reactor that whoever has a guard performs."""
+"""The orders of a reactor that the owner of a guard has to perform."""
 
 from __future__ import annotations
 
@@ -26,7 +26,9 @@ from rossmarie.ir.reactions import (
 def requests_of(
     machine: Machine, orders: Sequence[Order], acted: Collection[int]
 ) -> Iterator[Request]:
-    """The orders that are not for the guard itself, where actions have the commands `acted`."""
+    """The orders that the guard does not perform itself, if actions contain the commands
+    `acted`.
+    """
     reactions = machine.reactions
     rules = {task: rule for rule, plan in enumerate(reactions.plans) for task in plan.tasks}
     for order in orders:

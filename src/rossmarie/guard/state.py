@@ -13,12 +13,12 @@ from rossmarie.guard.decision import Before
 from rossmarie.ir import Verdict
 
 Sizes: TypeAlias = tuple[int, int | None]
-"""The numbers that an observation and an action have; None if there was no action yet."""
+"""The sizes of an observation and an action; None if there was no action yet."""
 
 
 @dataclass(frozen=True)
 class GuardState:
-    """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
+    """The whole state of a guard. `fingerprint` identifies its rules and its kind."""
 
     fingerprint: str
     sizes: Sizes | None

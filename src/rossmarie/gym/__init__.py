@@ -1,4 +1,4 @@
-"""Gymnasium environments behind a guard: the rules for operation hold while a robot learns.
+"""Gymnasium environments behind a guard: the rules of operation also apply while a robot learns.
 
 Needs the extra `rossmarie[gym]`.
 """

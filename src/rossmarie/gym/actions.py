@@ -1,6 +1,8 @@
-"""Actions of an environment as flat arrays of numbers, and back: vectors, or numbers of choices.
+"""Conversion of the actions of an environment to flat arrays of numbers, and back: vectors, or
+numbers of choices.
 
-Everything works on one action, of shape (m,), and on those of many environments, of shape (n, m).
+All functions work on one action, of shape (m,), and on the actions of many environments, of shape
+(n, m).
 """
 
 from __future__ import annotations
@@ -17,7 +19,9 @@ from rossmarie.guard import Declared, MappingError
 from rossmarie.gym.observations import Array, Spots
 
 Allows: TypeAlias = Callable[[Array], NDArray[np.bool_]]
-"""A query: would flat actions, of shape (k, m), pass as they are? Answers: (k,) or (n, k)."""
+"""A query whether flat actions, of shape (k, m), would pass unchanged. The answer has the shape
+(k,) or (n, k).
+"""
 
 
 class Actions(Protocol):
@@ -26,26 +30,30 @@ class Actions(Protocol):
     declared: Declared
     """The meaning of the numbers of flat actions, for a guard."""
     size: int
-    """The number of numbers in a flat action."""
+    """The size of a flat action."""
 
     def flat(self, action: Any) -> Array:
-        """Actions as flat arrays. Raises `ValueError` for what is no action of the space."""
+        """Actions as flat arrays. Raises `ValueError` for a value that is not an action of the
+        space.
+        """
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
-        """The actions to execute, for those that were wanted and as the guard has bounded them."""
+        """The actions to execute, from the proposed actions and the actions that the guard has
+        bounded.
+        """
 
     def mask(self, allows: Allows, /) -> NDArray[np.int8] | None:
-        """The choices that would pass as they are; None where there is no choice."""
+        """A mask of the choices that would pass unchanged; None if actions are not choices."""
 
 
 def actions_of(space: Space[Any], act: Mapping[str, Any]) -> Actions:
-    """The actions of a space by their declarations. Raises `MappingError` for others."""
+    """The actions of a space with their declarations. Raises `MappingError` for other spaces."""
     match space:
         case spaces.Box() if space.dtype in (np.float64, np.float32):
             return Vectors(space, act)
         case spaces.Discrete():
             return Choices(space, act)
-        case _:  # open: Gymnasium has more spaces, and users make their own
+        case _:  # open: Gymnasium has more spaces, and users define their own
             raise MappingError(
                 f"actions are {space}; a guard bounds a Box of floats, or a Discrete choice"
             )
@@ -63,7 +71,7 @@ class Vectors:
         }
 
     def flat(self, action: Any) -> Array:
-        """Actions as flat arrays, with a copy only of what is no array yet."""
+        """Actions as flat arrays. Only values that are not arrays are copied."""
         array = np.asarray(action)
         leading = array.shape[: array.ndim - len(self._shape)]
         if array.shape != (*leading, *self._shape):
@@ -71,15 +79,15 @@ class Vectors:
         return array.reshape((*leading, -1))
 
     def executed(self, action: Any, bounded: Array, _: Allows, /) -> Any:
-        """The bounded ones in their own shape."""
+        """The bounded actions in their own shape."""
         return bounded.reshape(np.shape(action))
 
     def mask(self, _: Allows, /) -> None:
-        """There is none."""
+        """There is no mask."""
 
 
 class Choices:
-    """Actions that are numbers of choices; `act` has a list with the number of each choice."""
+    """Actions that are numbers of choices. `act` has a list with the number of each choice."""
 
     def __init__(self, space: spaces.Discrete, act: Mapping[str, Any]) -> None:
         self._first = int(space.start)
@@ -110,8 +118,8 @@ class Choices:
         return found
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
-        """The choices themselves, or where their numbers would be changed, those that pass and are
-        nearest to the bounded ones; where none passes, the nearest.
+        """The choices themselves if they pass unchanged; otherwise the passing choice nearest to
+        the bounded numbers. If none passes, the nearest choice.
         """
         is_changed = (bounded != self.flat(action)).any(axis=-1)
         if not is_changed.any():
@@ -124,7 +132,7 @@ class Choices:
         return chosen if chosen.ndim else chosen[()]
 
     def mask(self, allows: Allows, /) -> NDArray[np.int8]:
-        """1 for each choice that would pass as it is."""
+        """1 for each choice that would pass unchanged."""
         return allows(self._table).astype(np.int8)
 
 

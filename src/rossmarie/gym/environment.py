@@ -16,20 +16,20 @@ from rossmarie.gym.observations import Array, Spots
 
 
 class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
-    """An environment in which only what the rules allow is executed.
+    """An environment that executes only permitted actions.
 
-    The guard has seen the observation that the policy saw when it bounds the action; then it sees
-    the observation that follows, one period later. Time is counted in steps, from 0 in each
-    episode. `info` has:
+    When the guard bounds an action, it has processed the same
+    observation as the policy. Then it processes the next observation, one period later. Time is
+    counted in steps, from 0 in each episode. `info` has:
 
-    - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ, or would
-      with rules that are enforced), `active` (which rules are active at the new observation, in
-      the order of `rules`), `feedback` (that of each rule for this step) and `margin` (at the new
-      observation, in the order of `rules_with_margin`);
+                                - `guard`: the actions `proposed` and `executed`, `intervened` (True
+    if they differ, or would differ if the rules were enforced), `active` (a mask of the active
+    rules at the new observation, in the order of `rules`), `feedback` (of each rule for this step)
+    and `margin` (at the new observation, in the order of `rules_with_margin`);
     - `cost`: 1.0 if a rule was active in the step, added to that of the environment if it has one;
-    - `action_mask`, for choices: 1 for each that would pass as it is in the next step;
-    - `no_choice_passes`, for choices: true if the mask is 0 throughout. The choice that is nearest
-      to what the rules allow is executed then, though they do not allow it.
+    - `action_mask`, for choices: 1 for each choice that would pass unchanged in the next step;
+    - `no_choice_passes`, for choices: True if the whole mask is 0. Then the choice nearest to the
+      permitted numbers is executed, although the rules do not permit it.
     """
 
     def __init__(
@@ -47,17 +47,17 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         enforce: bool = True,
         one_by_one: bool = False,
     ) -> None:
-        """`observe` and `act` are the declarations of `Monitor.guard`; in a dictionary of
-        observations a place stands behind its key, and for choices `act` has a list with the number
-        of each. `latched` says whether a latched rule holds the robot or truncates the episode.
-        `targets` are names of `act` that are places to go to, with the numbers of observations that
-        say where the robot is. `with_feedback` takes the feedback of all rules from the reward.
-        `substeps` is how often the environment computes its physics in a step; then it may tell the
-        guard what there is to see after each, by `observe_substep`. Without `enforce` actions are
-        executed as proposed, and the guard only tells what it would do. With `one_by_one` the
-        topics of an observation arrive one after the other, as at a node of ROS: then verdicts are
-        those of a node, also of rules that look at several topics. The rules are a file, or a
-        monitor of it.
+        """`observe` and `act` are the declarations of `Monitor.guard`. In a dictionary of
+        observations, the key precedes the place; for choices, `act` has a list with the number of
+        each choice. `latched` says whether a latched rule holds the robot or truncates the episode.
+        `targets` maps names of `act` that are target positions to the numbers of the observation
+        with the present position. With `with_feedback`, the feedback of all rules is subtracted
+        from the reward. `substeps` is the number of physics steps of the environment in a step;
+        after each, the environment may report an observation with `observe_substep`. Without
+        `enforce`, actions are executed as proposed, and the guard only reports its decisions. With
+        `one_by_one`, the topics of an observation arrive one after another, as at a ROS node; then
+        verdicts equal those of a node, also for rules that use several topics. `rules` is a file,
+        or a monitor of it.
 
         Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
         fit the rules or the spaces.
@@ -72,7 +72,9 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self._interface = Interface(declared, env.observation_space, env.action_space)
         self.guard = self._interface.guard
         self.decision: Decision | None = None
-        """The decision of the last step: its reasons, and what rules want done beside it."""
+        """The decision of the last step: its reasons, and the requests of rules beside the
+        action.
+        """
         self._with_feedback = with_feedback
         self._one_by_one = one_by_one
         self._substeps = self._interface.require_substeps(substeps)
@@ -91,7 +93,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Any, dict[str, Any]]:
-        """Begin another episode, of which the guard has seen the first observation only."""
+        """Begin another episode. The guard has processed only the first observation."""
         observation, info = self.env.reset(seed=seed, options=options)
         self.guard.restart()
         self.decision = None
@@ -102,7 +104,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         return observation, self._with_mask(info)
 
     def step(self, action: Any) -> tuple[Any, SupportsFloat, bool, bool, dict[str, Any]]:
-        """Take a step with what may be done of an action."""
+        """Perform a step with the permitted form of an action."""
         passed = self._interface.passed(action, self._decide, self.guard.allows)
         self._feedback = np.zeros(len(self.rules))
         self._was_active = False
@@ -128,8 +130,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         return observation, reward, terminated, truncated or is_over, whole
 
     def action_masks(self) -> NDArray[np.bool_]:
-        """Say which choices would pass as they are in the next step, as MaskablePPO asks for them.
-        Raises `TypeError` where actions are no choices.
+        """A mask of the choices that would pass unchanged in the next step, in the form that
+        MaskablePPO needs. Raises `TypeError` if actions are not choices.
         """
         mask = self._interface.actions.mask(self.guard.allows)
         if mask is None:
@@ -137,9 +139,9 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         return mask.astype(np.bool_)
 
     def observe_substep(self, observation: Any) -> None:
-        """Let the guard see an observation in the midst of a step, after one more substep of it:
-        for environments to call. What rules then want holds from the next step on. Raises
-        `ValueError` outside of a step, and if it has no more substeps.
+        """Let the guard process an observation within a step, after one more substep. Environments
+        call it. The reactions of rules take effect in the next step. Raises `ValueError` outside a
+        step, and after the last substep.
         """
         if self._taken == self._substeps:
             raise ValueError(
@@ -150,7 +152,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self._observe(self._begun_ns + elapsed_ns, observation)
 
     def _begin(self) -> None:
-        """An episode begins, of which nothing has been seen."""
+        """Begin an episode without observations."""
         self._begun_ns = self._at_ns = 0
         self._taken = self._substeps
         self._active = np.zeros(len(self.rules), np.bool_)
@@ -158,7 +160,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self._feedback = np.zeros(len(self.rules))
 
     def _observe(self, at_ns: int, observation: Any) -> None:
-        """Let the guard see what there is at an instant of a step."""
+        """Let the guard process an observation at an instant of a step."""
         row = self._interface.observations.row(observation)
         active = self.guard.observe(at_ns, row, one_by_one=self._one_by_one)
         elapsed_ns = at_ns - self._at_ns

@@ -1,5 +1,5 @@
 """The safety interface between a learner and an environment (thesis, section 6.4, figure 5): the
-guard sees observations, and says how much of an action may be done. Of one environment, or of many.
+guard processes observations, and limits actions. It serves one environment, or many.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Latched: TypeAlias = Literal["hold", "truncate"]
 
 @dataclass(frozen=True)
 class Declarations:
-    """All that a user says about an environment; `GuardedEnv` describes it."""
+    """All declarations of a user about an environment. `GuardedEnv` describes them."""
 
     rules: Rules
     period_ns: int
@@ -38,8 +38,8 @@ class Declarations:
 
 
 class Passed(NamedTuple):
-    """An action on its way, or actions: as wanted, as executed, and whether the rules have changed
-    it, or would have.
+    """One action or several: as proposed, as executed, and whether the rules have changed it, or
+    would have.
     """
 
     proposed: Any
@@ -48,7 +48,7 @@ class Passed(NamedTuple):
 
 
 class Interface:
-    """Declarations that fit the rules and the spaces of an environment."""
+    """Declarations checked against the rules and the spaces of an environment."""
 
     def __init__(
         self, declared: Declarations, observations: Space[Any], actions: Space[Any]
@@ -80,13 +80,13 @@ class Interface:
         self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
 
     def require_substeps(self, substeps: int) -> int:
-        """A number of substeps. Raises `MappingError` if a period has not so many."""
+        """A number of substeps. Raises `MappingError` if a period cannot have this number."""
         if not 0 < as_index(substeps) <= self.period_ns:
             raise MappingError(f"a step has at least one substep, not {substeps}")
         return as_index(substeps)
 
     def is_over(self, active: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """True where an active rule truncates the episode."""
+        """A mask: True if an active rule truncates the episode."""
         return np.asarray((active & self._ending).any(axis=-1))
 
     def passed(
@@ -96,8 +96,8 @@ class Interface:
         allows: Allows,
         which: NDArray[np.bool_] | None = None,
     ) -> Passed:
-        """Let an action pass, or actions, as far as the rules allow: `decide` bounds flat ones. In
-        many environments, only those that `which` marks execute theirs.
+        """Let one action or several pass, as far as the rules allow. `decide` bounds flat actions.
+        With many environments, only those that `which` marks execute their actions.
         """
         proposed = self.actions.flat(action)
         speeds = self.targets.speeds(proposed)

@@ -17,9 +17,9 @@ from rossmarie.ir import near_name
 Array: TypeAlias = NDArray[Any]
 Index: TypeAlias = "int | slice"
 Spot: TypeAlias = "Place | str | tuple[str, Index] | tuple[str, Index, str] | list[Any]"
-"""The place of a field: that of `Guard` or, in an observation that is a dictionary, behind the key
-of an entry (`"arm.joints"` for one inside another). A key by itself is all numbers of the entry. A
-list is the same as a tuple, for specifications that went through JSON.
+"""The place of a field: a place of `Guard` or, in an observation that is a dictionary, the key of
+an entry and the place in it (`"arm.joints"` for a nested entry). A key alone means all numbers of
+the entry. A list is the same as a tuple, for specifications from JSON.
 """
 
 Spots: TypeAlias = Mapping[str, Spot]
@@ -28,7 +28,7 @@ _FLOATS = (np.float64, np.float32)
 
 @dataclass(frozen=True)
 class _Leaf:
-    """An entry of observations that holds numbers, `size` of them from `first` on."""
+    """An entry of observations with numbers, `size` of them, beginning at `first`."""
 
     keys: tuple[str | int, ...]
     first: int
@@ -43,7 +43,7 @@ class Observations:
     """The observations of one environment."""
 
     def __init__(self, space: Space[Any]) -> None:
-        """Raises `MappingError` for a space that holds something else than numbers."""
+        """Raises `MappingError` for a space that contains anything but numbers."""
         self._leaves: list[_Leaf] = []
         for keys, part in _parts(space, ()):
             first = self._leaves[-1].first + self._leaves[-1].size if self._leaves else 0
@@ -52,8 +52,8 @@ class Observations:
         self._by_name = {leaf.name: leaf for leaf in self._leaves}
 
     def declared(self, spots: Spots) -> Declared:
-        """The declarations for flat observations. Raises `MappingError` for an entry that there is
-        not.
+        """The declarations for flat observations. Raises `MappingError` for an entry that does not
+        exist.
         """
         return {name: self.place(name, spot) for name, spot in spots.items()}
 
@@ -70,7 +70,9 @@ class Observations:
         return (place, unit[0]) if unit else place
 
     def number(self, name: str, spot: Spot) -> int:
-        """The index of a single number. Raises `MappingError` if it is none."""
+        """The index of a single number. Raises `MappingError` if the place is not a single
+        number.
+        """
         place = self.place(name, spot)
         if isinstance(place, slice):
             places = range(*place.indices(self.size))
@@ -84,7 +86,7 @@ class Observations:
         return self._joined(value, (-1,))
 
     def rows(self, values: Any, count: int) -> Array:
-        """Observations of so many environments, of the shape (count, numbers)."""
+        """Observations of several environments, of shape (count, numbers)."""
         return self._joined(values, (count, -1))
 
     def _leaf(self, name: str, key: str) -> _Leaf:
@@ -104,7 +106,7 @@ class Observations:
 def _parts(
     space: Space[Any], keys: tuple[str | int, ...]
 ) -> Iterator[tuple[tuple[str | int, ...], Space[Any]]]:
-    """The spaces of numbers in a space, in its order."""
+    """The spaces of numbers inside a space, in order."""
     entries: Sequence[tuple[str | int, Space[Any]]] = ()
     match space:
         case spaces.Dict():
@@ -113,7 +115,7 @@ def _parts(
             entries = list(enumerate(space.spaces))
         case spaces.Box() | spaces.Discrete() | spaces.MultiBinary() | spaces.MultiDiscrete():
             yield keys, space
-        case _:  # open: Gymnasium has more spaces, and users make their own
+        case _:  # open: Gymnasium has more spaces, and users define their own
             where = f"entry `{'.'.join(map(str, keys))}` of the observations" if keys else (
                 "observation space"
             )  # fmt: skip

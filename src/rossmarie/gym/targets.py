@@ -1,10 +1,11 @@
-"""Actions that are places to go to, for rules that bound speeds.
+"""Actions that are target positions, for rules that bound speeds.
 
-A rule bounds how fast a robot goes, and blocks it by a speed of 0. Where an action is a target, the
-guard sees how fast the target moves: (target - last target) / period. So a limit on a speed limits
-the steps of the target, and a block holds the last target.
+A rule bounds the speed of a robot, and blocks it with a speed of 0. If an action is a target, the
+guard checks the speed of the target: (target - last target) / period. So a limit on a speed limits
+the steps of the target, and a block keeps the last target.
 
-Works on one action, of shape (m,), and on those of many environments, of shape (n, m).
+All functions work on one action, of shape (m,), and on the actions of many environments, of shape
+(n, m).
 """
 
 from __future__ import annotations
@@ -21,11 +22,11 @@ Floats = NDArray[np.float64]
 
 
 class Targets:
-    """The targets among the numbers of flat actions, and the last ones that were executed."""
+    """The targets among the numbers of flat actions, and the last executed targets."""
 
     def __init__(self, targets: Mapping[str, int], act: Declared, period_ns: int) -> None:
-        """`targets` says for names of `act` which number of an observation is where the robot is.
-        Raises `MappingError` for a name that is no single number of an action.
+        """`targets` maps names of `act` to the number of an observation with the present position.
+        Raises `MappingError` for a name that is not a single number of an action.
         """
         self._seconds = period_ns / 1e9
         self._seen = list(targets.values())
@@ -33,14 +34,14 @@ class Targets:
         self._last: Floats = np.zeros(0)
 
     def reset(self, observations: Array, which: NDArray[np.bool_] | None = None) -> None:
-        """An episode begins where the robot is, in all environments or in those that are marked."""
+        """Begin an episode at the present position, in all environments or in the marked ones."""
         seen = np.array(observations[..., self._seen], np.float64)
         if which is not None and self._last.shape == seen.shape:
             seen = np.where(which[:, None], seen, self._last)
         self._last = seen
 
     def speeds(self, flat: Array) -> Array:
-        """Actions with the speeds of their targets in the places of these."""
+        """Actions in which the speeds of targets replace the targets."""
         if not self._places:
             return flat
         moved = np.array(flat, np.float64)
@@ -48,7 +49,9 @@ class Targets:
         return moved
 
     def back(self, flat: Array, speeds: Array, bounded: Array) -> Array:
-        """The actions to execute: bounded speeds become targets, not further from the last ones."""
+        """The actions to execute: bounded speeds become targets, which are not further from the
+        last targets.
+        """
         if not self._places:
             return bounded
         executed = np.array(flat)
@@ -65,13 +68,13 @@ class Targets:
         return executed
 
     def take(self, executed: Array, which: NDArray[np.bool_] | None = None) -> None:
-        """The targets that were executed, in all environments or in those that are marked."""
+        """Record the executed targets, in all environments or in the marked ones."""
         taken = np.array(executed[..., self._places], np.float64)
         self._last = taken if which is None else np.where(which[:, None], taken, self._last)
 
 
 def with_speeds(act: Declared, names: Mapping[str, int]) -> Declared:
-    """The declarations for a guard: the unit of a target, by the second."""
+    """The declarations for a guard, with the unit of a target per second."""
     return {name: _by_second(place) if name in names else place for name, place in act.items()}
 
 

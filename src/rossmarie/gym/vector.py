@@ -1,4 +1,4 @@
-"""Many environments behind guards, of which one call decides for all."""
+"""Many environments behind guards. One call decides for all of them."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ Mask = NDArray[np.bool_]
 
 
 class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
-    """Environments in which only what the rules allow is executed: each as in a `GuardedEnv`.
+    """Environments that execute only permitted actions, each like a `GuardedEnv`.
 
-    `infos` has the same entries, with a row for each environment, and masks as Gymnasium has them.
-    How an episode ends and the next one begins follows `metadata["autoreset_mode"]`. In the step of
-    NEXT_STEP in which an environment begins anew, its action is ignored: `_executed` is false.
+    `infos` has the same entries, with a row for each environment, and masks in Gymnasium's form.
+    `metadata["autoreset_mode"]` determines how an episode ends and the next one begins. In
+    NEXT_STEP, the step in which an environment begins anew ignores its action: `_executed` is
+    False.
     """
 
     def __init__(
@@ -39,8 +40,8 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         enforce: bool = True,
     ) -> None:
         """The arguments are those of `GuardedEnv`. Environments that begin anew by themselves do
-        not know that a latched rule has truncated an episode, so there `latched` is "hold"; or let
-        each of them be a `GuardedEnv`. Raises what `GuardedEnv` raises.
+        not know that a latched rule has truncated an episode, so for them `latched` is "hold";
+        alternatively, make each of them a `GuardedEnv`. Raises the errors of `GuardedEnv`.
         """
         super().__init__(env)
         self._mode = _mode_of(env)
@@ -80,7 +81,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         return observations, self._with_mask(infos)
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
-        """Take a step in each environment with what may be done of its action."""
+        """Perform a step in each environment with the permitted form of its action."""
         anew = self._ended & (self._mode is AutoresetMode.NEXT_STEP)
         passed = self._interface.passed(
             actions,
@@ -118,7 +119,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
     def _observe(
         self, seen: Array, infos: Mapping[str, Any], anew: Mask, ended: Mask
     ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-        """Let the observations of a step arrive; gives which rules are active at them, and their
+        """Process the observations of a step. Returns a mask of the active rules, and the
         margins.
         """
         last = self._last(seen, infos, ended)
@@ -133,8 +134,8 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         return active, margin
 
     def _last(self, seen: Array, infos: Mapping[str, Any], ended: Mask) -> Array:
-        """The last observations of episodes that have ended, which SAME_STEP gives beside those of
-        the next ones.
+        """The last observations of ended episodes, which SAME_STEP returns beside the first
+        observations of the next episodes.
         """
         if self._mode is not AutoresetMode.SAME_STEP or not ended.any():
             return seen
@@ -144,7 +145,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         return last
 
     def _begin(self, seen: Array, which: Mask) -> None:
-        """Episodes begin in those environments that are marked."""
+        """Begin episodes in the marked environments."""
         self._guards.restart(which)
         self._at_ns[which] = 0
         self._ended = self._ended & ~which
@@ -164,7 +165,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
 
 
 def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:
-    """The way in which environments begin anew."""
+    """The mode in which environments begin anew."""
     if "autoreset_mode" not in env.metadata:
         logger.warn(f"{env} does not say its autoreset_mode; its guard goes by NEXT_STEP")
         return AutoresetMode.NEXT_STEP

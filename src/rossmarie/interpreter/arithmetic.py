@@ -1,7 +1,7 @@
 """Functions of numbers (rules S3 to S6), computed as the core defines them.
 
-Python's floats are IEEE binary64 and round as C's doubles do. Where C gives an infinity or NaN and
-Python raises, this file gives what C does.
+Python's floats are IEEE binary64 and round like C's doubles. If C returns an infinity or NaN and
+Python raises, this module returns the result of C.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from rossmarie.core.expressions import (
 NAN = math.nan
 
 _Values = Sequence[float]
-"""The operands, and behind them the named numbers that have been computed."""
+"""The operands, followed by the named numbers computed so far."""
 
 
 def apply(function: AnyFunction, operands: tuple[float, ...]) -> float:
@@ -46,13 +46,13 @@ def plain(function: AnyFunction, operands: tuple[float, ...]) -> float:
 
 
 def of_samples(function: Sampling, views: tuple[float, ...]) -> float:
-    """The value of a function of samples, of what it looks at among them (S4, S8)."""
+    """The value of a function of samples, from its views of them (S4, S8)."""
     value = _sampling_program(function)(views)
     return value if sampling_row(function).keeps_infinities else finite_or_nan(value)
 
 
 def finite_or_nan(value: float) -> float:
-    """Not finite is not known (S4)."""
+    """A number that is not finite is unknown (S4)."""
     return value if math.isfinite(value) else NAN
 
 
@@ -63,7 +63,7 @@ def _program(function: AnyFunction, count: int) -> Callable[[_Values], float]:
 
 @cache
 def program(function: Subfunction) -> Callable[[_Values], float]:
-    """The computation of a function that others apply, from its operands."""
+    """The computation of a subfunction from its operands."""
     return _program_of(function.expression, len(function.parameters))
 
 

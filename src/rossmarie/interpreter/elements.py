@@ -1,8 +1,8 @@
 """Signals and propositions over the elements of an array or a list (rules S22 to S26, S51 to S54,
 S74).
 
-Every result over an array of which nothing is known is unknown: it has not arrived, has expired, is
-empty, or is a list of too many elements. A list without elements is known.
+Every result over an unknown array is unknown. An array is unknown if it has not arrived, has
+expired, is empty, or is a list of too many elements. A list without elements is known.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from rossmarie.ir.comparison import compare, is_between, is_set
 
 
 class Elements:
-    """Evaluates what exists once for each element of an array, beside numbers of the evaluation in
-    which the elements arrive.
+    """Evaluates elementwise nodes, once for each element of an array, with the numbers of the
+    evaluation in which the elements arrive.
     """
 
     def __init__(self, machine: ir.Machine, memory: Memory) -> None:
@@ -29,8 +29,8 @@ class Elements:
         self._arrays = ir.element_arrays(machine)
 
     def fold(self, node: ir.Fold) -> float:
-        """The least or greatest element; NaN if one is NaN, or nothing is known (S23). Of no
-        elements of a list, what leaves any other number as it is (S53).
+        """The least or greatest element; NaN if an element is NaN, or the array is unknown (S23).
+        Over an empty list, the neutral element of the fold (S53).
         """
         if not self._is_known(self._arrays.signals[node.element]):
             return NAN
@@ -40,8 +40,8 @@ class Elements:
         return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values, first)
 
     def count(self, node: ir.Count) -> float:
-        """For how many elements a proposition is true; NaN if it is unknown for one, or nothing is
-        known (S24).
+        """The number of elements for which a proposition is true; NaN if it is unknown for one
+        element, or the array is unknown (S24).
         """
         values = self._propositions(node.element)
         if (
@@ -52,7 +52,7 @@ class Elements:
         return float(values.count(TruthValue.TRUE))
 
     def quantified(self, node: ir.Quantified) -> TruthValue:
-        """Kleene's disjunction or conjunction over the elements; unknown if nothing is known
+        """Kleene's disjunction or conjunction over the elements; unknown if the array is unknown
         (S25).
         """
         if not self._is_known(self._arrays.propositions[node.element]):
@@ -83,7 +83,7 @@ class Elements:
 
     def _signal(self, index: int, place: int) -> float:
         if self._arrays.signals[index] is None:
-            # S74: signals stand before their users, so that this one has its value of now.
+            # S74: signals precede their users, so this signal has its present value.
             return self._memory.signals[index]
         match self._machine.signals[index].node:
             case ir.Element(array=array):

@@ -1,7 +1,7 @@
 """One evaluation: every signal, then every proposition, from left to right.
 
-Before it, the inputs in memory are brought up to the instant. All nodes are evaluated each time; a
-target may leave out those that cannot have changed.
+The inputs in memory are updated before. All nodes are evaluated each time; a target may skip nodes
+that cannot have changed.
 """
 
 from __future__ import annotations
@@ -29,7 +29,9 @@ class Evaluator:
         self.elements = Elements(machine, memory)
 
     def evaluate(self, at_ns: int, updated: frozenset[int], expired: frozenset[int]) -> None:
-        """Evaluate at an instant at which these channels were updated and these inputs expired."""
+        """Evaluate at an instant at which these channels were updated and these inputs have
+        expired.
+        """
         for index, signal in enumerate(self._machine.signals):
             if self._element_arrays.signals[index] is None:
                 value = self._signal(index, signal.node, at_ns, updated, expired)
@@ -40,7 +42,9 @@ class Evaluator:
                 self._record(index, value, at_ns)
 
     def _record(self, index: int, value: TruthValue, at_ns: int) -> None:
-        """S34: since when a proposition has its value; the first evaluation counts as a change."""
+        """S34: record the instant at which a proposition got its value. The first evaluation counts
+        as a change.
+        """
         if self._memory.truth_values[index] is not value:
             self._memory.truth_values[index] = value
             self._memory.since_ns[index] = at_ns
@@ -77,7 +81,7 @@ class Evaluator:
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> float:
-        """S26, S74: found when the elements arrive, forgotten when an input expires."""
+        """S26, S74: computed when the elements arrive, forgotten when an input expires."""
         support = self._supports.signals[index]
         if support.channels & updated:
             if isinstance(node, ir.Fold):
@@ -93,7 +97,7 @@ class Evaluator:
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> float:
-        """S18 and S21; what a function that feeds back remembers of a sample is its result."""
+        """S18 and S21. A function that feeds back stores its result instead of a sample."""
         support = self._supports.signals[node.signal]
         samples = self._memory.samples[index]
         feeds_back = sampling_row(node.function).feeds_back
@@ -175,7 +179,7 @@ class Evaluator:
         return self._memory.quantified[index]
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> TruthValue:
-        """S30: an unknown leaf is stale if that is for lack of an input with a timeout."""
+        """S30: an unknown leaf is stale if the cause is an input with a timeout that is missing."""
         support = self._supports.propositions[index]
         lacking = {
             self._machine.slots[slot].input
@@ -192,9 +196,9 @@ class Evaluator:
         return TruthValue.STALE if is_stale else TruthValue.UNKNOWN
 
     def _is_excused(self, support: ir.Support) -> bool:
-        """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a
-        number that is not there, elements out of range (REP 117), a list without elements, or a
-        sample still to come.
+        """S30: say whether a leaf is unknown because of its operands and not because of its
+        arithmetic: a missing number, elements out of range (REP 117), an empty list, or a sample
+        that has not come yet.
         """
         memory, supports = self._memory, self._supports.signals
         values = [memory.slots[slot] for slot in support.slots]

@@ -30,7 +30,7 @@ _BLOCKED = FieldBounds(1.0, 0.0, 0.0)
 
 @dataclass
 class Force:
-    """The state of a limit: in force, or since when it is being lifted."""
+    """The state of a limit: in force, or the instant from which it is being lifted."""
 
     is_on: bool = False
     lifted_ns: int | None = None
@@ -48,7 +48,7 @@ _NOTHING = Force()
 
 
 class Filter:
-    """The limits on the command topics: those in force, and those that are being lifted."""
+    """The limits on the command topics: in force, or being lifted."""
 
     def __init__(self, reactions: Reactions) -> None:
         self._reactions = reactions
@@ -61,39 +61,41 @@ class Filter:
 
     @classmethod
     def of(cls, reactions: Reactions, task: int, force: Force) -> Filter:
-        """A filter that is open, in which no limit counts but this one."""
+        """An open filter in which only this limit counts."""
         found = cls(reactions)
         found._forces[task] = force
         found._is_open = True
         return found
 
     def open(self) -> None:
-        """All inputs with a timeout have arrived once, or the grace period is over (R12)."""
+        """Open the filter: all inputs with a timeout have arrived once, or the grace period is over
+        (R12).
+        """
         self._is_open = True
 
     def lifted_ns(self, task: int) -> int:
-        """Since when a limit has been lifted; `NEVER_NS` for all else."""
+        """The instant from which a limit is being lifted; `NEVER_NS` for all other tasks."""
         force = self._forces.get(task, _NOTHING)
         return ir.NEVER_NS if force.lifted_ns is None else force.lifted_ns
 
     def start(self, task: int) -> None:
-        """A task is ordered to start; of limits and scales it takes note."""
+        """Note that a task is ordered to start. Only limits and scales matter."""
         if task in self._forces:
             self._forces[task] = Force(is_on=True)
 
     def stop(self, task: int, at_ns: int) -> None:
-        """A task is ordered to stop."""
+        """Note that a task is ordered to stop."""
         if task in self._forces:
             self._forces[task] = Force(is_on=False, lifted_ns=at_ns)
 
     def set_back(self, now_ns: int, at_ns: int) -> None:
-        """R14: from `now_ns` to an earlier instant."""
+        """R14: move all instants back from `now_ns` to an earlier instant."""
         for force in self._forces.values():
             if force.lifted_ns is not None:
                 force.lifted_ns = at_ns - min(now_ns - force.lifted_ns, ir.LONGEST_NS)
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
-        """R11: of each field of a command topic, in the units of the message."""
+        """R11: the bounds of each field of a command topic, in the units of the message."""
         count = len(self._reactions.commands[command].fields)
         if not self._is_open or not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
             return (_BLOCKED,) * count

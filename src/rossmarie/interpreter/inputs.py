@@ -1,4 +1,4 @@
-"""Messages in, and inputs that grow old (rules S7 to S10 and S17)."""
+"""Arriving messages, and inputs that become stale (rules S7 to S10 and S17)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Inputs:
         self._columns = [ir.columns_of(machine, each) for each in range(len(machine.lists))]
 
     def receive(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
-        """Messages arrive at an instant, by channel index."""
+        """Process messages at an instant, by channel index."""
         for index, declared in enumerate(self._machine.inputs):
             if declared.channel in messages:
                 self._memory.inputs[index].state = InputState.FRESH
@@ -27,7 +27,7 @@ class Inputs:
         for index, slot in enumerate(self._machine.slots):
             if (values := messages.get(self._channel(slot.input))) is not None:
                 raw = values.slots.get(index, NAN)
-                # S7: what is not finite was not measured.
+                # S7: a number that is not finite is not a measurement.
                 self._memory.slots[index] = finite_or_nan(_convert(raw, slot))
         for index, array in enumerate(self._machine.arrays):
             if (values := messages.get(self._channel(array.input))) is not None:
@@ -38,7 +38,7 @@ class Inputs:
                 self._memory.arrays[index] = elements
 
     def expire(self, at_ns: int) -> frozenset[int]:
-        """S10: the inputs that reach their timeout; what they brought is forgotten."""
+        """S10: the inputs that reach their timeout. Their values are forgotten."""
         expired = frozenset(
             index for index in range(len(self._machine.inputs)) if self._is_due(index, at_ns)
         )
@@ -55,8 +55,8 @@ class Inputs:
     def _arrived(
         self, index: int, array: ir.Array, values: ChannelValues
     ) -> Sequence[float] | None:
-        """The elements of an array in a message. None if nothing was observed: an array without
-        elements (S24), or a list that is not known (S51).
+        """The elements of an array in a message. None if the array was not observed: an array
+        without elements (S24), or an unknown list (S51).
         """
         if array.list is None:
             return values.arrays.get(index) or None
@@ -64,8 +64,8 @@ class Inputs:
         return None if ir.known_count(values, columns, most) is None else values.arrays[index]
 
     def restart(self, at_ns: int) -> None:
-        """S17: after a jump every input is as old as it was before. No limit on an age is above
-        `LONGEST_NS`, so older ones count as that old.
+        """S17: after a jump, every input is as old as before. No limit on an age is above
+        `LONGEST_NS`, so older inputs count as that old.
         """
         now_ns = self._memory.now_ns
         assert now_ns is not None, "only a clock that ran can jump"

@@ -1,7 +1,8 @@
-"""The meaning of a machine, executable: the oracle of every target.
+"""The executable semantics of a machine: the reference for every target.
 
-Takes a machine that `ir.verify` has passed. Follows `docs/explanation/semantics.md` rule by rule
-(S1, S2, ... in the comments) and prefers clarity to speed: everything is evaluated every time.
+The input is a machine that `ir.verify` has passed. The code follows `docs/explanation/semantics.md`
+rule by rule (S1, S2, ... in the comments) and prefers clarity to speed: every node is evaluated
+every time.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from rossmarie.ir import (
 
 class Interpreter:
     """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
+    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside that range.
     """
 
     def __init__(self, machine: ir.Machine) -> None:
@@ -48,7 +49,9 @@ class Interpreter:
 
     @property
     def arrays(self) -> tuple[Sequence[float], ...]:
-        """The present elements of each array, by index; none before they arrive or once stale."""
+        """The present elements of each array, by index; none before they arrive or after they
+        expire.
+        """
         return tuple(() if found is None else found for found in self._memory.arrays)
 
     def elements(self, signal: int) -> Sequence[float]:
@@ -63,7 +66,7 @@ class Interpreter:
 
     @property
     def readings(self) -> tuple[float, ...]:
-        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        """The values of the signals that memories of poses use, by index; NaN if unknown."""
         return tuple(self._memory.signals[signal] for signal in self._machine.readings)
 
     @property
@@ -79,24 +82,26 @@ class Interpreter:
         return self._memory.now_ns - present.stamp_ns
 
     def latch(self, rule: int) -> None:
-        """Before the first event: a latched rule is active, as it was when somebody wrote that
-        down (S42). Afterwards, and on other rules, this has no effect.
+        """Before the first event, make a latched rule active, as it was when its state was saved
+        (S42). Afterwards, and on other rules, this has no effect.
         """
         if self._memory.now_ns is None and self._machine.rules[rule].release is None:
             self._active[rule] = True
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if no message comes before (S15)."""
+        """The instant at which `advance` has to be called if no message comes before (S15); None if
+        there is none.
+        """
         return next_wake(self._machine, self._memory)
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
-        """The messages that arrive at one instant, by channel index."""
+        """Process the messages that arrive at one instant, by channel index."""
         events = self._catch_up(at_ns)
         self._inputs.receive(at_ns, messages)
         return events + self._evaluate(at_ns, frozenset(messages))
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message; timers due at this very instant fire as well."""
+        """Let time pass without a message. Timers due exactly at this instant fire."""
         is_new = self._memory.now_ns is None or at_ns < self._memory.now_ns
         events = self._catch_up(at_ns)
         wake_ns = self.next_wake()
@@ -106,7 +111,9 @@ class Interpreter:
         return events
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all: those with a false condition clear (S38)."""
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear (S38).
+        """
         events = self.advance(at_ns)
         resettable = range(len(self._machine.rules)) if rule is None else (rule,)
         for index in resettable:
@@ -117,7 +124,7 @@ class Interpreter:
     # --- time --------------------------------------------------------------------------------
 
     def _catch_up(self, at_ns: int) -> list[Event]:
-        """S13: timers due before an instant fire first. S17: an earlier instant is a jump."""
+        """S13: fire the timers due before an instant. S17: handle an earlier instant as a jump."""
         if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
             raise ValueError(f"an instant of {at_ns} ns is out of range")
         now_ns = self._memory.now_ns
@@ -144,7 +151,7 @@ class Interpreter:
     # --- rules -------------------------------------------------------------------------------
 
     def _due_change(self, index: int) -> Change | None:
-        """S35 to S37: what an evaluation does to a rule."""
+        """S35 to S37: the change of a rule in an evaluation; None if there is none."""
         rule = self._machine.rules[index]
         if not self._active[index]:
             return _ACTIVATIONS.get(self._proposition(rule.condition))
@@ -153,7 +160,7 @@ class Interpreter:
         return Change.CLEARED if self._proposition(rule.release) is TruthValue.TRUE else None
 
     def _is_over(self, index: int) -> bool:
-        """Say whether a rule is active and its condition false."""
+        """Say whether a rule is active and its condition is false."""
         condition = self._machine.rules[index].condition
         return self._active[index] and self._proposition(condition) is TruthValue.FALSE
 
@@ -163,7 +170,9 @@ class Interpreter:
         return value
 
     def _change(self, index: int, change: Change, at_ns: int) -> Verdict:
-        """Change a rule and say so, with a snapshot of what it rests on (S41)."""
+        """Change a rule and return the verdict, with a snapshot of the values that it depends on
+        (S41).
+        """
         self._active[index] = change is not Change.CLEARED
         rule = self._machine.rules[index]
         return Verdict(

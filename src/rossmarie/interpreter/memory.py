@@ -1,4 +1,6 @@
-"""The memory of a monitor between two evaluations. Bounded: nothing here grows with the trace."""
+"""The memory of a monitor between two evaluations. Its size is bounded: nothing grows with the
+trace.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +27,8 @@ class InputMemory:
 
 
 class Samples:
-    """The last two samples of a signal (S18), or those in a window, at most `MOST_SAMPLES`. Of a
-    function that feeds back (S50) they are its results.
+    """The last two samples of a signal (S18), or the samples in a window, at most `MOST_SAMPLES`.
+    For a function that feeds back (S50), its results.
     """
 
     def __init__(self, node: ir.Sampled) -> None:
@@ -36,11 +38,11 @@ class Samples:
         self._kept: deque[tuple[int, float]] = deque(maxlen=MOST_SAMPLES if has_window else 2)
 
     def forget(self) -> None:
-        """There are none."""
+        """Forget all samples."""
         self._kept.clear()
 
     def take(self, value: float, at_ns: int) -> None:
-        """A sample; at an equal instant it replaces the last one."""
+        """Take a sample. At an equal instant it replaces the last sample."""
         if self._kept and self._kept[-1][0] == at_ns:
             self._kept.pop()
         while self._window_ns and self._kept and at_ns - self._kept[0][0] >= self._window_ns:
@@ -48,7 +50,7 @@ class Samples:
         self._kept.append((at_ns, value))
 
     def view(self, view: View) -> float:
-        """A number found among them; NaN if it is not there."""
+        """A number derived from the samples; NaN if samples are missing."""
         match view:
             case View.NEWEST:
                 return self._kept[-1][1] if self._kept else NAN
@@ -75,7 +77,9 @@ class Samples:
         return reduce(operator.add, values) if values else NAN
 
     def _ranked(self, rank: int) -> float:
-        """The sample of a window with so many others before it by size; of equals, the earlier."""
+        """The sample of a window that has `rank` smaller samples before it. Among equal samples,
+        the earlier comes first.
+        """
         values = [value for _, value in self._kept]
         if not values or any(map(math.isnan, values)):
             return NAN
@@ -84,8 +88,8 @@ class Samples:
 
 @dataclass
 class HeldMemory:
-    """Since when the operand of a `for` has been true, and its value before (S33). Before the start
-    it is true only if it counts as such.
+    """The instant from which the operand of a `for` has been true, and its value before (S33).
+    Before the start, the operand counts as true only if declared so.
     """
 
     start_ns: int | None = None
@@ -93,7 +97,7 @@ class HeldMemory:
 
 
 class Direction(enum.Enum):
-    """Where an oscillating signal is going."""
+    """The direction of an oscillating signal."""
 
     NONE = "none"
     UP = "up"
@@ -104,8 +108,8 @@ class Direction(enum.Enum):
 class Recent:
     """The instants of the last few turning points or edges, counted within a window (S32, S48).
 
-    `gap` is what their source was when it was last unknown, and `gap_end_ns` when that ended; None
-    while it lasts.
+    `gap` is the value of their source when it was last unknown, and `gap_end_ns` the instant at
+    which that ended; None while it lasts.
     """
 
     instants: deque[int]
@@ -113,12 +117,12 @@ class Recent:
     gap_end_ns: int | None = 0
 
     def forget(self, at_ns: int) -> None:
-        """Nothing is known of what was before (S17)."""
+        """Forget the past (S17)."""
         self.instants.clear()
         self.gap, self.gap_end_ns = TruthValue.UNKNOWN, at_ns
 
     def look(self, source: TruthValue, window_ns: int, at_ns: int) -> TruthValue:
-        """Say whether enough lie in the window, the source of them being known or not."""
+        """Say whether enough instants lie in the window, given whether their source is known."""
         if source in (TruthValue.UNKNOWN, TruthValue.STALE):
             self.gap, self.gap_end_ns = source, None
         elif self.gap_end_ns is None:
@@ -130,19 +134,19 @@ class Recent:
         return self.gap if is_near else TruthValue.FALSE
 
     def oldest_ns(self) -> int | None:
-        """The instant of the n-th latest, once there are that many."""
+        """The instant of the n-th latest; None if there are fewer."""
         return self.instants[0] if len(self.instants) == self.instants.maxlen else None
 
 
 @dataclass
 class Recurrence:
-    """The edges of a condition (S48), and what that was in the evaluation before."""
+    """The edges of a condition (S48), and its value in the evaluation before."""
 
     recent: Recent
     before: TruthValue = TruthValue.FALSE
 
     def take(self, value: TruthValue, at_ns: int) -> None:
-        """The value of the condition in an evaluation."""
+        """Take the value of the condition in an evaluation."""
         if value is TruthValue.TRUE and self.before is TruthValue.FALSE:
             self.recent.instants.append(at_ns)
         self.before = value
@@ -157,13 +161,13 @@ class Oscillation:
     extreme: float = NAN
 
     def clear(self) -> None:
-        """Nothing is known of the signal any more."""
+        """Forget the signal."""
         self.recent.instants.clear()
         self.direction = Direction.NONE
         self.extreme = NAN
 
     def take(self, x: float, swing: float, at_ns: int) -> None:
-        """A finite sample."""
+        """Take a finite sample."""
         if math.isnan(self.extreme) or self._goes_on(x):
             self.extreme = x
         elif self.direction is not Direction.UP and x > self.extreme + swing:
@@ -185,10 +189,10 @@ class Oscillation:
 
 @dataclass
 class Memory:
-    """All of it, by the indexes of the machine. Elementwise signals and propositions have no entry
-    of their own: they stay NaN and None. `since` holds what each `since` was at the last
-    evaluation. An array of which nothing is known is None. `quantified` are the answers of
-    quantifiers from when their elements arrived (S26).
+    """The whole memory, by the indices of the machine. Elementwise signals and propositions have no
+    entry of their own: they stay NaN and None. `since` holds the value of each `since` at the last
+    evaluation. An unknown array is None. `quantified` holds the answers of quantifiers, computed
+    when their elements arrived (S26).
     """
 
     slots: list[float]
@@ -221,7 +225,7 @@ class Memory:
 
 
 def fresh_memory(machine: ir.Machine) -> Memory:
-    """The memory of a monitor that has seen nothing."""
+    """The memory of a monitor in its initial state."""
     return Memory(
         slots=[NAN] * len(machine.slots),
         arrays=[None] * len(machine.arrays),

@@ -1,8 +1,8 @@
-"""The meaning of reactions, executable: the oracle of the generated reactors.
+"""The executable semantics of reactions: the reference for the generated reactors.
 
-Takes the reactions of a machine that `ir.verify` has passed. Follows
-`docs/explanation/reactions.md` rule by rule (R1, R2, ... in the comments). It decides and
-remembers; whoever drives it carries its orders out, and reports what came of them.
+The input is the reactions of a machine that `ir.verify` has passed. The code follows
+`docs/explanation/reactions.md` rule by rule (R1, R2, ... in the comments). The reactor decides and
+remembers. Its owner carries out the orders, and reports their results.
 """
 
 from __future__ import annotations
@@ -40,7 +40,9 @@ class Progress:
 
 @dataclass
 class Engagement:
-    """The memory of an engaged rule: the stage it is at, and its tasks as they started."""
+    """The memory of an engaged rule: its current stage, and its tasks in the order of their
+    start.
+    """
 
     stage: int = 0
     started: list[int] = field(default_factory=list)
@@ -50,9 +52,9 @@ class Reactor:
     """Turns the activity of rules into orders. Instants are nanoseconds on one clock, between
     `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside that range.
 
-    `active` says of each rule whether it is active and not exempted (R1), `watches` what the
-    confirmations of `cancel` are worth, in the order of `Machine.watches`; `readings` are the
-    numbers that memories of poses ask, in the order of `Machine.readings`. Without them nothing is
+    `active` holds, for each rule, whether it is active and not exempted (R1), and `watches` the
+    values of the confirmations of `cancel`, in the order of `Machine.watches`. `readings` are the
+    numbers for memories of poses, in the order of `Machine.readings`; without them nothing is
     recorded.
     """
 
@@ -71,13 +73,13 @@ class Reactor:
 
     @property
     def states(self) -> tuple[State, ...]:
-        """Where each task stands, by index."""
+        """The state of each task, by index."""
         return tuple(progress.state for progress in self._tasks)
 
     @property
     def since_ns(self) -> tuple[int, ...]:
-        """Since when each task has been as it is; `NEVER_NS` for one that rests, unless it is a
-        limit or scale that was lifted.
+        """The instant from which each task has been in its state; `NEVER_NS` for an idle task,
+        unless it is a limit or scale that was lifted.
         """
         return tuple(
             self._filter.lifted_ns(task) if progress.state is State.IDLE else progress.started_ns
@@ -85,8 +87,8 @@ class Reactor:
         )
 
     def open(self) -> None:
-        """Commands may pass: every input with a timeout has arrived once, or has had its time
-        (R12).
+        """Let commands pass: every input with a timeout has arrived once, or its grace period is
+        over (R12).
         """
         self._filter.open()
 
@@ -97,7 +99,7 @@ class Reactor:
         watches: Sequence[TruthValue],
         readings: Sequence[float] = (),
     ) -> list[Order]:
-        """The orders that follow from which rules are active at an instant."""
+        """The orders that follow from the active rules at an instant."""
         self._set_clock(at_ns)
         engaged = self._engaged(active)
         for rule, is_engaged in enumerate(engaged):
@@ -115,7 +117,9 @@ class Reactor:
     def report(
         self, at_ns: int, task: int, success: bool, watches: Sequence[TruthValue]
     ) -> list[Order]:
-        """The orders that follow from how a task ended; of one that is not running, none (R6)."""
+        """The orders that follow from the end of a task; none for a task that is not running
+        (R6).
+        """
         self._set_clock(at_ns)
         if self._tasks[task].state is State.RUNNING:
             if success:
@@ -125,7 +129,9 @@ class Reactor:
         return self._settle(watches)
 
     def next_wake(self) -> int | None:
-        """The earliest instant ahead at which a task runs out of time, or sends a pose (R13)."""
+        """The earliest future instant at which a task times out, or sends a pose (R13); None if
+        there is none.
+        """
         ends = [due_ns for _, due_ns in self._deadlines(State.RUNNING, State.WAITING)]
         ends += self._retracing.wakes(self._holding())
         return min((due_ns for due_ns in ends if due_ns > self._now_ns), default=None)
@@ -135,7 +141,7 @@ class Reactor:
         return self._filter.bounds(at_ns, command)
 
     def _engaged(self, active: Sequence[bool]) -> list[bool]:
-        """R1: of each rule whether it is carried out."""
+        """R1: for each rule, whether it is carried out."""
         return [
             active[rule] and not any(active[other] for other in plan.unless)
             for rule, plan in enumerate(self._reactions.plans)
@@ -144,7 +150,7 @@ class Reactor:
     # --- time --------------------------------------------------------------------------------
 
     def _set_clock(self, at_ns: int) -> None:
-        """R14: what was a old stays a old when the clock is set back."""
+        """R14: ages stay the same when the clock is set back."""
         ir.require_instant(at_ns)
         if at_ns < self._now_ns:
             for progress in self._tasks:
@@ -154,7 +160,7 @@ class Reactor:
         self._now_ns = at_ns
 
     def _deadlines(self, *states: State) -> list[tuple[int, int]]:
-        """The tasks in these states whose end is awaited, each with when it runs out of time."""
+        """The tasks in these states whose end is awaited, each with the instant of its timeout."""
         return [
             (task, progress.started_ns + timeout_ns)
             for task, progress in enumerate(self._tasks)
@@ -165,8 +171,8 @@ class Reactor:
     # --- resources ---------------------------------------------------------------------------
 
     def _overruler(self, task: int) -> int | None:
-        """R2: the engaged rule that has the resource of a task, unless it is the task's own, or
-        publishes the same.
+        """R2: the engaged rule that owns the resource of a task; None if it is the task's own rule,
+        or publishes the same message.
         """
         resource = self._reactions.tasks[task].resource
         if resource is None:
@@ -181,7 +187,9 @@ class Reactor:
         return not self._rests(rule) and resource in needed
 
     def _pass_resources_on(self) -> None:
-        """R8: first all that is given up, then what follows from that, then what begins again."""
+        """R8: first everything is given up, then the consequences follow, then tasks start
+        again.
+        """
         overruled = {
             task: by
             for task, progress in enumerate(self._tasks)
@@ -205,7 +213,9 @@ class Reactor:
             progress.state = State.DONE
 
     def _wait(self, task: int) -> None:
-        """R7, R8: of what runs the time goes on; what has no time and an `else` fails at once."""
+        """R7, R8: the time of a running task goes on. A task without a time limit but with an
+        `else` fails at once.
+        """
         progress = self._tasks[task]
         if progress.state is not State.RUNNING:
             progress.started_ns = self._now_ns
@@ -216,7 +226,7 @@ class Reactor:
     # --- plans -------------------------------------------------------------------------------
 
     def _start_stage(self, rule: int) -> None:
-        """R3: the stage that a rule is at, if it is not at the end."""
+        """R3: start the current stage of a rule, unless the plan is finished."""
         stages = self._reactions.plans[rule].stages
         stage = self._engagement(rule).stage
         if stage < len(stages):
@@ -224,8 +234,8 @@ class Reactor:
             self._escalate()
 
     def _start(self, tasks: Iterable[int]) -> None:
-        """R4, R7: those whose resource another rule has do not begin. What has followed from an
-        earlier failure does not follow again (R6).
+        """R4, R7: tasks whose resource another rule owns do not start. An escalation that has
+        followed an earlier failure does not follow again (R6).
         """
         for task in tasks:
             if self._tasks[task].state is not State.IDLE:
@@ -256,14 +266,16 @@ class Reactor:
         self._failures.append(task)
 
     def _escalate(self) -> None:
-        """R6: what follows from failures, those that follow from these included."""
+        """R6: start the escalations of failed tasks, including the escalations of failed
+        escalations.
+        """
         while self._failures:
             task = self._failures.pop(0)
             self._order(OrderKind.FAILED, task)
             self._start(self._reactions.tasks[task].otherwise)
 
     def _release(self, rule: int) -> None:
-        """R9: what is in force is undone, last started first, and all is forgotten."""
+        """R9: undo everything that is in force, in reverse order of the start, and forget it."""
         if self._rests(rule):
             return
         for task in reversed(self._engagement(rule).started):
@@ -274,7 +286,9 @@ class Reactor:
         self._engagements[rule] = None
 
     def _settle(self, watches: Sequence[TruthValue]) -> list[Order]:
-        """Ends of tasks (R4, R15), then stages that follow (R5); gives all orders of the call."""
+        """Handle ends of tasks (R4, R15), then start following stages (R5). Returns all orders of
+        the call.
+        """
         for task, due_ns in self._deadlines(State.RUNNING):
             is_over = self._tasks[task].is_reported and self._is_confirmed(task, watches)
             if is_over and self._now_ns <= due_ns:
@@ -310,7 +324,7 @@ class Reactor:
         return confirmation is None or watches[confirmation] is TruthValue.TRUE
 
     def _is_answered(self, task: int, watches: Sequence[TruthValue]) -> bool:
-        """R15: whether what a waiting task is there for is so without it."""
+        """R15: say whether the goal of a waiting task is reached without the task."""
         if reactions.confirmation(self._effect(task)) is not None:
             return self._is_confirmed(task, watches)
         owner = self._overruler(task)

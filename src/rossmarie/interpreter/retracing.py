@@ -1,4 +1,4 @@
-"""The memories of poses, and the sending of them (rules R16 and R17)."""
+"""The memories of poses, and their sending (rules R16 and R17)."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ Pose = tuple[float, ...]
 
 @dataclass
 class _Kept:
-    """The poses of a memory, the oldest first; when the last one was recorded; and whether all
-    readings were known at the last look.
+    """The poses of a memory, the oldest first, the instant of the last recording, and whether all
+    readings were known at the last evaluation.
     """
 
     memory: Memory
@@ -26,7 +26,9 @@ class _Kept:
     is_known: bool = False
 
     def record(self, at_ns: int, pose: Pose) -> None:
-        """R16: a pose that is known and far enough from the last one; the oldest makes room."""
+        """R16: record a known pose far enough from the last one. If the memory is full, the oldest
+        pose is dropped.
+        """
         if not self.is_known or not self._is_apart(at_ns, pose):
             return
         if len(self.poses) == self.memory.most:
@@ -44,7 +46,7 @@ class _Kept:
 
 
 class Retracing:
-    """All memories of a machine, and when each task that retraces has sent last."""
+    """All memories of a machine, and the instant at which each retracing task has last sent."""
 
     def __init__(self, reactions: Reactions) -> None:
         tasks = enumerate(reactions.tasks)
@@ -73,7 +75,7 @@ class Retracing:
             kept.recorded_ns -= by_ns
 
     def record(self, at_ns: int, engaged: Sequence[bool], readings: Sequence[float]) -> None:
-        """R16: nothing while a rule is carried out that retraces the memory."""
+        """R16: record nothing while a rule that retraces the memory is carried out."""
         for kept in self._memories if readings else ():
             pose = tuple(readings[each] for each in kept.memory.readings)
             kept.is_known = all(map(math.isfinite, pose))
@@ -81,7 +83,7 @@ class Retracing:
                 kept.record(at_ns, pose)
 
     def begin(self, task: int) -> None:
-        """A task starts: its first pose is due at once."""
+        """Begin a task. Its first pose is due at once."""
         self._sent_ns.pop(task, None)
 
     def orders(self, at_ns: int, holding: Sequence[int]) -> list[Order]:
@@ -96,13 +98,13 @@ class Retracing:
         return found
 
     def wakes(self, holding: Sequence[int]) -> list[int]:
-        """R13: when each task in force sends next."""
+        """R13: the instants at which the tasks in force send next."""
         due = (self._due_ns(task) for task in holding)
         return [each for each in due if each is not None]
 
     def _due_ns(self, task: int) -> int | None:
-        """The instant from which on a task sends its next pose, None if it has none, or nobody
-        knows where the robot is.
+        """The instant from which a task may send its next pose; None if it has none, or if the
+        robot's position is unknown.
         """
         effect = self._effects.get(task)
         kept = None if effect is None else self._memories[effect.memory]

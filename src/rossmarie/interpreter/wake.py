@@ -1,4 +1,4 @@
-"""When anything can change by itself (rule S15)."""
+"""The next instant at which a value can change without a message (rule S15)."""
 
 from __future__ import annotations
 

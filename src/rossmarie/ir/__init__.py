@@ -1,4 +1,4 @@
-"""The monitor machine: its model, what it says, and the queries that every target asks of it."""
+"""The monitor machine: its model, its verdicts, and the queries that every target needs."""
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions

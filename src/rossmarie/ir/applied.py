@@ -1,4 +1,4 @@
-"""The functions of numbers that a machine calls: targets define no others."""
+"""The functions of numbers that a machine calls. Targets define only these."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from rossmarie.ir import model as ir
 
 
 def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
-    """The functions that signals apply, with how many operands, in the order of the core."""
+    """The functions that signals apply, with their numbers of operands, in the order of the
+    core.
+    """
     found = set()
     for signal in machine.signals:
         match signal.node:
@@ -26,7 +28,7 @@ def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
 
 
 def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:
-    """The functions of samples that signals are, in the order of the core."""
+    """The functions of samples that signals use, in the order of the core."""
     nodes = (signal.node for signal in machine.signals)
     found = {node.function for node in nodes if isinstance(node, ir.Sampled)}
     return tuple(each for each in Sampling if each in found)

@@ -1,4 +1,4 @@
-"""Many updates in columns, and what a monitor finds in them."""
+"""Many updates in columns, and the findings of a monitor on them."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ if TYPE_CHECKING:  # numpy is slow to import, and most commands never need it
 
 
 class Elements(NamedTuple):
-    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. Where `known` is 0,
-    update i has no such array, and a list of which that is a column is not known.
+    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. If `known` is 0,
+    update i has no such array; then a list with this column is unknown.
     """
 
     values: NDArray[np.float64]
@@ -31,8 +31,8 @@ class Batch:
     """Updates that follow each other.
 
     `arriving` has the shape (updates, channels), with 1 where there is a message on a channel;
-    `slots` has the shape (updates, slots), with NaN where nothing is known; `arrays` has one entry
-    for each array of the machine. Values are in the units of the messages, as in `ChannelValues`.
+    `slots` has the shape (updates, slots), with NaN for unknown values; `arrays` has one entry for
+    each array of the machine. Values are in the units of the messages, as in `ChannelValues`.
     """
 
     times_ns: NDArray[np.int64]
@@ -44,8 +44,8 @@ class Batch:
 class Taken(NamedTuple):
     """The findings of a monitor in a batch: events, and samples of some signals.
 
-    `values` has the shape (samples, signals): the values after each update, and before it wherever
-    a timer was due. They are in SI units, and NaN where they are unknown.
+    `values` has the shape (samples, signals): the values after each update, and before it if a
+    timer was due. They are in SI units, and NaN where they are unknown.
     """
 
     events: list[Event]

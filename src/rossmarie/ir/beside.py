@@ -1,7 +1,7 @@
-"""The numbers beside elements (S74): of slots and constants, which are read when elements of an
-array or of a list arrive.
+"""The numbers beside elements (S74): numbers of slots and constants, read when elements of an array
+or of a list arrive.
 
-Takes a machine whose operands stand before their users.
+The input is a machine whose operands precede their users.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from rossmarie.ir.support import compared_signals, element_arrays, signal_operan
 
 
 def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
-    """Say of each signal whether it may stand beside elements: it rests on slots and constants,
-    by functions alone, so that it is known before anything is asked of elements.
+    """Say of each signal whether it may stand beside elements: only functions of slots and
+    constants may, because their values are known before elements are evaluated.
     """
     found: list[bool] = []
     for signal in machine.signals:
@@ -29,8 +29,8 @@ def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
 
 
 def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
-    """The signals beside the elements of each array, constants left out, in index order. All
-    columns of a list are reported by the first one; arrays without such signals are left out.
+    """The signals beside the elements of each array, without constants, in index order. For a list,
+    the first column reports them. Arrays without such signals are left out.
     """
     arrays = element_arrays(machine)
     found: dict[int, set[int]] = {}

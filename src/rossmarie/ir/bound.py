@@ -37,7 +37,7 @@ from rossmarie.ir.support import proposition_operands, supports
 
 
 def most_evaluations(machine: ir.Machine) -> int:
-    """A bound on the evaluations of one call, that of the event itself included.
+    """A bound on the evaluations of one call, including the event itself.
 
     Takes time and memory in proportion to the bound: ask only of machines that `MOST_EVALUATIONS`
     does not rule out.
@@ -63,7 +63,7 @@ def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Proposition, int]
 
 @dataclass(frozen=True)
 class _Changes:
-    """The evaluations, as the bits of integers, at which a proposition can change."""
+    """The evaluations at which a proposition can change, as the bits of integers."""
 
     becomes_true: int = 0
     ceases_true: int = 0
@@ -83,7 +83,7 @@ class _Changes:
 
 
 class _Counted:
-    """The evaluations found so far, and how the propositions up to here can change at them."""
+    """The evaluations counted so far, and the possible changes of each proposition at them."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.total = 0
@@ -93,13 +93,13 @@ class _Counted:
         self._ages: dict[tuple[int, int], int] = {}
 
     def expiry(self, declared: ir.Input) -> int:
-        """The evaluation at which an input expires; none if it never does."""
+        """The evaluation at which an input expires, as a bit; 0 if it never does."""
         if declared.timeout_ns is None:
             return 0
         return self._age(declared.channel, declared.timeout_ns)
 
     def add(self, index: int) -> None:
-        """The next proposition."""
+        """Count the next proposition."""
         self._changes.append(self._found(index, self._machine.propositions[index].node))
 
     def _found(self, index: int, node: ir.PropositionNode) -> _Changes:
@@ -146,19 +146,19 @@ class _Counted:
         )
 
     def _stale(self, index: int) -> _Changes:
-        """A leaf is stale when an input that it rests on expires."""
+        """The evaluations at which a leaf becomes stale: when one of its inputs expires."""
         inputs = (self._machine.inputs[used] for used in self._supports[index].inputs)
         expires = reduce(or_, map(self.expiry, inputs), 0)
         return _Changes(ceases_true=expires, ceases_false=expires)
 
     def _age(self, channel: int, age_ns: int) -> int:
-        """Inputs of one channel have their messages, and so their ages, at the same instants."""
+        """The evaluation for an age. Inputs of one channel reach an age at the same instant."""
         if (channel, age_ns) not in self._ages:
             self._ages[channel, age_ns] = self._new(1)
         return self._ages[channel, age_ns]
 
     def _new(self, count: int) -> int:
-        """So many more evaluations."""
+        """Bits for `count` more evaluations."""
         new = ((1 << count) - 1) << self.total
         self.total += count
         return new

@@ -1,4 +1,4 @@
-"""The ways in which skills may run, as far as the queries of a machine can tell them apart."""
+"""The combinations of running skills, as far as the queries of a machine distinguish them."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answe
 
 @dataclass(frozen=True)
 class SkillCall:
-    """A skill that runs, or that can start next (`is_ahead`), and the classes of the things that
-    are its arguments, as pairs of a parameter and a class: of no class where the parameter has no
-    value, and once for each where a thing has several. `text` is how a test says so, None if none
-    can.
+    """A skill that runs, or that can start next (`is_ahead`), and the classes of its arguments, as
+    pairs of a parameter and a class. An argument without a value has no class; an argument with
+    several classes occurs once for each. `text` is the call in the notation of tests, None if there
+    is none.
     """
 
     skill: str
@@ -24,17 +24,17 @@ class SkillCall:
 
     @property
     def running(self) -> RunningSkill:
-        """The call as a message tells of it."""
+        """The call as a message contains it."""
         arguments = (SkillArgument(parameter, type=kind) for parameter, kind in self.types)
         return RunningSkill(self.skill, tuple(arguments), self.is_ahead)
 
     def answers(self, step: Doing) -> bool:
-        """Say whether a query is answered by yes while this call runs."""
+        """Say whether the answer to a query is yes while this call runs."""
         return answer(step, SkillContext.of(step.export, [self.running])) == 1.0
 
 
 def query_at(path: Path) -> Doing | None:
-    """The query that a path asks of the skills that run; None if it asks none."""
+    """The query about running skills in a path; None if there is none."""
     match path:
         case (Doing() as step,):
             return step
@@ -43,7 +43,7 @@ def query_at(path: Path) -> Doing | None:
 
 
 def covering(calls: Iterable[SkillCall], wanted: dict[Doing, bool]) -> tuple[SkillCall, ...] | None:
-    """Calls that together give queries these answers, a few of them; None if there are none."""
+    """A few calls that together give queries these answers; None if there are none."""
     possible = [(call, {step for step in wanted if call.answers(step)}) for call in calls]
     left = {step for step, is_yes in wanted.items() if is_yes}
     useful = [(call, yes) for call, yes in possible if yes <= left]

@@ -1,4 +1,6 @@
-"""The numbers that a field of a message can carry: those of some types are whole, within limits."""
+"""The numbers that a field of a message can carry: fields of some types hold only whole numbers
+within limits.
+"""
 
 from __future__ import annotations
 
@@ -12,9 +14,8 @@ _ROUNDING = 1e-12
 
 
 def raw_of(source: Slot | Array, si: float) -> float:
-    """S7 backwards: the number in a message that arrives as `si`, of a field of whole numbers the
-    nearest. A value written in the unit of the message arrives as the rules would read it there,
-    bit for bit.
+    """S7 in reverse: the number in a message for the SI value `si`; for a field of whole numbers,
+    the nearest one. A value in the unit of the message arrives exactly as the rules would read it.
     """
     is_plain = source.scale == 1.0 and source.offset == 0.0
     number = si if is_plain else (si - source.offset) / source.scale
@@ -24,7 +25,7 @@ def raw_of(source: Slot | Array, si: float) -> float:
 
 
 def si_ends(source: Slot | Array, ends: Limits) -> Limits:
-    """The ends of an interval of numbers in messages, as they arrive (S7)."""
+    """The ends in SI of an interval of raw numbers (S7)."""
     one, other = (end * source.scale + source.offset for end in ends)
     return (one, other) if one <= other else (other, one)
 

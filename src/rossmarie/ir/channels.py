@@ -1,4 +1,4 @@
-"""The channels of a machine: topics, and transforms between frames that share one."""
+"""The channels of a machine: topics, and transforms between frames, which share a topic."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Edge:
-    """The transform from the frame `child` to the frame `parent` in messages on a `topic`, each of
-    which has any number of transforms.
+    """The transform from the frame `child` to the frame `parent` in messages on a `topic`. Each
+    message has any number of transforms.
     """
 
     topic: str
@@ -24,8 +24,8 @@ TRANSFORMS = "tf2_msgs/TFMessage"
 
 
 def bare_frame(name: str) -> str:
-    """The name of a frame in a transform: older programs write a slash in front, which tf2 leaves
-    out.
+    """The name of a frame in a transform, without the leading slash that older programs write; tf2
+    omits it.
     """
     return name.removeprefix("/")
 
@@ -34,11 +34,12 @@ def bare_frame(name: str) -> str:
 class Channel:
     """A topic: one message on it is one update of all its inputs.
 
-    With an `edge` it is that transform: `topic` is only a name, `message_type` is that of the
-    transform, and a message on the topic of the edge is a message here if it has the transform.
+    With an `edge`, the channel is that transform: `topic` is only a name, `message_type` is the
+    type of the transform, and a message on the topic of the edge updates this channel if it
+    contains the transform.
 
-    `gaps_ns` are the least and the greatest time between two messages, None if nothing is said of
-    them; that is what a system model promises, and no monitor relies on it.
+    `gaps_ns` are the least and the greatest time between two messages, None if they are not
+    declared. They come from a system model, and no monitor relies on them.
     """
 
     topic: str

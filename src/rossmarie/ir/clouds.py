@@ -1,7 +1,7 @@
 """The points of a `sensor_msgs/PointCloud2`: from its bytes to columns of numbers (S56, S57).
 
-A cloud says itself which fields its points have, and where in its bytes they lie. Nothing of that
-is trusted: a cloud that contradicts itself is not known.
+A cloud describes the fields of its points, and their places in its bytes. This description is
+checked: a cloud that contradicts itself is unknown.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ _KINDS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"
 """The kinds of numpy, by the `datatype` of a `sensor_msgs/PointField`."""
 
 _MOST_NAMED = 16
-"""Fields that are named where one is missing; a hostile cloud has millions."""
+"""The number of fields that an error message lists; a malicious cloud may have millions."""
 
 _SINGLE = (0, 1)
-"""The values of `count` of one number; PCL writes 0 for that, too."""
+"""The values of `count` for a single number; PCL writes 0 for it, too."""
 
 
 class Cloud(Protocol):
-    """An object with the fields of the message, however it was made."""
+    """An object with the fields of the message, of whatever class."""
 
     height: int
     width: int
@@ -39,12 +39,14 @@ class Cloud(Protocol):
 
 
 class UnreadableCloudError(Exception):
-    """The reason why nothing is known of the points of a cloud."""
+    """The reason why the points of a cloud are unknown."""
 
 
 @dataclass(frozen=True)
 class _Layout:
-    """Where the points are: numbers that fit to each other, and to the bytes that there are."""
+    """The layout of the points: numbers that are consistent with each other and with the size of
+    the data.
+    """
 
     rows: int
     columns: int
@@ -60,15 +62,15 @@ class _Layout:
 
 
 def is_cloud(value: object) -> TypeGuard[Cloud]:
-    """Say whether something looks like the message of a cloud."""
+    """Say whether a value looks like the message of a cloud."""
     return hasattr(value, "point_step") and hasattr(value, "data")
 
 
 def columns(cloud: Cloud, names: Sequence[str], most: int) -> list[NDArray[np.float64]]:
-    """The numbers of all points that have a place, for each of the fields `names`.
+    """The numbers of all points with a position, for each of the fields `names`.
 
-    Raises `UnreadableCloudError` if the cloud has more than `most` points, those without a place
-    included, lacks one of the fields, or contradicts itself.
+    Raises `UnreadableCloudError` if the cloud has more than `most` points, including those without
+    a position, does not have one of the fields, or contradicts itself.
     """
     layout = _layout(cloud, most)
     data = np.frombuffer(memoryview(cloud.data), np.uint8)
@@ -115,7 +117,7 @@ def _column(
     shape = (layout.rows, layout.columns)
     if 0 in shape:
         return np.empty(0)
-    # One row may say any step to the next: there is none.
+    # A single row may state any step to the next row, because there is none.
     steps = (layout.row_step if layout.rows > 1 else 0, layout.point_step)
     numbers: NDArray[Any] = np.ndarray(shape, type_, data, int(field.offset), steps)
     with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
@@ -123,8 +125,8 @@ def _column(
 
 
 def leave_out(cloud: PointColumns, arrays: dict[int, Sequence[float]]) -> None:
-    """Leave the points without a place out of the columns of a cloud (S57), if these are all there
-    and of one length.
+    """Remove the points without a position from the columns of a cloud (S57), if these are complete
+    and of equal length.
     """
     found = [arrays[column] for column in cloud.columns if column in arrays]
     is_whole = len(found) == len(cloud.columns) and len({len(each) for each in found}) == 1

@@ -1,5 +1,5 @@
-"""Propositions about numbers (rules S27 to S29). A NaN operand makes them unknown; infinities,
-which only elements of arrays can be, are ordinary numbers here.
+"""Propositions about numbers (rules S27 to S29). A NaN operand makes them unknown. Infinities,
+which occur only in elements of arrays, are ordinary numbers here.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Operators over time that are defined by others: `once` (S45) and `after` (S46).
+"""Operators over time that are defined by other operators: `once` (S45) and `after` (S46).
 
-A machine has only the nodes that they stand for. What is said to users says the operator again.
+A machine contains only their definitions. Texts for users show the original operator.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Response:
 
 
 def defined(machine: ir.Machine, proposition: int) -> Once | Response | None:
-    """The operator that a proposition is by definition; None if it is none of them."""
+    """The defined operator that a proposition stands for; None if there is none."""
     outer = machine.propositions[proposition].node
     held = machine.propositions[outer.operand].node if isinstance(outer, ir.Not) else outer
     if held is outer or not isinstance(held, ir.Held):
@@ -57,7 +57,7 @@ def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Respons
     begun = machine.propositions[since.begun].node
     if not isinstance(missing, ir.Not):
         return None
-    if since.begun == since.held:  # the cause is that the answer is missing
+    if since.begun == since.held:  # the cause is the missing answer
         return Response(since.begun, missing.operand, duration_ns)
     if isinstance(begun, ir.And) and begun.operands[1:] == (since.held,):
         return Response(begun.operands[0], missing.operand, duration_ns)
@@ -65,7 +65,7 @@ def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Respons
 
 
 def held_of(machine: ir.Machine, proposition: int) -> int | None:
-    """The `for` that a proposition is, or that its definition has; None if there is none."""
+    """The `for` that a proposition is, or that its definition contains; None if there is none."""
     node = machine.propositions[proposition].node
     if isinstance(node, ir.Held):
         return proposition

@@ -1,8 +1,9 @@
-"""Why a rule changed: from the snapshot in a verdict to the user's own words.
+"""Explanations of verdicts: from the snapshot in a verdict to the user's own words.
 
-Takes a verified machine and a verdict of it. The causes are a part of the rule's condition that
-alone decides its value: of a true `and` all operands, of a true `or` the true ones; of a false
-`or` all, of a false `and` the false ones; of an unknown one the equally unknown ones.
+The input is a verified machine and a verdict of it. The causes are the parts of the rule's
+condition that alone decide its value: all operands of a true `and`, the true operands of a true
+`or`; all operands of a false `or`, the false operands of a false `and`; the unknown operands of an
+unknown one.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
 @dataclass(frozen=True)
 class Reading:
-    """The value of a signal, in the unit in which the user sees it; `shown` is value and unit."""
+    """The value of a signal, in the unit that the user sees. `shown` is value and unit."""
 
     signal: int
     text: str
@@ -31,11 +32,11 @@ class Reading:
 
 @dataclass(frozen=True)
 class Cause:
-    """A condition that decided, with what it looked at.
+    """A deciding condition, with the values that it compares.
 
-    `name` is the user's name of it, or of the nearest condition around it. `since_ns` is since when
-    it has been so: of a true `C for d`, since when C has been true. `limits` are the values of the
-    named constants that the condition compares with.
+    `name` is the user's name of it, or of the nearest condition around it. `since_ns` is the
+    instant from which it has had its value; for a true `C for d`, the instant from which C has been
+    true. `limits` are the values of the named constants that the condition compares with.
     """
 
     proposition: int
@@ -67,8 +68,9 @@ class Cause:
 
 @dataclass(frozen=True)
 class StaleInput:
-    """An input to blame for an unknown condition. FRESH: messages come, without a usable value; or
-    it `was_stale` earlier, within the time that the condition looks back on.
+    """An input that is to blame for an unknown condition. FRESH means that messages come without a
+    usable value, or that the input `was_stale` earlier, within the time that the condition looks
+    back.
     """
 
     input: int
@@ -85,8 +87,8 @@ class StaleInput:
 
 @dataclass(frozen=True)
 class Explanation:
-    """Why a rule became active or cleared; `contract` says what clears it. `exempted` says which
-    rule is not applied, if it became active because of an exemption.
+    """The explanation of an activation or a clearing. `contract` is the condition for clearing.
+    `exempted` is the rule that is not applied, if an exemption activated the rule.
     """
 
     rule: str
@@ -98,7 +100,7 @@ class Explanation:
     exempted: str | None = None
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each stale input; where none is to blame, one for each cause. In front of them
+        """A line for each stale input; if none is to blame, a line for each cause. Before them
         stands the rule that is not applied.
         """
         first = () if self.exempted is None else (self.exempted,)
@@ -107,7 +109,7 @@ class Explanation:
         return (*first, *(cause.line(origin_ns) for cause in self.causes))
 
     def line(self, origin_ns: int = 0) -> str:
-        """All of it on one line."""
+        """The whole explanation on one line."""
         return "; ".join(self.lines(origin_ns))
 
 
@@ -126,7 +128,7 @@ _STATES = {
 
 
 def event_line(machine: ir.Machine, event: Event) -> str:
-    """An event in words: the rule, what happened, and why."""
+    """An event in words: the rule, the change, and its causes."""
     if not isinstance(event, Verdict):
         return f"time went back from {event.from_ns} ns to {event.to_ns} ns"
     change = event.change.name.partition("_")[0].lower()
@@ -152,8 +154,8 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
 
 
 def exemption_words(rule: ir.Rule) -> str | None:
-    """The words for the exemption that a rule stands for: which rule is not applied while which
-    skill runs, and what that permits. None if it stands for none.
+    """The words for the exemption that a rule stands for: the rule that is not applied, the running
+    skill, and its permissions. None if the rule stands for no exemption.
     """
     exempts = rule.exempts
     if exempts is None:
@@ -174,8 +176,8 @@ class _Snapshot:
         self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
 
     def is_exemption_used(self) -> bool:
-        """Say whether the rule stands for an exemption, and its skill is known to run: a rule that
-        is active for lack of an input may lack the context as well.
+        """Say whether the rule stands for an exemption, and its skill is known to run. A rule that
+        is active because of a stale input may miss the context as well.
         """
         is_active = self._verdict.change is not Change.CLEARED
         exempts = self._rule.exempts
@@ -201,7 +203,7 @@ class _Snapshot:
                 waiting += [(operand, name) for operand in reversed(self._deciding(proposition))]
 
     def stale_inputs(self, causes: tuple[Cause, ...]) -> tuple[StaleInput, ...]:
-        """The inputs to blame for the causes that are unknown for lack of one."""
+        """The inputs to blame for the causes that are unknown because an input is missing."""
         unknown = [each.proposition for each in causes if each.value is TruthValue.STALE]
         leaves = [
             leaf
@@ -229,8 +231,8 @@ class _Snapshot:
     # --- causes ------------------------------------------------------------------------------
 
     def _deciding(self, proposition: int) -> tuple[int, ...]:
-        """The operands that alone decide a proposition: those of an equal value, or the negated
-        one; of what looks back in time, those that it names.
+        """The operands that alone decide a proposition: those of equal value, or the negated
+        operand. For an operator that looks back in time, the operands that it names.
         """
         whole = defined(self._machine, proposition)
         if whole is not None:
@@ -251,7 +253,7 @@ class _Snapshot:
 
     def _is_unit(self, proposition: int) -> bool:
         """Say whether a proposition is reported as a whole: a leaf, a duration, a count of edges,
-        or the negation of one.
+        or a negation of one.
         """
         node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not):
@@ -273,7 +275,9 @@ class _Snapshot:
         )
 
     def _chain(self, proposition: int) -> Iterator[int]:
-        """The proposition and what it negates or prolongs, from the outside to the inside."""
+        """The proposition and the operands that it negates or prolongs, from the outside to the
+        inside.
+        """
         yield proposition
         node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not | ir.Held):
@@ -285,11 +289,11 @@ class _Snapshot:
         is_true = isinstance(node, ir.Held) and self._value(proposition) is TruthValue.TRUE
         if isinstance(node, ir.Held) and is_true and not node.initially:
             return self._since_ns[proposition] - node.duration_ns
-        # A negation changes together with what it negates.
+        # A negation changes together with its operand.
         return next(self._since_ns[i] for i in self._chain(proposition) if i in self._since_ns)
 
     def _compared(self, proposition: int, *, constant: bool) -> Iterator[int]:
-        """The signals that the leaves that decided compare, each once."""
+        """The signals that the deciding leaves compare, each once."""
         signals: dict[int, None] = {}
         waiting = [proposition]
         while waiting:
@@ -302,7 +306,7 @@ class _Snapshot:
         return iter(signals)
 
     def _limits(self, proposition: int) -> Iterator[str]:
-        """Named constants with their values; both ends of an interval have its name."""
+        """Named constants with their values. Both ends of an interval have its name."""
         ends: dict[str, list[float]] = {}
         units: dict[str, str] = {}
         for index in self._compared(proposition, constant=True):
@@ -336,8 +340,8 @@ class _Snapshot:
                 return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
     def _value(self, proposition: int) -> TruthValue:
-        """The value of any proposition below the rule's condition: reported, or computed from those
-        reported.
+        """The value of any proposition below the rule's condition, from the snapshot or computed
+        from it.
         """
         if proposition in self._propositions:
             return self._propositions[proposition]

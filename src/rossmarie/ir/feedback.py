@@ -1,4 +1,4 @@
-"""The feedback of rules for a learner; no monitor heeds it."""
+"""The feedback of rules to a learner. No monitor uses it."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Margin:
-    """The distance of a rule's condition to where it changes: a signal, and how it is shown
-    (`value * scale` in `unit`).
+    """The distance of a rule's condition to the point where its value changes: a signal, and its
+    display (`value * scale` in `unit`).
     """
 
     signal: int
@@ -18,8 +18,8 @@ class Margin:
 
 @dataclass(frozen=True)
 class Feedback:
-    """The loss of a learner by a rule: each time that it becomes active, and while it is active.
-    Beside it a learner is told the margin, if the rule declares it.
+    """The cost of a rule to a learner: for each activation, and per second while the rule is
+    active. The learner also gets the margin, if the rule declares one.
     """
 
     per_activation: float = 0.0

@@ -1,7 +1,7 @@
-"""The purpose of rules: the categories that they are filed under, the hazards that they mitigate,
-and the exemptions that they stand for.
+"""The purpose of rules: their categories, the hazards that they mitigate, and the exemptions that
+they stand for.
 
-No monitor heeds any of it. A selection of categories makes a machine of the rules that fit.
+No monitor uses any of it. A selection of categories makes a machine of the matching rules.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ TASKS = (Category.TASK_DEPENDENT, Category.TASK_INDEPENDENT)
 def is_selected(categories: Collection[Category], only: Collection[Category]) -> bool:
     """Say whether a rule with these categories is among those that `only` selects.
 
-    Several subjects are alternatives, and so are both relations to the task; a subject and a
-    relation have to fit both. A rule without a category is selected by none.
+    Several subjects are alternatives, and so are the two relations to the task. If `only` has a
+    subject and a relation, both have to match. A rule without a category is never selected.
     """
     return all(
         not wanted or any(category in wanted for category in categories)
@@ -41,7 +41,7 @@ def is_selected(categories: Collection[Category], only: Collection[Category]) ->
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A selection: the categories that rules had to fit, and the names of those that did not."""
+    """A selection: the required categories, and the names of the rules outside the selection."""
 
     only: tuple[Category, ...]
     rules: tuple[str, ...]
@@ -49,7 +49,7 @@ class LeftOut:
 
 @dataclass(frozen=True)
 class Hazard:
-    """A hazard, in words, that rules are there to mitigate (ISO 12100, 3.6)."""
+    """A hazard, in words, that rules mitigate (ISO 12100, 3.6)."""
 
     name: str
     text: str
@@ -59,9 +59,9 @@ class Hazard:
 
 @dataclass(frozen=True)
 class Exemption:
-    """A rule that is active while another one is not applied: `rule` is the name of that one,
-    `doing` the skill that runs meanwhile, as in `doing Push(Object: Fragile)`, and `permits` what
-    the description of the skill permits, in words.
+    """An exemption as a rule, which is active while another rule is not applied. `rule` is the name
+    of the other rule, `doing` the running skill, as in `doing Push(Object: Fragile)`, and `permits`
+    the permissions in the description of the skill, in words.
     """
 
     rule: str

@@ -1,4 +1,4 @@
-"""The margins of a machine, and the machine for those that do not learn: without them."""
+"""The margins of a machine, and the machine without margins, for users that do not learn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def margins_of(machine: ir.Machine) -> tuple[Margin, ...]:
 
 
 def below_margins(machine: ir.Machine) -> frozenset[int]:
-    """The signals of margins, and all that these are made of."""
+    """The signals of margins, and all their operands."""
     found: set[int] = set()
     waiting = [margin.signal for margin in margins_of(machine)]
     while waiting:
@@ -28,7 +28,7 @@ def below_margins(machine: ir.Machine) -> frozenset[int]:
 
 
 def without_margins(machine: ir.Machine) -> ir.Machine:
-    """The machine without margins: monitors, nodes and proofs are those of the rules alone.
+    """The machine without margins: monitors, nodes and proofs use this machine.
 
     Margins stand behind all other signals; one that is a number of the rules as well stays.
     """

@@ -1,5 +1,5 @@
-"""Limits of instants, so that a target can compute with 64-bit integers, and of the time that a
-call may take.
+"""Limits of instants, so that targets can compute with 64-bit integers, and a limit of the time of
+one call.
 
 An instant plus a duration, and the difference of two instants, never leave the range of int64.
 """
@@ -28,8 +28,7 @@ MOST_POSES_IN_ALL = 100_000
 """The most poses that all effects of a program can ask for."""
 
 MOST_EVALUATIONS = 10_000
-"""The most evaluations that one call of a monitor may take, however long the silence before it was.
-"""
+"""The most evaluations in one call of a monitor, however long the silence before it was."""
 
 
 def as_instant(at_ns: SupportsIndex) -> int:

@@ -1,13 +1,13 @@
-"""The monitor machine, on one screen: what every target compiles and the interpreter executes.
+"""The monitor machine, on one screen: every target compiles it, and the interpreter executes it.
 
 A machine reads **slots** (scalar numbers that arrive with messages), computes **signals** (numbers)
 and **propositions** (three-valued), and runs **rules** on them. Tuples refer to each other by
 index, and every operand stands before its user, so evaluation is one pass from left to right.
 
 All numbers are IEEE 754 binary64 in SI units (angles in radians, time in seconds); NaN is
-"unknown". Flags are 0.0 or 1.0; a text is the index of its literal in `Machine.texts`, or -1.0
-for any other text. Instants and durations are integers in nanoseconds.
-The meaning of every node is written down in `docs/explanation/semantics.md`.
+"unknown". Flags are 0.0 or 1.0; a text is the index of its literal in `Machine.texts`, or -1.0 for
+any other text. Instants and durations are integers in nanoseconds. `docs/explanation/semantics.md`
+defines the meaning of every node.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Slot:
     """A scalar that a message carries: `value = raw * scale + offset` is in SI.
 
     `path` leads from the message to the field, `unit` is the unit that users see. `limits` are the
-    least and the greatest raw number of a field that holds whole numbers; no monitor relies on it.
+    least and the greatest raw number of a field of whole numbers; no monitor relies on them.
     """
 
     input: int
@@ -66,7 +66,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class List:
-    """A list of messages that a message carries. One of more than `most` elements counts as stale,
+    """A list of messages inside a message. A list with more than `most` elements counts as stale,
     as if it had not come (S51).
     """
 
@@ -77,11 +77,12 @@ class List:
 
 @dataclass(frozen=True)
 class Array:
-    """A numeric array of any length that a message carries; it exists only while it arrives.
-    `limits` are those of a slot; flags are the whole numbers within `FLAG_LIMITS`.
+    """A numeric array of any length inside a message. It exists only while it arrives. `limits` are
+    like those of a slot; flags are whole numbers within `FLAG_LIMITS`.
 
-    With a `list` it is one field of all elements of that list, as a column: `path` goes on behind
-    that of the list with `EACH`. All columns of a list have one length. Only they hold texts.
+    With a `list`, the array is one field of all elements of that list, as a column. `path`
+    continues the path of the list with `EACH`. All columns of a list have one length. Only columns
+    hold texts.
     """
 
     input: int
@@ -99,7 +100,7 @@ class Array:
 
 @dataclass(frozen=True)
 class Constant:
-    """A number known when compiling."""
+    """A number that is known at compile time."""
 
     value: float
 
@@ -121,8 +122,8 @@ class Apply:
 
 @dataclass(frozen=True)
 class Sampled:
-    """A function of the last samples of a signal; `window_ns` is the time that it takes: the length
-    of its window, or its time constant. It is 0 if it takes none.
+    """A function of the last samples of a signal. `window_ns` is its time: the length of its
+    window, or its time constant; 0 if it has none.
     """
 
     function: Sampling
@@ -132,7 +133,7 @@ class Sampled:
 
 @dataclass(frozen=True)
 class Element:
-    """The element at hand of an array; signals and propositions over it exist only inside a
+    """The current element of an array. Signals and propositions over it exist only inside a
     fold.
     """
 
@@ -140,7 +141,7 @@ class Element:
 
 
 class Folding(enum.Enum):
-    """The ways in which the elements of an array become one number."""
+    """The operations that turn the elements of an array into one number."""
 
     MINIMUM = "minimum"
     MAXIMUM = "maximum"
@@ -161,7 +162,7 @@ class Fold:
 
 @dataclass(frozen=True)
 class Count:
-    """For how many elements an elementwise proposition is true."""
+    """The number of elements for which an elementwise proposition is true."""
 
     element: int
 
@@ -171,7 +172,7 @@ SignalNode = Constant | Read | Apply | Sampled | Element | Fold | Count
 
 @dataclass(frozen=True)
 class Signal:
-    """A number, where it comes from, and how it is shown (`value * scale + offset` in `unit`)."""
+    """A number, its origin, and its display (`value * scale + offset` in `unit`)."""
 
     node: SignalNode
     text: str
@@ -309,7 +310,7 @@ PropositionNode = (
 
 @dataclass(frozen=True)
 class Proposition:
-    """A condition; `name` is `entity.condition` where the user gave it one."""
+    """A condition. `name` is `entity.condition` if the user gave it a name."""
 
     node: PropositionNode
     name: str | None
@@ -322,16 +323,16 @@ class Proposition:
 
 @dataclass(frozen=True)
 class Rule:
-    """Active from when `condition` is true (or unknown for lack of an input with a timeout) until
-    `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
-    reset while `condition` is false.
+    """A rule is active from the instant at which `condition` is true (or unknown because an input
+    with a timeout is missing) until `condition` is false and `release` is true. A latched rule
+    (`release` is None) waits for a reset while `condition` is false.
 
-    `head` is where it is pointed at, its name or else its condition. `contract` says in words what
-    clears it. `terms` are the propositions, and `signals` the signals that are not constant, whose
-    state a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
-    `categories` are what it is filed under; no monitor heeds them, nor `feedback`. One that holds
-    `always` has no exemptions, and an operator can grant none. `exempts` is the exemption that it
-    stands for; no monitor heeds that either.
+    `head` is the place that findings point at, its name or else its condition. `contract` describes
+    in words how the rule is cleared. A verdict carries the states of `terms` (propositions) and
+    `signals` (signals that are not constant). `inputs` are the inputs that the rule depends on,
+    `hazards` the hazards that it mitigates. Monitors ignore `categories`, `feedback` and `exempts`,
+    the exemption that the rule stands for. A rule that is `always` applied has no exemptions, and
+    an operator cannot grant any.
     """
 
     name: str
@@ -353,16 +354,16 @@ class Rule:
 
     @property
     def roots(self) -> tuple[int, ...]:
-        """The propositions that decide about it: its condition, and what clears it."""
+        """The propositions that decide about the rule: its condition, and its release."""
         return (self.condition,) if self.release is None else (self.condition, self.release)
 
 
 @dataclass(frozen=True)
 class Machine:
-    """A whole rules file. `watches` are the propositions that the confirmations in `reactions` ask.
-    `left_out` are the rules that a selection does not hold, None if nobody selected.
-    `readings` are the signals that memories of poses ask. `calls` are the calls of skills that the
-    queries to skills tell apart, none if that is not known.
+    """A whole rules file. `watches` are the propositions that confirmations in `reactions` use.
+    `left_out` are the rules outside a selection, None without a selection. `readings` are the
+    signals that memories of poses use. `calls` are the calls of skills that queries distinguish,
+    empty if unknown.
     """
 
     name: str

@@ -1,10 +1,9 @@
-"""Names that users give to the fields that a machine reads: by input, and by as much path as it
-takes.
+"""Names of the fields that a machine reads: the input, and as much of the path as is needed.
 
-An input that carries one field is called by its name alone (`speed`); where there are several,
-the last words of the path tell them apart (`orientation.x`). Any longer ending is good as well.
-An element that is read by itself beside its whole array (`ranges.5`) leaves the name to the array.
-A sector of an input that reads the ranges is that of the input (`ranges[-30 deg .. 30 deg]`).
+An input that carries one field is called by its name alone (`speed`); where there are several, the
+last words of the path tell them apart (`orientation.x`). Any longer ending is good as well. An
+element that is read by itself beside its whole array (`ranges.5`) leaves the name to the array. A
+sector of an input that reads the ranges is that of the input (`ranges[-30 deg .. 30 deg]`).
 """
 
 from __future__ import annotations
@@ -21,7 +20,9 @@ from rossmarie.ir.path import Path, Sector, path_names
 
 @dataclass(frozen=True)
 class ScanFields:
-    """A scan at a path in the messages of an input, and the arrays that are taken of all of it."""
+    """A scan at a path in the messages of an input, and the arrays that are computed from the whole
+    scan.
+    """
 
     input: int
     path: Path
@@ -29,7 +30,7 @@ class ScanFields:
 
 
 def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[frozenset[str], ...]]:
-    """The names of each slot, and of each array, by index; no name is that of two fields."""
+    """The names of each slot, and of each array, by index. No two fields share a name."""
     arrays = [_names(machine, array) for array in machine.arrays]
     slots = [_names(machine, slot) - _names_of_whole(machine, slot) for slot in machine.slots]
     uses = Counter(name for names in (*slots, *arrays) for name in names)
@@ -41,7 +42,7 @@ def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[fro
 
 
 def list_names(machine: Machine) -> tuple[frozenset[str], ...]:
-    """The names of each list, by index: those that no other field has, but for its own columns."""
+    """The names of each list, by index: names that only the list and its own columns have."""
     slots, arrays = field_names(machine)
     lists = [_names(machine, each) for each in machine.lists]
     uses = Counter(name for names in lists for name in names)
@@ -59,8 +60,8 @@ def list_names(machine: Machine) -> tuple[frozenset[str], ...]:
 
 
 def scan_names(machine: Machine) -> dict[str, ScanFields]:
-    """The scans of which rules read sectors or beams, by the names that no other scan has: that of
-    the input, with as much of the path as it takes.
+    """The scans whose sectors or beams rules read, by their unique names: the input, with as much
+    of the path as is needed.
     """
     found: dict[tuple[int, Path], list[int]] = {}
     for index, array in enumerate(machine.arrays):
@@ -75,7 +76,7 @@ def scan_names(machine: Machine) -> dict[str, ScanFields]:
 
 
 def arrival_names(machine: Machine) -> dict[str, int]:
-    """The inputs of which no field is read, only the age: their names, and their channels."""
+    """The inputs of which rules read no field, only the age: their names, and their channels."""
     slots = {slot.input for slot in machine.slots}
     arrays = {array.input for array in machine.arrays}
     return {
@@ -86,7 +87,7 @@ def arrival_names(machine: Machine) -> dict[str, int]:
 
 
 def near_name(name: str, known: Iterable[str]) -> str | None:
-    """The known name that was probably meant: a field, if its input is named."""
+    """The known name that was probably meant: a field, if the name of its input is given."""
     names = sorted(known, key=lambda each: (len(each), each))
     inside = [each for each in names if each.startswith(f"{name}.")]
     return next(iter(inside or difflib.get_close_matches(name, names, n=1)), None)

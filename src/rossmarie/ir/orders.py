@@ -1,4 +1,4 @@
-"""The words of a reactor: orders about tasks, where tasks stand, and the bounds on commands."""
+"""The output of a reactor: orders about tasks, states of tasks, and bounds on commands."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rossmarie.ir.verdict import Event
 
 
 class State(enum.IntEnum):
-    """Where a task stands."""
+    """The state of a task."""
 
     IDLE = 0
     RUNNING = 1  # ordered; its end is awaited
@@ -23,7 +23,7 @@ class State(enum.IntEnum):
 
 
 class OrderKind(enum.Enum):
-    """The instruction about a task, or the news of it."""
+    """The kind of an order: an instruction about a task, or news of it."""
 
     START = "start"
     STOP = "stop"  # its rule was released: undo it
@@ -34,8 +34,8 @@ class OrderKind(enum.Enum):
 
 @dataclass(frozen=True)
 class Order:
-    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules,
-    `pose` what a `retrace` sends: a position in m, and with an orientation its quaternion.
+    """An order to the owner of the reactor: an action, or news. `by` is the rule that overrules,
+    `pose` the pose that a `retrace` sends: a position in m, and with an orientation its quaternion.
     """
 
     kind: OrderKind
@@ -45,13 +45,13 @@ class Order:
 
 
 class Reported(NamedTuple):
-    """The words of a monitor and its reactor, each in its order."""
+    """The output of a monitor and its reactor, each in order."""
 
     events: list[Event]
     orders: list[Order]
 
     def __bool__(self) -> bool:
-        """Say whether there is anything."""
+        """Say whether there is any output."""
         return bool(self.events or self.orders)
 
 
@@ -66,7 +66,7 @@ class FieldBounds:
     high: float
 
     def of(self, value: float) -> float:
-        """A number of a command, bounded."""
+        """A number of a command, after bounding."""
         if not math.isfinite(value):
             return 0.0
         return min(max(value * self.factor, self.low), self.high)

@@ -1,6 +1,6 @@
-"""The fate of tasks that wait while another rule has what they need: when they have failed.
+"""Tasks that wait while another rule owns their resource, and the instant at which they fail.
 
-Written down in `docs/explanation/reactions.md` (R7, R8, R15).
+`docs/explanation/reactions.md` defines this (R7, R8, R15).
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from rossmarie.ir.reactions import Effect, Reactions, Task
 
 
 def fails_at_once(task: Task) -> bool:
-    """Say whether a task fails as soon as it waits. Nobody awaits its end, so no time says when it
-    has waited too long; and something follows.
+    """Say whether a task fails as soon as it waits: it has no time limit that could expire, and an
+    escalation follows.
     """
     is_awaited = reactions.timeout_ns(task.effect) is not None
     return reactions.waits(task.effect) and not is_awaited and bool(task.otherwise)
@@ -34,8 +34,8 @@ Deed = tuple[object, ...]
 
 
 def deed(effect: Effect) -> Deed | None:
-    """The deed of an effect on its resource, if several tasks can do that together, or one in the
-    place of another.
+    """The deed of an effect on its resource, if several tasks can do it together, or one in place
+    of another; else None.
     """
     match effect:
         case reactions.CancelGoal(server=server):
@@ -55,14 +55,14 @@ def deed(effect: Effect) -> Deed | None:
 
 
 def only_deed(found: Reactions, rule: int, resource: int) -> Deed | None:
-    """The deed of a rule on a resource, if it does one thing only."""
+    """The deed of a rule on a resource, if the rule does only one thing with it."""
     tasks = (found.tasks[task] for task in found.plans[rule].tasks)
     first, *others = {deed(task.effect) for task in tasks if task.resource == resource}
     return None if others else first
 
 
 def does_the_same(found: Reactions, task: int, owner: int) -> bool:
-    """Say whether the owner does with the resource of a task only what the task itself does."""
+    """Say whether the owner uses the resource of a task only in the same way as the task itself."""
     declared = found.tasks[task]
     own = deed(declared.effect)
     if own is None or declared.resource is None:
@@ -71,6 +71,8 @@ def does_the_same(found: Reactions, task: int, owner: int) -> bool:
 
 
 def is_shared(found: Reactions, task: int, owner: int) -> bool:
-    """Say whether the owner of what a task needs lets it do so: both only publish the same (R2)."""
+    """Say whether the owner of a task's resource lets the task use it: both only publish the same
+    message (R2).
+    """
     is_published = isinstance(found.tasks[task].effect, reactions.Publish)
     return is_published and does_the_same(found, task, owner)

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ByName:
-    """The element of an array that has the name `key`: its place is the place of that string in the
-    list `names`, which is a path from the message. There is none where the list has the string not
-    at all, or more than once, or has another length than the array (S7).
+    """The element of an array with the name `key`: its place is the place of that string in the
+    list `names`, a path from the message. There is no such element if the list does not contain the
+    string exactly once, or if its length differs from that of the array (S7).
     """
 
     names: tuple[str, ...]
@@ -21,18 +21,18 @@ class ByName:
         return self.key
 
     def is_among(self, names: Sequence[str]) -> bool:
-        """Say whether one of these names, and no other, is that of the element."""
+        """Say whether exactly one of these names is the name of the element."""
         return names.count(self.key) == 1
 
     def place(self, names: Sequence[str], length: int) -> int | None:
-        """The place of the element in an array of a length, where the list has these names."""
+        """The place of the element in an array of a length, if the list has these names."""
         return names.index(self.key) if len(names) == length and self.is_among(names) else None
 
 
 @dataclass(frozen=True)
 class Listed:
-    """The element of an array that has the name `key` by a list of `count` names in the rules:
-    `place` is the place of the name there. There is none where the array has another length (S55).
+    """The element of an array with the name `key` in a list of `count` names in the rules. `place`
+    is the place of the name there. There is no such element if the array has another length (S55).
     """
 
     place: int
@@ -49,7 +49,7 @@ class Listed:
 
 @dataclass(frozen=True)
 class Each:
-    """Every element of a list of messages: what stands behind it is a field of each of them."""
+    """Every element of a list of messages. The next step is a field of each element."""
 
 
 EACH = Each()
@@ -57,8 +57,8 @@ EACH = Each()
 
 @dataclass(frozen=True)
 class Points:
-    """The points of a `sensor_msgs/PointCloud2`, as a list: the cloud itself says, message by
-    message, which fields they have, and where in its bytes (S56).
+    """The points of a `sensor_msgs/PointCloud2`, as a list. Each message describes the fields of
+    the points and their places in the bytes (S56).
     """
 
     def __str__(self) -> str:
@@ -70,9 +70,9 @@ POINTS = Points()
 
 @dataclass(frozen=True)
 class Sector:
-    """Behind the `ranges` of a `sensor_msgs/LaserScan`: what it has measured between two angles, as
-    an array. The angles are in radians, from `first` counter-clockwise on over `width`; those of
-    its beams the scan itself says, message by message (S71).
+    """A step behind the `ranges` of a `sensor_msgs/LaserScan`: the readings between two angles, as
+    an array. The angles are in radians, from `first` counter-clockwise over `width`. Each scan
+    gives the angles of its beams (S71).
     """
 
     first: float
@@ -84,8 +84,8 @@ class Sector:
 
 @dataclass(frozen=True)
 class Beams:
-    """Beams of a `sensor_msgs/LaserScan`, as a list: its `points` (S72), or those that tell nothing
-    (S73).
+    """Beams of a `sensor_msgs/LaserScan`, as a list: its `points` (S72), or the beams without a
+    reading (S73).
     """
 
     name: str
@@ -100,14 +100,14 @@ RETURNS, INVALID = Beams("points"), Beams("invalid")
 @dataclass(frozen=True)
 class Doing:
     """The flag "a running skill is one of `skills`, and its arguments have these classes", of a
-    `skill_context_msgs/SkillContext`. `arguments` are pairs of a parameter and classes: its
-    argument is of one of these. Skills and classes include all that are derived from those that
-    the rules name. All are sorted, and nobody looks further.
+    `skill_context_msgs/SkillContext`. `arguments` are pairs of a parameter and the allowed classes
+    of its argument. Skills and classes include all that are derived from those in the rules,
+    sorted, so readers need no hierarchy.
 
-    With `is_ahead` it is about skills that can start next. An argument that nobody knows yet may be
-    of any class.
+    With `is_ahead`, the query is about skills that can start next; an unknown argument may be of
+    any class.
 
-    `written` is how the rules write it, without names of namespaces that they leave out.
+    `written` is the notation of the rules, without optional name spaces.
     """
 
     export: str
@@ -127,10 +127,10 @@ class Doing:
 
 @dataclass(frozen=True)
 class Quantity:
-    """The number that is the argument `parameter` of the one running skill among `skills`, of a
-    `skill_context_msgs/SkillContext`; with a `property`, that of the thing that is the argument. It
-    is in SI where it has a unit. One that stands for a boolean is 0 or 1 (`is_boolean`). `skills`
-    and `written` are as those of `Doing`.
+    """The number that is the argument `parameter` of the single running skill among `skills`, in a
+    `skill_context_msgs/SkillContext`. With a `property`, the number is that property of the thing
+    in the argument. It is in SI if it has a unit. A boolean is 0 or 1 (`is_boolean`). `skills` and
+    `written` are like those of `Doing`.
     """
 
     export: str
@@ -146,10 +146,12 @@ class Quantity:
 
 
 SkillStep = Doing | Quantity
-"""A query to the skills that run. It stands at the message itself, alone on its path."""
+"""A query about the running skills. It applies to the message itself, as the only step of its
+path.
+"""
 
 AXES = ("x", "y", "z")
-"""The fields that are the place of a point: what has no place is no point (S57)."""
+"""The fields with the position of a point. Without a position there is no point (S57)."""
 
 Step = str | int | ByName | Listed | Each | Points | Sector | Beams | Doing | Quantity
 """The name of a field, the place or the name of an element, every element, the points of a cloud,
@@ -177,8 +179,8 @@ def path_words(path: Iterable[Step]) -> str:
 
 
 def path_names(path: Iterable[Step]) -> list[str]:
-    """The names on a path, places and names of elements included; what all elements of a list have
-    goes by the name of the field alone, and a sector by that of the array with its angles.
+    """The names on a path, places and names of elements included; a field of all elements of a list
+    has the name of the field alone, and a sector the name of the array with its angles.
     """
     names: list[str] = []
     for step in path:

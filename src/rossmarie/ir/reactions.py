@@ -1,9 +1,10 @@
-"""Reactions: what active rules do to the robot. A machine of its own, beside the monitor machine.
+"""Reactions: the effects of active rules on the robot. A separate machine beside the monitor
+machine.
 
-The monitor machine (`model.py`) says which rules are active. This one says what follows: which
-bounds lie on which command topic, which task runs, and what is undone on release. It decides; the
-node around it performs (publishes, calls, sends goals) and reports what came of it.
-The meaning is written down in `docs/explanation/reactions.md` (R1, R2, ...).
+The monitor machine (`model.py`) determines the active rules. This machine determines the
+consequences: the bounds on command topics, the running tasks, and the effects to undo on release.
+It only decides. The node around it performs the effects (publishes, calls, sends goals) and reports
+their results. `docs/explanation/reactions.md` defines the meaning (R1, R2, ...).
 
 All numbers are in the units of the messages that they go into.
 """
@@ -45,7 +46,7 @@ class CommandTopic:
 @dataclass(frozen=True)
 class Bound:
     """While in force the field stays in `[low, high]`, which contains 0. After release the ends
-    move apart by `ramp` per second; None: they are lifted at once.
+    move apart by `ramp` per second; None: the bound is lifted at once.
     """
 
     field: int
@@ -87,7 +88,8 @@ class Assignment:
 @dataclass(frozen=True)
 class Publish:
     """`publish TOPIC : TYPE { ... } at RATE`; once if `period_ns` is None. `command` is the index
-    of the command topic if the topic passes through the filter: then this takes its place.
+    of the command topic if the topic passes through the filter: then the message replaces the
+    command.
     """
 
     topic: str
@@ -100,7 +102,7 @@ class Publish:
 @dataclass(frozen=True)
 class Retrace:
     """`retrace INPUT on TOPIC : TYPE { ... } at RATE`: poses of a memory, the newest first (R17).
-    `numbers` are the fields of the message that the numbers of a pose go into, in their order.
+    `numbers` are the fields of the message for the numbers of a pose, in their order.
     """
 
     topic: str
@@ -114,7 +116,7 @@ class Retrace:
 @dataclass(frozen=True)
 class Call:
     """`call SERVICE : TYPE { ... } within D`. Fails if the answer has a field `success` that is
-    false, or does not come in time.
+    false, or arrives too late.
     """
 
     service: str
@@ -125,7 +127,7 @@ class Call:
 
 @dataclass(frozen=True)
 class SetParameter:
-    """`set NODE.PARAMETER to VALUE within D`; the old value comes back on release."""
+    """`set NODE.PARAMETER to VALUE within D`. On release the old value is restored."""
 
     node: str
     parameter: str
@@ -144,7 +146,7 @@ class SwitchControllers:
 
 
 class Interrupted(enum.Enum):
-    """The fate of the goal that was interrupted, on release."""
+    """The handling of the interrupted goal, on release."""
 
     DROP = "drop"
     RESEND = "resend"
@@ -152,7 +154,7 @@ class Interrupted(enum.Enum):
 
 @dataclass(frozen=True)
 class SendGoal:
-    """`send TYPE { ... } to SERVER within D then resend`: cancels the goal at hand first."""
+    """`send TYPE { ... } to SERVER within D then resend`. Cancels the current goal first."""
 
     server: str
     action_type: str
@@ -208,11 +210,11 @@ class Hook:
 
 @dataclass(frozen=True)
 class Reset:
-    """`reset`: what an operator's reset of all latched rules does (S38)."""
+    """`reset`: like an operator's reset of all latched rules (S38)."""
 
 
 Awaited = Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
-"""Effects whose end is awaited for a time."""
+"""Effects whose end is awaited, with a time limit."""
 
 Effect = Limit | Scale | Publish | Retrace | Awaited | Log | Diagnose | Hook | Reset
 
@@ -228,7 +230,7 @@ POSES = (3, 7)
 class Task:
     """One effect of one action at one place in the plan of one rule.
 
-    `resource` is the index of what it needs for itself, None if it shares. `otherwise` are the
+    `resource` is the index of its exclusive resource, None if it needs none. `otherwise` are the
     tasks that start when it fails; they belong to no stage and may have an `otherwise` themselves.
     """
 
@@ -252,8 +254,8 @@ class Action:
 class RecoveryPlan:
     """The plan of a rule: stages one after the other; the tasks of a stage side by side.
 
-    `tasks` are all of it in the order in which they stand in the file, escalations included. It is
-    not carried out while one of the rules `unless` is active.
+    `tasks` are all its tasks in file order, including escalations. The plan is not carried out
+    while one of the rules `unless` is active.
     """
 
     stages: tuple[tuple[int, ...], ...]
@@ -275,9 +277,10 @@ class Memory:
 
 @dataclass(frozen=True)
 class Reactions:
-    """The reactions of the rules of a machine. `plans` has one entry for each rule; `order` are the
-    rules from the first to the last that gets a resource that several need; `priorities` are the
-    pairs of rules of which the first was put over the second; `memories` are those of poses.
+    """The reactions of the rules of a machine. `plans` has one entry for each rule. `order` lists
+    the rules in the order in which they get a resource that several need. `priorities` are the
+    pairs of rules of which the user put the first over the second. `memories` are the memories of
+    poses.
     """
 
     commands: tuple[CommandTopic, ...]
@@ -297,7 +300,9 @@ NO_REACTIONS = Reactions((), (), (), (), (), ())
 
 
 def timeout_ns(effect: Effect) -> int | None:
-    """The time for which the end of an effect is awaited; None if nothing is."""
+    """The time in nanoseconds for which the end of an effect is awaited; None if it is not
+    awaited.
+    """
     match effect:
         case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
             return effect.timeout_ns
@@ -308,7 +313,7 @@ def timeout_ns(effect: Effect) -> int | None:
 
 
 def is_lasting(effect: Effect) -> bool:
-    """Say whether an effect stays in force after it is done, so that something is undone on
+    """Say whether an effect stays in force after it is done, so that it has to be undone on
     release.
     """
     match effect:
@@ -326,15 +331,15 @@ def is_lasting(effect: Effect) -> bool:
 
 
 def is_block(command: CommandTopic, effect: Limit) -> bool:
-    """Say whether a limit lets nothing of a command pass but zero."""
+    """Say whether a limit lets only zero pass for all fields of a command."""
     is_zero = all(bound.low == 0 == bound.high for bound in effect.bounds)
     return is_zero and len(effect.bounds) == len(command.fields)
 
 
 @dataclass(frozen=True)
 class Target:
-    """The target that an effect needs for itself: `controller manager /controller_manager`. `name`
-    is the ROS name; a parameter is distinguished by its own behind that.
+    """The target that an effect needs exclusively: `controller manager /controller_manager`. `name`
+    is the ROS name; a parameter adds its own name.
     """
 
     kind: str
@@ -346,7 +351,7 @@ class Target:
 
 
 def target_of(effect: Effect) -> Target | None:
-    """The target that an effect needs for itself; None if it shares (R2)."""
+    """The target that an effect needs exclusively; None if it needs none (R2)."""
     match effect:
         case Publish(topic=topic) | Retrace(topic=topic):
             return Target("topic", topic)
@@ -363,7 +368,7 @@ def target_of(effect: Effect) -> Target | None:
 
 
 def waits(effect: Effect) -> bool:
-    """Say whether an effect waits for its resource while another rule has it; others fail then."""
+    """Say whether an effect waits while another rule has its resource. Other effects fail then."""
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None
@@ -374,7 +379,9 @@ def waits(effect: Effect) -> bool:
 
 
 def confirmation(effect: Effect) -> int | None:
-    """The index in `Machine.watches` of what has to be true before an effect has succeeded."""
+    """The index in `Machine.watches` of the proposition that confirms the success of an effect;
+    None if there is none.
+    """
     match effect:
         case CancelGoal():
             return effect.confirmation

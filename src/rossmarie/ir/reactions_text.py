@@ -1,6 +1,6 @@
 """Reactions as text for people: one line per part. A part of `dump_text`.
 
-Tasks are written `k0`, rules by name; behind the bar stands where the user wrote it.
+Tasks are written `k0`, rules by name. The place in the rules file follows the bar.
 """
 
 from __future__ import annotations

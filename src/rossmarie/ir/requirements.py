@@ -1,4 +1,4 @@
-"""Requirements of rules: to act before it is too late."""
+"""Requirements of rules: each rule acts before it is too late."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from rossmarie.ir.model import Machine
 class Braking:
     """The braking of a motion, in SI: `brake` is the least deceleration, `timeout_s` the longest
     silence of its messages, `latency_s` all other time from a message to the brakes. `position` and
-    `speed` are in the words of the rules; unless `is_of_one_message`, they come apart.
+    `speed` are in the words of the rules. Unless `is_of_one_message`, they arrive in separate
+    messages.
     """
 
     motion: str
@@ -27,20 +28,20 @@ class Braking:
 
     @property
     def reaction_s(self) -> float:
-        """The longest time from what the last message told to the brakes."""
+        """The longest time in seconds from the state in the last message to the brakes."""
         return self.timeout_s + self.latency_s
 
     def reached(self, speed: float) -> float:
-        """The speed in m/s when the brakes hold, of one that was measured."""
+        """The speed in m/s at which the brakes take hold, for a measured speed."""
         return min(abs(speed) + self.acceleration * self.reaction_s, self.fastest)
 
     def way_until_brakes(self, speed: float) -> float:
-        """The way in m until the brakes hold, of a speed that was measured."""
+        """The distance in m until the brakes take hold, for a measured speed."""
         travelling = self.reached(speed) if self.is_of_one_message else self.fastest
         return travelling * self.reaction_s
 
     def way(self, speed: float, wanted: float) -> float:
-        """The way in m on which a measured speed becomes the one that is wanted, by rule S65."""
+        """The distance in m in which a measured speed becomes the wanted one, by rule S65."""
         reached = self.reached(speed)
         braking = (reached * reached - wanted * wanted) / (2.0 * self.brake)
         return self.way_until_brakes(speed) + braking if reached > wanted else 0.0
@@ -49,9 +50,9 @@ class Braking:
 @dataclass(frozen=True)
 class Requirement:
     """A rule keeps a motion below `speed` m/s in the places of a class: it is active before it is
-    too late to brake. `machine` is that of the rules with more behind it: `truth` is that it is too
-    late and the condition of the rule is false. `text` is how it is written, at `span`; `rule` is
-    the name of the rule.
+    too late to brake. `machine` is the machine of the rules with additional propositions: `truth`
+    is that it is too late and the condition of the rule is false. `text` is how it is written, at
+    `span`; `rule` is the name of the rule.
     """
 
     rule: str

@@ -1,8 +1,8 @@
-"""The beams of a `sensor_msgs/LaserScan`: sectors (S71), points (S72), and beams that tell nothing
+"""The beams of a `sensor_msgs/LaserScan`: sectors (S71), points (S72), and beams without a reading
 (S73).
 
-A scan says itself at which angles its beams are, and between which distances it measures. Nothing
-of that is trusted: of a scan that contradicts itself nothing is known (S70).
+A scan describes the angles of its beams, and the distances between which it measures. This
+description is checked: a scan that contradicts itself is unknown (S70).
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from rossmarie.ir.path import INVALID, RETURNS, Beams, Sector
 TURN = 2.0 * HALF_TURN
 
 SLACK = 0.01
-"""The share of an increment by which beams may miss an angle: scans have numbers of 32 bits."""
+"""The share of an increment by which beams may miss an angle, because scans have 32-bit numbers."""
 
 _MISCOUNT = 1.5
-"""The increments by which `angle_max` may be off: drivers disagree by one beam on what it is."""
+"""The increments by which `angle_max` may be off: drivers differ by one beam in its definition."""
 
 
 class Scan(Protocol):
-    """An object with the fields of the message, however it was made."""
+    """An object with the fields of the message, of whatever class."""
 
     angle_min: float
     angle_max: float
@@ -42,13 +42,13 @@ class Scan(Protocol):
 
 
 class UnreadableScanError(Exception):
-    """The reason why nothing is known of what is asked of a scan."""
+    """The reason why a requested value of a scan is unknown."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Measured:
-    """The beams of a scan that does not contradict itself. `step` is the angle between two beams,
-    and `least` that of the first or the last, whichever is less.
+    """The beams of a consistent scan. `step` is the angle between two beams, and `least` the
+    smaller of the angles of the first and the last beam.
     """
 
     ranges: NDArray[np.float64]
@@ -66,12 +66,13 @@ class _Measured:
 
 
 def is_scan(value: object) -> TypeGuard[Scan]:
-    """Say whether something looks like the message of a scan."""
+    """Say whether a value looks like the message of a scan."""
     return hasattr(value, "angle_increment") and hasattr(value, "ranges")
 
 
 def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
-    """The numbers of an array that is of a scan; `most` is the bound of its list, if it has one.
+    """The numbers of an array that is computed from a scan; `most` is the bound of its list, if it
+    has one.
 
     Raises `UnreadableScanError`.
     """
@@ -84,8 +85,8 @@ def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
 
 
 def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, list[float]]:
-    """The numbers of these arrays of a machine, which are of this scan; those of which nothing is
-    known are left out.
+    """The numbers of these arrays of a machine, computed from this scan. Unknown arrays are left
+    out.
     """
     found: dict[int, list[float]] = {}
     for index in arrays:
@@ -97,9 +98,9 @@ def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, 
 
 
 def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
-    """The readings of a sector that tell something; +inf where nothing is in reach.
+    """The valid readings of a sector, with +inf for nothing in range.
 
-    Raises `UnreadableScanError` if there are none, or if beams do not reach over all of the sector.
+    Raises `UnreadableScanError` if there are none, or if the beams do not cover the whole sector.
     """
     measured = _measured(scan)
     if not _reaches_over(measured, wanted):
@@ -112,13 +113,13 @@ def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
 
 
 def beams_inside(scan: Scan, wanted: Sector) -> NDArray[np.bool_]:
-    """The beams of a scan that are in a sector, whatever they tell."""
+    """The beams of a scan that are in a sector, whatever their readings."""
     angles = _angles(float(scan.angle_min), float(scan.angle_increment), len(scan.ranges))
     return _inside(angles, abs(float(scan.angle_increment)), wanted)
 
 
 def beams(scan: Scan, kind: Beams, field: str, most: int) -> NDArray[np.float64]:
-    """One field of the points of a scan, or of the beams that tell nothing.
+    """One field of the points of a scan, or of the beams without a reading.
 
     Raises `UnreadableScanError`, also if the scan has more than `most` beams.
     """
@@ -181,7 +182,7 @@ def _inside(angles: NDArray[np.float64], step: float, wanted: Sector) -> NDArray
 
 
 def _reaches_over(measured: _Measured, wanted: Sector) -> bool:
-    """To within one increment at each end."""
+    """Say whether the beams cover a sector, up to one increment at each end."""
     span = measured.step * (len(measured.ranges) - 1)
     step = (1.0 + SLACK) * measured.step
     if span + step >= TURN:

@@ -1,7 +1,8 @@
-"""Tests as data: what arrives when, in SI, and what is expected of the rules.
+"""Tests as data: messages with their instants, in SI, and expectations about the rules.
 
-A script names fields as the user does, by input and path, also those that no rule reads; how it
-becomes messages of a machine is up to `rossmarie.testing`. Instants count from its beginning.
+A script names fields as the user does, by input and path, including fields that no rule reads.
+`rossmarie.testing` turns it into messages of a machine. Instants count from the beginning of the
+script.
 """
 
 from __future__ import annotations
@@ -19,16 +20,15 @@ MOST_MESSAGES = 100_000
 """The most messages of one repetition."""
 
 SettingValue = float | bool | str | tuple[float | bool, ...] | None
-"""In SI; a tuple is a whole array, None is unknown."""
+"""A value in SI. A tuple is a whole array, None is unknown."""
 
 
 @dataclass(frozen=True)
 class FieldValue:
-    """One field of the messages of a topic gets a value; `path` leads there from the message,
-    `input` is by which input the user named it. With an `angle` (`roll`, `pitch` or `yaw`), `path`
-    leads to an orientation, of which the other two angles stay as they are. `unit` is only how the
-    value is to be written; nothing: in the unit of the message. `span` is None in a script that
-    nobody wrote down yet.
+    """A value for one field of the messages of a topic. `path` leads to the field from the message,
+    `input` is the input that the user named. With an `angle` (`roll`, `pitch` or `yaw`), `path`
+    leads to an orientation whose other two angles stay unchanged. `unit` is only the display unit
+    of the value; empty: the unit of the message. `span` is None in a script without a text.
     """
 
     input: str
@@ -42,8 +42,8 @@ class FieldValue:
 
 @dataclass(frozen=True)
 class Running:
-    """The skills that run and that can start next, and no others, from this message on `topic` on;
-    `text` is how a test says so.
+    """The skills that run and that can start next, and no others, from this message on `topic` on.
+    `text` is the notation of tests.
     """
 
     topic: str
@@ -53,9 +53,9 @@ class Running:
 
 @dataclass(frozen=True)
 class ScriptedArrival:
-    """A message on each of `topics`, which the user named by `inputs`, at `first_ns`, and with a
-    period again and again up to and including `last_ns`. `running` says which skills the one of
-    them tells of that tells of skills; None if they are those of before.
+    """A message on each of `topics`, which the user named by `inputs`, at `first_ns`, and then once
+    per period up to and including `last_ns`. `running` holds the running skills, for a message
+    about skills; None if they have not changed.
     """
 
     first_ns: int
@@ -68,7 +68,7 @@ class ScriptedArrival:
 
     @property
     def count(self) -> int:
-        """The number of messages that come on each of the topics."""
+        """The number of messages on each of the topics."""
         return 1 if self.period_ns is None else (self.last_ns - self.first_ns) // self.period_ns + 1
 
 
@@ -84,7 +84,7 @@ class ScriptedReset:
 class Expectation:
     """A rule is active, or inactive, at every instant from `first_ns` to `last_ns`, both included.
 
-    `span` is None in a script that nobody wrote down yet.
+    `span` is None in a script without a text.
     """
 
     rule: int
@@ -96,9 +96,9 @@ class Expectation:
 
 @dataclass(frozen=True)
 class CommandExpectation:
-    """The expectation that what the safety filter lets through in a field of a command lies in
-    `[low, high]`, whatever comes in, at every instant from `first_ns` to `last_ns`, both included;
-    in the unit of the message, which is `unit`.
+    """An expectation about a field of a command: the value behind the safety filter lies in `[low,
+    high]`, whatever the input, at every instant from `first_ns` to `last_ns`, both included. Values
+    are in the unit of the message, `unit`.
     """
 
     topic: str
@@ -123,7 +123,7 @@ class Script:
 
     @property
     def end_ns(self) -> int:
-        """The last instant that matters."""
+        """The last instant of any event or expectation."""
         ends = [event.at_ns if isinstance(event, ScriptedReset) else event.last_ns
                 for event in self.events]  # fmt: skip
         ends += [expected.last_ns for expected in self.expectations]
@@ -132,6 +132,6 @@ class Script:
 
     @property
     def can_be_written(self) -> bool:
-        """Say whether a test may be so long."""
+        """Say whether the script is short enough to be written as a test."""
         repeated = (each for each in self.events if isinstance(each, ScriptedArrival))
         return self.end_ns <= LATEST_NS and all(each.count <= MOST_MESSAGES for each in repeated)

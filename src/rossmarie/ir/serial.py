@@ -27,7 +27,7 @@ Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
 
 class UnreadableMachine(Exception):
-    """A text is no machine of this version."""
+    """The text is not a machine of this version."""
 
 
 def machine_to_json(machine: ir.Machine) -> str:
@@ -91,7 +91,7 @@ def _is_node(kind: type) -> bool:
 
 
 def _decode(hint: object, data: typing.Any, files: list[SourceFile]) -> object:
-    """The value that `data` stands for where the model says `hint`."""
+    """The value of `data`, by the type `hint` of the model."""
     arguments = typing.get_args(hint)
     if typing.get_origin(hint) in (types.UnionType, typing.Union):
         return _decode(_choose(arguments, data), data, files)
@@ -135,8 +135,8 @@ def _choose(hints: tuple[type, ...], data: typing.Any) -> object:
 
 
 def _plain(hints: tuple[type, ...], data: object) -> type:
-    """The kind of what is no node: a class of JSON, an enumeration, or the only class of the
-    model.
+    """The type of a value that is not a node: a class of JSON, an enumeration, or the only class of
+    the model.
     """
     if not isinstance(data, dict):
         names = (hint for hint in hints if issubclass(hint, enum.Enum))

@@ -1,5 +1,5 @@
-"""Parameters of the running node in a machine: what it was given at its start comes in on a channel
-of its own, and counts if it tightens.
+"""Parameters of the running node in a machine. The start value of a parameter arrives on its own
+channel, and counts only if it tightens.
 """
 
 from __future__ import annotations
@@ -12,21 +12,21 @@ from rossmarie.ir.channels import Channel
 from rossmarie.ir.model import Apply, Constant, Machine, Read, SignalNode
 
 PREFIX = "~"
-"""The beginning of the names of such channels; no topic of the rules begins like this."""
+"""The prefix of the names of such channels. No topic of rules begins with it."""
 
 MESSAGE = "std_msgs/Float64"
 
 FARTHEST = 1000.0
-"""A value may be this many times the default, or one part in as many."""
+"""The greatest ratio of a value to the default, and of the default to a value."""
 
 AT_ZERO = 1e9
-"""A value may be this far from a default of 0."""
+"""The greatest distance of a value from a default of 0."""
 
 
 @dataclass(frozen=True)
 class NodeParameter:
-    """A parameter of the node, in SI: between `usual` and `farthest`, which is greater if `is_up`,
-    and shown in `unit`.
+    """A parameter of the node, in SI, between `usual` and `farthest`, which is greater if `is_up`.
+    Its display unit is `unit`.
     """
 
     name: str
@@ -37,19 +37,19 @@ class NodeParameter:
 
     @property
     def is_up(self) -> bool:
-        """Say whether a greater number is the tighter one."""
+        """Say whether a greater number is tighter."""
         return self.farthest > self.usual
 
 
 def farthest(usual: float, *, is_up: bool) -> float:
-    """The last value that counts. A number keeps its sign, so that products keep theirs."""
+    """The last value that counts. The sign of a number stays, so that signs of products stay."""
     if usual == 0.0:
         return AT_ZERO if is_up else -AT_ZERO
     return usual * FARTHEST if is_up is (usual > 0.0) else usual / FARTHEST
 
 
 def is_setting(channel: Channel) -> bool:
-    """Say whether a channel is no topic, but a parameter of the node."""
+    """Say whether a channel is a parameter of the node instead of a topic."""
     return channel.topic.startswith(PREFIX)
 
 
@@ -70,7 +70,9 @@ def _settings(machine: Machine) -> Iterator[NodeParameter]:
 
 
 def setting_numbers(machine: Machine, node: SignalNode) -> tuple[int, float, float] | None:
-    """The slot, the default and the last value that counts, if a signal is a parameter."""
+    """The slot, the default and the last value that counts, if a signal is a parameter; else
+    None.
+    """
     if not isinstance(node, Apply) or node.function not in (Function.RAISED, Function.LOWERED):
         return None
     read, usual, far = (machine.signals[each].node for each in node.operands)

@@ -1,4 +1,4 @@
-"""The signs of comparisons, and which of them say the same of exchanged sides, or the opposite."""
+"""The signs of comparisons, with their mirrored and opposite signs."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ class Comparison(enum.Enum):
 
     @property
     def mirrored(self) -> Comparison:
-        """The comparison that says the same with its sides exchanged."""
+        """The equivalent comparison with exchanged sides."""
         return Comparison(_MIRRORED.get(self.value, self.value))
 
     @property
     def opposite(self) -> Comparison:
-        """The comparison that holds of known numbers where this one does not."""
+        """The comparison of known numbers that is true exactly if this one is false."""
         return Comparison(_OPPOSITES[self.value])
 
 

@@ -1,9 +1,9 @@
-"""Answers of the skills that run to the queries of a machine.
+"""Answers of the running skills to the queries of a machine.
 
-A context is a `skill_context_msgs/SkillContext`, with attributes as rosbags, rospy and rclpy give
-them, or a `SkillContext` of this module. The nodes have the same in C++ (`runtime/ros/skills.h`).
-Nothing in a message is trusted: where it is not as its definition says, is from another export, or
-is too large, nobody knows the answer, which is NaN, so that the input counts as stale.
+A context is a `skill_context_msgs/SkillContext`, with attributes as in rosbags, rospy and rclpy, or
+a `SkillContext` of this module. The nodes have the same code in C++ (`runtime/ros/skills.h`).
+Messages are not trusted: if a message violates its definition, comes from another export, or is too
+large, the answer is NaN (unknown), so the input counts as stale.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from typing import Any, Protocol
 from rossmarie.ir.path import Doing, Quantity, SkillStep
 
 MOST_RUNNING = 64
-"""Skills that may run at the same time; a message with more is not read."""
+"""The most skills that may run at the same time. A message with more is ignored."""
 MOST_ARGUMENTS = 64
-"""Arguments of a skill; a message in which one has more is not read."""
+"""The most arguments of a skill. A message with more is ignored."""
 MOST_PROPERTIES = 64
-"""Properties of an argument; a message in which one has more is not read."""
+"""The most properties of an argument. A message with more is ignored."""
 
 
 @dataclass(frozen=True)
 class SkillProperty:
-    """A data property of a thing, in SI where it has a unit."""
+    """A data property of a thing, in SI if it has a unit."""
 
     property: str
     number: float
@@ -33,8 +33,8 @@ class SkillProperty:
 
 @dataclass(frozen=True)
 class SkillArgument:
-    """An argument of a skill: a thing of a class (`type`, empty if it is none), or a number (NaN if
-    it is none). A thing of several classes is there once for each.
+    """An argument of a skill: a thing of a class (`type`, else empty), or a number (else NaN). A
+    thing with several classes occurs once for each.
     """
 
     parameter: str
@@ -46,8 +46,8 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class RunningSkill:
-    """A skill that runs, by the name of its description; or one that can start next (`is_ahead`):
-    an argument of it that nobody knows yet is not there.
+    """A running skill, by the name of its description, or one that can start next (`is_ahead`).
+    Unknown arguments of the latter are missing.
     """
 
     skill: str
@@ -57,8 +57,8 @@ class RunningSkill:
 
 @dataclass(frozen=True)
 class SkillContext:
-    """All skills that run and that can start next, and the digest of the export that they are from.
-    Of those that can start next there is nothing if nobody knows them.
+    """All skills that run and that can start next, and the digest of the export that they come
+    from. If the skills that can start next are unknown, there are none.
     """
 
     digest: str
@@ -75,8 +75,8 @@ class SkillContext:
 
 
 class SkillMessage(Protocol):
-    """A `skill_context_msgs/SkillContext` as libraries of ROS have it, or a `SkillContext`. What is
-    in it may be of any type.
+    """A `skill_context_msgs/SkillContext` of a ROS library, or a `SkillContext`. Its content may
+    have any type.
     """
 
     @property
@@ -93,16 +93,16 @@ class SkillMessage(Protocol):
 
     @property
     def is_ahead_known(self) -> bool:
-        """True if whoever tells it knows which skills can start next."""
+        """True if the sender knows the skills that can start next."""
 
 
 class _UnreadableError(Exception):
-    """A message is not as its definition says, or too large."""
+    """The message violates its definition, or is too large."""
 
 
 def answer(step: SkillStep, context: SkillMessage) -> float:
-    """The answer of a context to a query: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
-    the message has it; NaN if nobody knows, or if a boolean is neither 0 nor 1.
+    """The answer of a context to a query: 1.0 for yes, 0.0 for no, or the number of a `Quantity` as
+    in the message. NaN if it is unknown, or if a boolean is neither 0 nor 1.
     """
     try:
         if _text(context, "digest") != step.export:
@@ -129,7 +129,7 @@ def _is_doing(step: Doing, running: RunningSkill) -> bool:
 
 
 def _may_do(step: Doing, ahead: RunningSkill) -> bool:
-    """The same of a skill that can start next."""
+    """The answer for a skill that can start next."""
     known = {each.parameter for each in ahead.arguments}
     limits = tuple(limit for limit in step.arguments if limit[0] in known)
     return _is_doing(replace(step, arguments=limits), ahead)
@@ -147,7 +147,7 @@ def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
 
 
 def _numbers(step: Quantity, running: RunningSkill) -> Iterator[float]:
-    """The numbers that may be meant: of one thing, as often as it has classes."""
+    """The candidate numbers: for one thing, one for each of its classes."""
     for argument in _called(running, step.parameter):
         if step.property is None:
             yield argument.number
@@ -156,7 +156,7 @@ def _numbers(step: Quantity, running: RunningSkill) -> Iterator[float]:
 
 
 def _called(running: RunningSkill, parameter: str) -> Iterator[SkillArgument]:
-    """The argument of a parameter: once for each class of a thing that has several."""
+    """The argument of a parameter, once for each class of a thing with several classes."""
     return (each for each in running.arguments if each.parameter == parameter)
 
 

@@ -1,6 +1,6 @@
-"""The support of a signal or a proposition: queries about a machine that every target asks.
+"""The support of a signal or a proposition: queries about a machine that every target needs.
 
-Takes a machine whose operands stand before their users; answers never depend on values.
+The input is a machine whose operands precede their users. Answers never depend on values.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from rossmarie.ir import model as ir
 
 @dataclass(frozen=True)
 class Support:
-    """Everything that a value can depend on, as indexes into the machine.
+    """All parts of a machine that a value can depend on, as indices.
 
-    `folds` are the signals (`Fold` and `Count`) that turn an array into a number, `samples` those
-    (`Sampled`) that wait for samples. The input of an `AgeReaches` is among `inputs`
-    although no slot of it need be. `beside` are the slots that are read beside elements when these
-    arrive (S74): they are among `slots` only if they are read elsewhere as well, their inputs are
-    among `inputs`, and their channels, whose messages change nothing, are not among `channels`.
+    `folds` are the signals (`Fold` and `Count`) that turn an array into a number, `samples` the
+    signals (`Sampled`) that wait for samples. The input of an `AgeReaches` is among `inputs` even
+    if none of its slots is. `beside` are the slots that are read beside elements when these arrive
+    (S74). They are among `slots` only if they are also read elsewhere. Their inputs are among
+    `inputs`, but their channels, whose messages change nothing, are not among `channels`.
     """
 
     slots: frozenset[int] = frozenset()
@@ -52,8 +52,8 @@ class Supports:
 
 
 def all_channels(machine: ir.Machine, support: Support) -> frozenset[int]:
-    """The channels on whose messages something rests in any way: also those of numbers beside
-    elements, whose messages alone change nothing.
+    """All channels that a value depends on, including those of numbers beside elements, whose
+    messages alone change nothing.
     """
     return frozenset(machine.inputs[used].channel for used in support.inputs)
 
@@ -90,7 +90,7 @@ def proposition_operands(node: ir.PropositionNode) -> tuple[int, ...]:
 
 
 def compared_signals(node: ir.PropositionNode) -> tuple[int, ...]:
-    """The signals that a leaf proposition looks at, in the order in which it names them."""
+    """The signals that a leaf proposition compares, in the order of its fields."""
     match node:
         case ir.Compare(left=left, right=right):
             return (left, right)
@@ -106,7 +106,9 @@ def compared_signals(node: ir.PropositionNode) -> tuple[int, ...]:
 
 
 def is_leaf(node: ir.PropositionNode) -> bool:
-    """Say whether a proposition looks at numbers, arrays or ages instead of other propositions."""
+    """Say whether a proposition depends directly on numbers, arrays or ages instead of other
+    propositions.
+    """
     match node:
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
@@ -118,8 +120,8 @@ def is_leaf(node: ir.PropositionNode) -> bool:
 
 
 def supports(machine: ir.Machine) -> Supports:
-    """The support of every signal and proposition; an elementwise one rests on its array, and on
-    the numbers beside that.
+    """The support of every signal and proposition. An elementwise node depends on its array, and on
+    the numbers beside it.
     """
     signals: list[Support] = []
     for index, signal in enumerate(machine.signals):
@@ -131,7 +133,7 @@ def supports(machine: ir.Machine) -> Supports:
 
 
 def _below_count(machine: ir.Machine, proposition: int, signals: list[Support]) -> Support:
-    """The support of a proposition that is counted: `Count` asks before the propositions are
+    """The support of a counted proposition: `Count` needs it before the propositions are
     visited.
     """
     node = machine.propositions[proposition].node
@@ -141,7 +143,7 @@ def _below_count(machine: ir.Machine, proposition: int, signals: list[Support]) 
 
 
 def _over_elements(machine: ir.Machine, inner: Support, *folds: int) -> Support:
-    """The support of what is asked of all elements: it is found when these arrive (S26, S74)."""
+    """The support of a result over all elements, which is computed when they arrive (S26, S74)."""
     used = {machine.arrays[array].input for array in inner.arrays}
     return Support(
         arrays=inner.arrays,
@@ -153,7 +155,7 @@ def _over_elements(machine: ir.Machine, inner: Support, *folds: int) -> Support:
 
 
 def _array_support(machine: ir.Machine, array: int) -> Support:
-    """Find all columns of a list: they come and go together."""
+    """The support of an array. All columns of a list arrive and expire together."""
     used = machine.arrays[array].input
     its_list = machine.arrays[array].list
     columns = (array,) if its_list is None else columns_of(machine, its_list)
@@ -227,8 +229,8 @@ def columns_of(machine: ir.Machine, its_list: int) -> tuple[int, ...]:
 
 
 def arrays_of(machine: ir.Machine, channel: int) -> tuple[int, ...]:
-    """The arrays of a channel in the order in which engines take them: those that stand alone, then
-    the columns of each list.
+    """The arrays of a channel in the order in which engines take them: single arrays, then the
+    columns of each list.
     """
     alone = [
         index
@@ -244,14 +246,14 @@ def arrays_of(machine: ir.Machine, channel: int) -> tuple[int, ...]:
 
 
 def is_of_list(machine: ir.Machine, support: Support) -> bool:
-    """Say whether something rests on the elements of a list."""
+    """Say whether a value depends on the elements of a list."""
     return any(machine.arrays[array].list is not None for array in support.arrays)
 
 
 @dataclass(frozen=True)
 class ElementArrays:
-    """For every signal and proposition, by index: the array of which it takes one element, or None
-    if it has one value for the whole machine. All columns of a list are reported by the first one.
+    """The array of which each signal and proposition uses one element, by index; None if it has one
+    value for the whole machine. For a list, the array is the first column.
     """
 
     signals: tuple[int | None, ...]
@@ -259,7 +261,7 @@ class ElementArrays:
 
 
 def element_arrays(machine: ir.Machine) -> ElementArrays:
-    """The signals and propositions that exist once for each element, and the array of each.
+    """The signals and propositions that exist once for each element, with the array of each.
 
     Raises `ValueError` if one takes elements of two arrays, other than columns of one list.
     """
@@ -335,7 +337,7 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
 
 
 def reachable_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
-    """The proposition itself and all below it in index order; elementwise ones are left out."""
+    """The proposition itself and all its operands, in index order, without elementwise ones."""
     found: set[int] = set()
     waiting = [proposition]
     while waiting:
@@ -359,7 +361,7 @@ def whole_operands(node: ir.PropositionNode) -> tuple[int, ...]:
 
 
 def leaf_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
-    """The leaves on which a proposition stands, in index order."""
+    """The leaves that a proposition depends on, in index order."""
     return tuple(
         index
         for index in reachable_propositions(machine, proposition)
@@ -368,8 +370,8 @@ def leaf_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
 
 
 def rule_signals(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The signals whose values a verdict of a rule on this condition carries: what its leaves
-    look at, constants left out, in index order.
+    """The signals in a verdict of a rule with this condition: the signals that its leaves compare,
+    without constants, in index order.
     """
     found = {
         signal

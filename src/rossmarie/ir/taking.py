@@ -1,5 +1,5 @@
-"""Things that a rule takes away from a skill: a topic whose commands do not pass, a server whose
-goals are cancelled.
+"""Resources that a rule takes away from a skill: a topic whose commands no longer pass, a server
+whose goals are cancelled.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rossmarie.skills import Use, UseKind
 
 @dataclass(frozen=True)
 class Taking:
-    """A rule, the task by which it takes something away, and what that is to the skill."""
+    """A rule, the task that takes something away, and the use of it in the skill."""
 
     rule: int
     task: reactions.Task
@@ -22,7 +22,9 @@ class Taking:
 
 
 def takings(machine: Machine, uses: Sequence[Use]) -> Iterator[Taking]:
-    """All that rules take away of what a skill uses. Escalations need not come."""
+    """All resources of a skill that rules take away. Escalations are not counted, because they may
+    not happen.
+    """
     wanted = {(use.kind, use.name): use for use in uses}
     for rule, plan in enumerate(machine.reactions.plans):
         for index in dict.fromkeys(task for stage in plan.stages for task in stage):
@@ -33,7 +35,7 @@ def takings(machine: Machine, uses: Sequence[Use]) -> Iterator[Taking]:
 
 
 def taken(machine: Machine, effect: reactions.Effect) -> tuple[UseKind, str] | None:
-    """The topic or the server that an effect takes away from skills; None if it takes none."""
+    """The topic or the server that an effect takes away from skills; None if there is none."""
     commands = machine.reactions.commands
     match effect:
         case reactions.Limit(topic=topic) if reactions.is_block(commands[topic], effect):

@@ -1,4 +1,4 @@
-"""The terms of a rule: the propositions of which its verdicts tell (S41)."""
+"""The terms of a rule: the propositions in its verdicts (S41)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,8 @@ from rossmarie.ir.support import is_leaf, whole_operands
 
 
 def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The propositions that a verdict of a rule on this condition carries: the named ones, the
-    leaves, what rests on time, and instead of its parts what is defined by others (`once`,
-    `after`).
+    """The propositions in a verdict of a rule with this condition: named ones, leaves, operators
+    over time, and defined operators (`once`, `after`) instead of their parts.
     """
     return tuple(_terms(machine, condition))
 
@@ -29,7 +28,9 @@ def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
 
 
 def reported_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
-    """The proposition and all below it that users wrote, in index order; no elementwise ones."""
+    """The proposition and all its operands that users wrote, in index order, without elementwise
+    ones.
+    """
     found: set[int] = set()
     waiting = [proposition]
     while waiting:

@@ -1,6 +1,6 @@
-"""The verdicts of a monitor: a rule that became active or cleared, when, and why.
+"""The verdicts of a monitor: a rule became active or cleared, with the instant and the causes.
 
-Every target yields these same values, bit for bit.
+Every target yields exactly the same values.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 
 class TruthValue(enum.IntEnum):
-    """Kleene's three values; unknown is split by whether an input with a timeout is to blame.
+    """Kleene's three values. Unknown has two forms; S means that an input with a timeout is
+    missing.
 
     The numbers make conjunction and disjunction a maximum, see `docs/explanation/semantics.md`.
     """
@@ -39,10 +40,11 @@ class InputState(enum.IntEnum):
 
 @dataclass(frozen=True)
 class Verdict:
-    """One change of one rule, with a snapshot of what the rule rests on.
+    """One change of one rule, with a snapshot of the values that the rule depends on.
 
-    `propositions[i]` and `since_ns[i]` belong to `rule.terms[i]` (since when it has had this
-    value), `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to `rule.inputs[i]`.
+    `propositions[i]` and `since_ns[i]` (the instant from which it has had this value) belong to
+    `rule.terms[i]`, `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to
+    `rule.inputs[i]`.
     """
 
     rule: int
@@ -56,7 +58,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class TimeJump:
-    """Time went backwards: every duration starts again."""
+    """Time went backwards: all durations start again."""
 
     from_ns: int
     to_ns: int

@@ -1,4 +1,4 @@
-"""Verify that a machine is well formed: run between passes, so that no target has to ask again.
+"""Verify that a machine is well formed: it runs between passes, so that targets need no checks.
 
 Takes any machine. When `verify` returns, every index is in range, every operand stands before its
 user, elementwise nodes stand only below a fold, a count or a quantifier, beside them only functions
@@ -101,7 +101,7 @@ def _verify_inputs(machine: ir.Machine) -> None:
 
 
 def _verify_query(slot: ir.Slot, where: str) -> None:
-    """A query to the skills that run is asked of the message itself."""
+    """Require that a query about running skills applies to the message itself."""
     match slot.path:
         case (Doing(skills=skills, arguments=arguments),):
             require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
@@ -126,7 +126,7 @@ def _is_choice(names: tuple[str, ...]) -> bool:
 
 
 def _verify_column(machine: ir.Machine, array: ir.Array, where: str) -> None:
-    """A column belongs to the input of its list, and leads through each of its elements."""
+    """Require that a column belongs to the input of its list, and leads through each element."""
     if array.list is None:
         require(array.kind is ir.Kind.REAL, where, f"an array of the kind {array.kind.value}")
         require(EACH not in array.path, where, "a field of each element, but of no list")
@@ -292,7 +292,9 @@ def _require_element_propositions(
 
 
 def _verify_kinds(machine: ir.Machine) -> None:
-    """Flags are tested or compared with flags; texts, and frames, are compared for equality."""
+    """Require that flags are tested or compared with flags, and that texts and frames are compared
+    for equality.
+    """
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         for operand in signal_operands(signal.node):
@@ -348,7 +350,9 @@ def _compares_flags(machine: ir.Machine, node: ir.PropositionNode) -> bool:
 
 
 def _compares_text(machine: ir.Machine, node: ir.PropositionNode) -> bool:
-    """Two unknown texts have the same number, so one side has to be a literal."""
+    """Say whether a node compares texts. Two unknown texts have the same number, so one side has to
+    be a literal.
+    """
     if not isinstance(node, ir.Compare):
         return False
     is_of_text = kind_of(machine, node.left) is ir.Kind.TEXT
@@ -387,7 +391,7 @@ def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, w
 
 
 def _verify_asked(machine: ir.Machine, arrays: ElementArrays) -> None:
-    """The signals and propositions that actions ask are single ones."""
+    """Require that the signals and propositions that actions use are not elementwise."""
     for index, signal in enumerate(machine.readings):
         where = f"reading {index}"
         require_index(signal, len(machine.signals), where, "signal")

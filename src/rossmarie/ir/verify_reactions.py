@@ -15,7 +15,7 @@ from rossmarie.ir.model import Machine
 
 
 def verify_reactions(machine: Machine) -> None:
-    """Raise `MalformedMachine` at the first defect of what the rules do."""
+    """Raise `MalformedMachine` at the first defect of the reactions."""
     found = machine.reactions
     if found == reactions.NO_REACTIONS:
         return
@@ -39,7 +39,9 @@ def verify_reactions(machine: Machine) -> None:
 
 
 def _verify_plan(found: reactions.Reactions, plan: reactions.RecoveryPlan, where: str) -> None:
-    """Each task of the plan has one beginning: a place in a stage, or the failure of another."""
+    """Require that each task of the plan has one beginning: a place in a stage, or the failure of
+    another task.
+    """
     begun: set[int] = set()
     waiting = [task for stage in plan.stages for task in stage]
     while waiting:

@@ -1,5 +1,5 @@
-"""The places of fields of messages in flat arrays: of inputs in observations, of commands in
-actions.
+"""The places of message fields in flat arrays: fields of inputs in observations, fields of commands
+in actions.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ class CommandPart:
 
 @dataclass(frozen=True)
 class Publication:
-    """A command that a task publishes: its numbers take the places of those of the action, as
-    long as the task holds, or once. They come in the order of the parts of the command.
+    """A command that a task publishes. Its numbers replace those of the action, while the task is
+    in force, or once. They are in the order of the parts of the command.
     """
 
     task: int
@@ -54,8 +54,8 @@ class Publication:
 
 @dataclass(frozen=True)
 class PointColumns:
-    """The arrays of a machine that are columns of one cloud, and those among them that are axes: a
-    point of which one is NaN is none (S57).
+    """The arrays of a machine that are columns of one cloud, and the coordinates among them. A
+    point with a NaN coordinate does not count (S57).
     """
 
     columns: tuple[int, ...]
@@ -64,9 +64,9 @@ class PointColumns:
 
 @dataclass(frozen=True)
 class Wiring:
-    """All of that for arrays of these sizes. `slots` and `arrays` have an entry for each of the
-    machine; `arriving` are the channels on which a message comes with each observation; `commands`
-    are sorted by command; `clouds` are all that the machine reads.
+    """The wiring for arrays of these sizes. `slots` and `arrays` have an entry for each slot and
+    array of the machine. `arriving` are the channels with a message in each observation. `commands`
+    are sorted by command. `clouds` are all clouds that the machine reads.
     """
 
     observed: int

@@ -1,4 +1,4 @@
-"""From a checked program to the monitor machine."""
+"""Lowering: from a checked program to the monitor machine."""
 
 from rossmarie.lowering.lower import lower
 from rossmarie.lowering.requirements import lower_requirements

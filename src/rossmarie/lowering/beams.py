@@ -1,4 +1,4 @@
-"""The points of a scan: what the machine computes of their distance and their direction (S72)."""
+"""The points of a scan: their distance and direction, as a machine computes them (S72)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ANGLE = Quantity(parse_unit("rad"))
 
 
 def is_of_point(place: Place) -> bool:
-    """Say whether a place is a coordinate of a point of a scan."""
+    """Say whether a part is a coordinate of a point of a scan."""
     *before, last = place.path
     return tuple(before[-2:]) == (ir.RETURNS, ir.EACH) and last in AXES
 

@@ -1,4 +1,4 @@
-"""The way on which a motion slows down, as signals: `stopping(drive, 0.3 m/s)`."""
+"""The stopping distance of a motion, as signals: `stopping(drive, 0.3 m/s)`."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ _SQUARE = parse_unit("m^2/s^2")
 def way_to_stop(
     measured: int, motion: CheckedMotion, wanted: float, shown: Shown, nodes: Nodes
 ) -> int:
-    """The way in m from where the last message saw a motion to where it has slowed down, at the
-    latest (S65). `measured` is the signal of its speed, `wanted` the one to slow down to, in m/s.
+    """The distance in m from the position in the last message to the place where the motion has
+    slowed down, at the latest (S65). `measured` is the signal of its speed, `wanted` the target
+    speed in m/s.
     """
     span, name = shown.span, motion.declaration.name.text
 
@@ -36,7 +37,7 @@ def way_to_stop(
     fastest = number(motion.fastest, _SPEED)
     most = speed(ir.Function.ADD, speed(ir.Function.ABSOLUTE, measured), gained)
     reached = speed(ir.Function.MINIMUM, most, fastest)
-    # A message of its own may have come when the motion was faster than another one says.
+    # A separate speed message may be older or newer than the position, when the motion was faster.
     travelling = reached if motion.is_of_one_message else fastest
     reaction = number(motion.reaction_s, _TIME)
     way = metres("way until the brakes", ir.Function.MULTIPLY, travelling, reaction)

@@ -1,7 +1,7 @@
-"""The calls of skills that the queries of a machine tell apart, of each kind one.
+"""The calls of skills that the queries of a machine distinguish, one of each kind.
 
-A query asks for skills and for classes of arguments, so that two calls with the same answers
-are one to the machine. Which answers there can be together is what solvers have to know.
+A query names skills and classes of arguments, so two calls with the same answers are equivalent to
+the machine. Solvers need the answers that can occur together.
 """
 
 from __future__ import annotations
@@ -15,20 +15,24 @@ from rossmarie.check.model import CheckedSkills
 from rossmarie.skills import Parameter, Skill
 
 MOST_CALLS = 512
-"""The most calls that are kept. Of more, nothing is known of which answers go together."""
+"""The most calls that are kept. If there are more, the machine has no information about answers
+that occur together.
+"""
 
 Kinds: TypeAlias = tuple[str, ...]
 """All classes of one argument."""
 
 NO_VALUE: Kinds = ("",)
-"""The class of an argument that is nothing."""
+"""The class of an argument without a value."""
 
 NOT_KNOWN: Kinds = ()
-"""The classes of an argument of a skill that can start next, which nobody knows yet."""
+"""The classes of an unknown argument of a skill that can start next."""
 
 
 def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.SkillCall, ...]:
-    """One call for each combination of answers that a single call can give, but that of no yes."""
+    """One call for each combination of answers that a single call can give, except for only
+    "no".
+    """
     found: dict[tuple[bool, ...], ir.SkillCall] = {}
     kinds = sorted({step.is_ahead for step in steps})
     for skill, is_ahead in product(skills.file.skills.values(), kinds):
@@ -66,8 +70,8 @@ def _calls_of(
 
 
 def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) -> str | None:
-    """The call in the words of a test, which cannot say that a thing has several classes, or that
-    there is none.
+    """The call in the notation of tests, which cannot express a thing with several classes, or a
+    missing thing.
     """
     if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
         return None
@@ -79,9 +83,9 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) ->
 def _kinds(
     thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
-    """Classes that an argument may have, of each kind that the queries tell apart one; the most
-    general first. Of another class than its parameter demands, a thing can be beside that one. Any
-    parameter may have no value: what is gone from the world is told so.
+    """The classes that an argument may have, one for each kind that the queries distinguish, the
+    most general first. A thing can have other classes besides the one that its parameter requires.
+    Any parameter may have no value: so a thing that has left the world is reported.
     """
     below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
     own = _distinguished(below, asked, skills)
@@ -100,7 +104,7 @@ def _kinds(
 def _distinguished(
     names: Iterable[str], asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> dict[tuple[bool, ...], str]:
-    """Classes by the answers that they give, of each kind the most general."""
+    """Classes by the answers that they give, the most general of each kind."""
     found: dict[tuple[bool, ...], str] = {}
     for name in sorted(names, key=lambda name: (len(skills.classes.above(name)), name)):
         found.setdefault(tuple(name in classes for classes in asked), name)

@@ -1,4 +1,4 @@
-"""When a rule becomes active, and what clears it."""
+"""The contracts of rules: the condition for activation, and the condition for clearing."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class Contract:
-    """When a rule becomes active, and what clears it; `release` is None if only a reset does.
-    `written` is the condition as somebody wrote it, without skills of scopes and exemptions.
+    """The conditions for activation and clearing of a rule. `release` is None if only a reset
+    clears it. `written` is the condition in the rules file, without skills of scopes and
+    exemptions.
     """
 
     condition: int
@@ -27,7 +28,9 @@ class Contract:
 
 @dataclass(frozen=True)
 class _Condition:
-    """The condition of a rule, in words as well; `ends` is what else makes it false."""
+    """The condition of a rule, also in words. `ends` holds the other conditions that make it
+    false.
+    """
 
     proposition: int
     stated: str
@@ -65,8 +68,8 @@ def contract_of(
 
 
 def _condition_of(rule: ast.Rule, propositions: Propositions, nodes: Nodes) -> _Condition:
-    """S60: what is written, while a skill of the scope runs, and no exempted one does; or while the
-    skill of the exemption runs that the rule stands for.
+    """S60: the written condition, while a skill of the scope runs and no exempted one does; or, for
+    a rule that stands for an exemption, while the skill of the exemption runs.
     """
     written = propositions.lower(rule.condition)
     skills = propositions.skills
@@ -96,7 +99,7 @@ def _condition_of(rule: ast.Rule, propositions: Propositions, nodes: Nodes) -> _
 
 
 def _stated(condition: ast.Expression) -> str:
-    """The words of a condition, in parentheses where a sentence around them would be misread."""
+    """The words of a condition, in parentheses if the surrounding sentence would be ambiguous."""
     text = words(condition.span)
     is_one_word = isinstance(
         condition,

@@ -1,4 +1,4 @@
-"""Vectors and orientations as they are seen from another frame, as signals (S77, S78)."""
+"""Vectors and orientations in another frame, as signals (S77, S78)."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ from rossmarie.types import Quantity, Quaternion, Text, Vector
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 Axis = Callable[[int], int]
-"""The signal of a component by its number, made when it is asked for: a rule that looks at an x
-needs no y.
-"""
+"""The signals of components by number, made on demand: a rule that uses x does not need y."""
 
 _TURNED = (ir.Function.TURNED_X, ir.Function.TURNED_Y, ir.Function.TURNED_Z)
 _COMPOSED = (
@@ -31,13 +29,13 @@ _METRE = parse_unit("m")
 
 
 def is_in_frame(place: Place) -> bool:
-    """Say whether the rules say the frame of a part of a message."""
+    """Say whether the rules give the frame of a part of a message."""
     used = place.input
     return used.frame is not None and is_reported(used, place.path)
 
 
 class Frames:
-    """Lowers what is seen from a frame."""
+    """Lowers transformations between frames."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
         self._program = program
@@ -45,8 +43,8 @@ class Frames:
         self._nodes = nodes
 
     def seen(self, place: Place, type_: Vector | Quaternion, arrived: Axis, shown: Shown) -> Axis:
-        """The components of a vector or an orientation, which have `arrived`, in the frame in which
-        rules see them.
+        """The components of a vector or an orientation, which have `arrived`, in the frame of the
+        rules.
         """
         used = place.input
         parts = self._in_source(place, arrived)
@@ -59,7 +57,7 @@ class Frames:
         return parts
 
     def frame(self, place: Place, shown: Shown) -> int:
-        """The signal of the frame in which rules see a part of a message, as a text."""
+        """The signal of the frame of a part of a message in the rules, as a text."""
         used = place.input
         reported = frame_field(used.whole, place.path)
         if used.target is not None:
@@ -72,7 +70,7 @@ class Frames:
     # --- the frame of the message ------------------------------------------------------------
 
     def _in_source(self, place: Place, arrived: Axis) -> Axis:
-        """The number that has arrived, unknown where the message says another frame (S77)."""
+        """The number that has arrived; unknown if the message has another frame (S77)."""
         used = place.input
         reported = frame_field(used.whole, place.path)
         if reported is None or used.source is None:
@@ -103,7 +101,7 @@ class Frames:
     # --- ways --------------------------------------------------------------------------------
 
     def _along(self, leg: Leg, parts: Axis, type_: Vector | Quaternion, shown: Shown) -> Axis:
-        """The same thing, seen from the frame at the end of a leg (S78)."""
+        """The same quantity in the frame at the end of a leg (S78)."""
         if isinstance(type_, Quaternion):
             return self._composed(leg, parts, shown)
         if not type_.is_position:
@@ -142,7 +140,7 @@ class Frames:
     # --- transforms --------------------------------------------------------------------------
 
     def _offset(self, frame: CheckedFrame, number: int, shown: Shown) -> int:
-        """One coordinate of the origin of a frame in the frame that it lies in."""
+        """One coordinate of the origin of a frame in its parent frame."""
         axis = "xyz"[number]
         if frame.mounted is not None:
             text = f"{axis} of {frame.name}"
@@ -150,7 +148,7 @@ class Frames:
         return self._read(frame, "translation", axis, _METRE, shown)
 
     def _turn(self, leg: Leg, shown: Shown) -> tuple[int, ...]:
-        """The turn from the one frame to the other: for the way back, the other way round."""
+        """The rotation from one frame to the other; inverted on the path back."""
         frame = leg.frame
         if frame.mounted is not None:
             *axes, w = frame.mounted[3:]

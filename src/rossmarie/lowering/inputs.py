@@ -1,6 +1,6 @@
-"""Where messages come in: the channels, inputs, slots, arrays and texts that rules use.
+"""The inputs of a machine: the channels, inputs, slots, arrays and texts that rules use.
 
-Each is made when first asked for, so that what no rule needs does not exist.
+Each entry is made on demand, so a machine contains only entries that rules need.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Place:
 
     @property
     def path(self) -> ir.Path:
-        """The way from the message to the part."""
+        """The path from the message to the part."""
         return self.part.path
 
     def field(self, name: str, type_: Type) -> Place:
@@ -57,20 +57,20 @@ class Place:
         return Place(self.input, self.part.element(index, owner))
 
     def each(self) -> Place:
-        """Any one of the elements of this part, which is a list."""
+        """Any element of this part, which is a list."""
         return Place(self.input, Part((*self.part.path, ir.EACH)))
 
     @property
     def list_path(self) -> ir.Path | None:
-        """The path of the list of whose elements this is a part; None if it is of no list."""
+        """The path of the list that contains this part; None if no list contains it."""
         path = self.part.path
         return path[: path.index(ir.EACH)] if ir.EACH in path else None
 
 
 @dataclass
 class Inputs:
-    """Grows entry by entry; every method returns the index of the entry asked for. `gaps` are the
-    times between messages, by topic.
+    """Collects the entries one by one. Every method returns the index of the requested entry.
+    `gaps` are the times between messages, by topic.
     """
 
     gaps: Mapping[str, Gaps]
@@ -86,7 +86,7 @@ class Inputs:
     _arrays_by_place: dict[tuple[int, ir.Path], int] = field(default_factory=dict)
 
     def channel(self, used: CheckedInput) -> int:
-        """The topic that an input comes from."""
+        """The channel of an input."""
         index = self._by_topic.setdefault(used.topic, len(self.channels))
         if index == len(self.channels):
             gaps = self.gaps.get(used.topic)
@@ -103,7 +103,7 @@ class Inputs:
         return index
 
     def slot(self, place: Place, type_: Type) -> int:
-        """One number, flag or text of a message."""
+        """The slot of one number, flag or text of a message."""
         used = self.input(place.input)
         index = self._slots_by_place.setdefault((used, place.path), len(self.slots))
         if index == len(self.slots):
@@ -115,7 +115,7 @@ class Inputs:
         return index
 
     def array(self, place: Place, type_: Array) -> int:
-        """All numbers or flags of an array of a message."""
+        """The array of all numbers or flags of an array of a message."""
         used = self.input(place.input)
         index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
         if index == len(self.arrays):
@@ -126,7 +126,7 @@ class Inputs:
         return index
 
     def column(self, place: Place, type_: Type) -> int:
-        """One number, flag or text of each element of a list."""
+        """The array of one number, flag or text of each element of a list."""
         used = self.input(place.input)
         index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
         if index == len(self.arrays):
@@ -150,7 +150,7 @@ class Inputs:
         return self.lists.index(its_list)
 
     def text(self, text: str) -> int:
-        """A text that rules compare with."""
+        """The index of a text that rules compare with."""
         if text not in self.texts:
             self.texts.append(text)
         return self.texts.index(text)
@@ -170,13 +170,13 @@ def _kind(type_: Type) -> ir.Kind:
 
 
 def _unit(type_: Type) -> Unit:
-    """The unit in which a field arrives; a plain number where none is known."""
+    """The unit in which a field arrives; a plain number if it is unknown."""
     unit = type_.unit if isinstance(type_, Quantity) else None
     return DIMENSIONLESS if unit is None else unit
 
 
 def _limits(type_: Type) -> tuple[float, float] | None:
-    """Of an element or a number; an array holds its flags as 0 and 1."""
+    """The limits of an element or a number. An array holds its flags as 0 and 1."""
     match type_:
         case Boolean():
             return ir.FLAG_LIMITS

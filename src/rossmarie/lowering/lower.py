@@ -1,7 +1,7 @@
 """CheckedProgram -> Machine.
 
-Takes a program without errors. The machine holds what its rules rest on and nothing else; equal
-expressions are computed once, constant ones not at all, and every number is in SI.
+The input is a program without errors. The machine contains only the parts that its rules need.
+Equal expressions are computed once, constant expressions not at all, and every number is in SI.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from rossmarie.units import DIMENSIONLESS
 
 @dataclass(frozen=True)
 class Lowered:
-    """A machine, and what it was made with: more can be lowered behind it."""
+    """A machine, and the builders that made it, so that more can be appended."""
 
     machine: ir.Machine
     contracts: Sequence[Contract]
@@ -43,13 +43,14 @@ def lower(program: CheckedProgram) -> ir.Machine:
 
 
 def lowered(program: CheckedProgram) -> Lowered:
-    """The machine of a checked program, for what is lowered behind it."""
+    """The machine of a checked program, with its builders."""
     inputs, nodes = Inputs(program.gaps), Nodes()
     propositions = Propositions(program, inputs, nodes)
     contracts = [contract_of(rule, propositions, nodes, program) for rule in program.rules]
     plans = Plans(program, propositions)
     reactions = plans.lower()
-    # Behind all that monitors need, so that these can do without (`ir.without_margins`).
+    # Margins come after everything that monitors need, so that `ir.without_margins` can cut them
+    # off.
     margins = Margins(nodes)
     feedback = [
         _feedback(each, contract, margins)

@@ -1,9 +1,9 @@
-"""The margins of conditions as signals: how far a condition is from becoming true.
+"""The margins of conditions as signals: the distance of a condition from becoming true.
 
-Takes propositions that were lowered. A margin is positive while its condition is false, and
-negative while it is true: what robustness is in signal temporal logic, of the requirement that the
-condition stays false. Negation is carried down to the comparisons, so that each margin is a
-difference, or the least or greatest of others.
+The input is lowered propositions. A margin is positive while its condition is false, and negative
+while it is true; this is the robustness, in signal temporal logic, of the requirement that the
+condition stays false. Negation is pushed down to the comparisons, so that each margin is a
+difference, or the least or greatest of other margins.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rossmarie import ir
 from rossmarie.lowering.nodes import Nodes, Shown
 
 _Key = tuple[int, bool]
-"""A proposition, and whether its negation is meant."""
+"""A proposition, and True for its negation."""
 
 _GREATEST = sys.float_info.max
 _UPWARDS = (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL)
@@ -22,21 +22,23 @@ _DOWNWARDS = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
 
 
 class Margins:
-    """Makes the signals of margins; equal ones are shared."""
+    """Makes the signals of margins. Equal signals are shared."""
 
     def __init__(self, nodes: Nodes) -> None:
         self._nodes = nodes
         self._known: dict[_Key, int] = {}
 
     def of(self, proposition: int) -> int:
-        """The signal of the margin of a condition, which was checked to have one."""
+        """The signal of the margin of a condition. The check has made sure that the condition has a
+        margin.
+        """
         for key in self._needed((proposition, False)):
             if key not in self._known:
                 self._known[key] = self._made(*key)
         return self._known[proposition, False]
 
     def _needed(self, key: _Key) -> list[_Key]:
-        """A proposition and all below it, operands first: they have lesser indexes."""
+        """A proposition and all its operands, operands first: they have lesser indices."""
         found: set[_Key] = set()
         waiting = [key]
         while waiting:
@@ -101,7 +103,7 @@ class Margins:
         return self._gap(node.left, node.right, shown)
 
     def _against_a_constant(self, proposition: int) -> ir.Compare | None:
-        """The comparison of a number with a constant that a proposition is."""
+        """The comparison of a number with a constant, if a proposition is one; else None."""
         node = self._nodes.propositions[proposition].node
         if isinstance(node, ir.Compare) and any(map(self._is_constant, (node.left, node.right))):
             return node
@@ -110,9 +112,9 @@ class Margins:
     def _of_extreme_element(
         self, node: ir.Compare, is_least: bool, negated: bool, shown: Shown
     ) -> int:
-        """The least or greatest margin of elements that are compared with a constant: that of the
-        least or greatest element. A subtraction from each would make those unknown that are
-        infinite, as where a laser sees nothing.
+        """The least or greatest margin of elements compared with a constant, computed from the
+        least or greatest element. A subtraction from each element would make infinite elements
+        unknown, for example where a laser sees nothing.
         """
         holds_above = (node.comparison in _UPWARDS) is not negated
         left = self._folded(node.left, is_least is not holds_above, shown)
@@ -120,7 +122,9 @@ class Margins:
         return self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
 
     def _against_a_number(self, proposition: int) -> ir.Compare | None:
-        """The comparison of elements with a number beside these (S74) that a proposition is."""
+        """The comparison of elements with a number beside them (S74), if a proposition is one; else
+        None.
+        """
         node = self._nodes.propositions[proposition].node
         is_one = isinstance(node, ir.Compare) and (
             self._is_beside(node.left) is not self._is_beside(node.right)
@@ -139,9 +143,9 @@ class Margins:
     def _of_elements_in_reach(
         self, node: ir.Compare, is_least: bool, negated: bool, shown: Shown
     ) -> int:
-        """The least or greatest margin of elements that are compared with a number beside them, of
-        the instant at which they arrived. Infinite ones are cut to the greatest double before the
-        subtraction; what is still that far off at the end overflows, and so is unknown.
+        """The least or greatest margin of elements compared with a number beside them, at the
+        instant at which the elements arrived. Infinite elements are cut to the greatest double
+        before the subtraction; a result that is still that large overflows, and so is unknown.
         """
         left, right = (
             side if self._is_beside(side) else self._cut(side, shown)
@@ -159,7 +163,9 @@ class Margins:
         return self._nodes.apply(ir.Function.MAXIMUM, (cut, low), shown)
 
     def _folded(self, signal: int, is_least: bool, shown: Shown) -> int:
-        """The least or greatest of a number of elements; a constant is the same for all."""
+        """The least or greatest of a number over elements. A constant is the same for all
+        elements.
+        """
         if self._is_constant(signal):
             return signal
         return self._nodes.signal(ir.Fold(_folding(is_least), signal), shown)

@@ -1,8 +1,8 @@
-"""The signals and propositions of a machine in the making: equal ones are shared, constant ones
-folded.
+"""The signals and propositions of a machine under construction: equal nodes are shared, constant
+ones folded.
 
-Every method that takes operands gets indexes that an earlier call returned, so operands stand
-before their users.
+Every method with operands takes indices that an earlier call returned, so operands precede their
+users.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 @dataclass(frozen=True)
 class Shown:
-    """The look of a signal or proposition to the user, and the place where it stands."""
+    """The display of a signal or proposition, and its place in the rules file."""
 
     text: str
     span: Span
@@ -29,7 +29,7 @@ class Shown:
 
 @dataclass
 class Nodes:
-    """Grows node by node; every method returns the index of the node asked for."""
+    """Collects the nodes one by one. Every method returns the index of the requested node."""
 
     signals: list[ir.Signal] = field(default_factory=list)
     propositions: list[ir.Proposition] = field(default_factory=list)
@@ -40,7 +40,9 @@ class Nodes:
     # --- signals -----------------------------------------------------------------------------
 
     def constant(self, value: float, shown: Shown) -> int:
-        """A known number. Equal ones in different units stay apart, for they are shown apart."""
+        """A known number. Equal numbers with different units are separate, because their displays
+        differ.
+        """
         key = (value, math.copysign(1.0, value), shown.unit)
         return self._add_signal(ir.Constant(value), key, shown)
 
@@ -49,12 +51,12 @@ class Nodes:
         return self._add_signal(node, node, shown)
 
     def apply(self, function: ir.AnyFunction, operands: tuple[int, ...], shown: Shown) -> int:
-        """A function; those of constants are constant values of the checked program already."""
+        """A function of signals. The check has already computed functions of constants."""
         node = ir.Apply(function, operands)
         return self._add_signal(node, node, shown)
 
     def show_in(self, index: int, unit: Unit) -> None:
-        """Show a signal in another unit of its dimension; the first wish counts."""
+        """Display a signal in another unit of its dimension. The first request counts."""
         signal = self.signals[index]
         if index not in self._settled_units and not isinstance(signal.node, ir.Constant):
             self._settled_units.add(index)
@@ -79,7 +81,7 @@ class Nodes:
         return self._add_proposition(ir.Literal(value), shown)
 
     def leaf(self, node: ir.PropositionNode, shown: Shown) -> int:
-        """A proposition about signals, inputs or elements; about constants, a literal."""
+        """A proposition about signals, inputs or elements; a literal if it compares constants."""
         value = self._folded(node)
         if value is not None:
             return self.literal(value is TruthValue.TRUE, shown)
@@ -95,9 +97,9 @@ class Nodes:
     def conjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
     ) -> int:
-        """`and` of one or more; what is true goes without saying. A proposition `of_elements` stays
-        one, also where a literal decides it: whether there are elements is for their message to
-        say.
+        """`and` of one or more operands, without those that are always true. A proposition
+        `of_elements` stays one, even if a literal decides it, because only the message shows
+        whether there are elements.
         """
         if any(self._is_literal(operand, value=False) for operand in operands):
             if of_elements and not self._are_literals(operands):
@@ -111,7 +113,9 @@ class Nodes:
     def disjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
     ) -> int:
-        """`or` of one or more; what is false goes without saying. Of elements as `conjunction`."""
+        """`or` of one or more operands, without those that are always false. `of_elements` is as
+        for `conjunction`.
+        """
         if any(self._is_literal(operand, value=True) for operand in operands):
             if of_elements and not self._are_literals(operands):
                 return self._add_proposition(ir.Or(operands), shown)
@@ -122,27 +126,31 @@ class Nodes:
         return self._add_proposition(ir.Or(left), shown)
 
     def held(self, operand: int, duration_ns: int, shown: Shown, *, initially: bool = False) -> int:
-        """`for`; even what is always true has not held before the start, unless `initially`."""
+        """`for`. Even an operand that is always true was not true before the start, unless
+        `initially`.
+        """
         if self._is_literal(operand, value=initially) or self._is_literal(operand, value=False):
             return operand
         return self._add_proposition(ir.Held(operand, duration_ns, initially), shown)
 
     def since(self, held: int, begun: int, shown: Shown) -> int:
-        """`since`; what always begins, or never, decides alone, and what never holds is nothing."""
+        """`since`. If `begun` is constant, the result is simplified; if `held` is never true, it is
+        false.
+        """
         is_decided = isinstance(self.propositions[begun].node, ir.Literal)
         if is_decided or self._is_literal(held, value=False):
             return begun
         return self._add_proposition(ir.Since(held, begun), shown)
 
     def recurs(self, operand: int, count: int, window_ns: int, shown: Shown) -> int:
-        """At least `count` edges within a time; what is always false has none."""
+        """At least `count` edges within a time. An operand that is always false has none."""
         if count == 0 or self._is_literal(operand, value=False):
             return self.literal(count == 0, shown)
         return self._add_proposition(ir.Recurs(operand, count, window_ns), shown)
 
     def name(self, index: int, name: str) -> None:
-        """Give a proposition the name of a condition. The first name stays; literals have none, for
-        equal ones are shared by conditions that have nothing to do with each other.
+        """Give a proposition the name of a condition. The first name stays. Literals have no name,
+        because unrelated conditions share them.
         """
         proposition = self.propositions[index]
         if proposition.name is None and not isinstance(proposition.node, ir.Literal):

@@ -1,7 +1,7 @@
-"""Expressions that are numbers: scalars, vectors, orientations, and the elements of arrays.
+"""Numeric expressions: scalars, vectors, orientations, and the elements of arrays.
 
-Types and units are known to fit. An array stands for any one of its elements: the checker allows
-it only where a fold, a count or a quantifier is around.
+Types and units are known to fit. An array stands for any of its elements: the checker allows it
+only inside a fold, a count or a quantifier.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ _WHOLE = {
     each.value: each
     for each in (ir.Function.NORM, ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 }
-"""Functions of all components of one argument."""
+"""Functions of all components of one argument together."""
 
 _FOLDINGS = {"min": ir.Folding.MINIMUM, "max": ir.Folding.MAXIMUM}
 
@@ -73,7 +73,7 @@ Components = tuple[int, ...]
 
 
 class Numbers:
-    """Lowers numeric expressions of one program; `count` needs conditions, which `truth` lowers."""
+    """Lowers numeric expressions of one program. `count` needs conditions, which `truth` lowers."""
 
     def __init__(
         self,
@@ -128,7 +128,7 @@ class Numbers:
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
 
     def _setting(self, given: Components, setting: ast.Constant, shown: Shown) -> Components:
-        """A parameter of the node: what it was given, if that is tighter (S87)."""
+        """A parameter of the node: the given value, if it is tighter (S87)."""
         assert setting.parameter is not None
         is_up = setting.parameter.tightens is not None and setting.parameter.tightens.text == "up"
         (usual,) = self._program.values[setting.value].numbers
@@ -138,7 +138,7 @@ class Numbers:
         return (self._nodes.apply(function, operands, shown),)
 
     def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
-        """The signals of a constant: of its numbers, or of the index of its text."""
+        """The signals of a constant: its numbers, or the index of its text."""
         if value.text is not None:
             return (self._nodes.constant(float(self._inputs.text(value.text)), shown),)
         return tuple(self._nodes.constant(number, shown) for number in numbers)
@@ -166,7 +166,9 @@ class Numbers:
         return self._places.place(node)
 
     def elements_of(self, node: ast.ListFold) -> AbstractContextManager[None]:
-        """Inside, the variable of a fold stands for the element at hand of its list."""
+        """While the context is active, the variable of a fold stands for the current element of its
+        list.
+        """
         return self._places.elements_of(node)
 
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
@@ -189,13 +191,13 @@ class Numbers:
                 return (self._read_scalar(place, type_, shown),)
 
     def _is_component(self, node: ast.Expression, place: Place) -> TypeGuard[ast.Member]:
-        """Say whether a part of a message is a component of what is seen from a known frame: all of
-        it is needed, then.
+        """Say whether a part of a message is a component of a quantity with a known frame. Then the
+        whole quantity is needed.
         """
         if not isinstance(node, ast.Member) or not is_in_frame(place):
             return False
         if node.member.text not in ("x", "y", "z", "w"):
-            return False  # as the range of a point of a scan, which is the same from everywhere
+            return False  # such as the range of a point of a scan, which is the same in all frames
         return isinstance(self.type_of(node.value), Vector | Quaternion)
 
     def _component(self, node: ast.Member) -> int:
@@ -223,7 +225,7 @@ class Numbers:
         return self._read_scalar(place.field(axis, element), element, part)
 
     def _read_scalar(self, place: Place, type_: Type, shown: Shown) -> int:
-        """One number, flag or text: of the message, or of the element at hand."""
+        """One number, flag or text of the message, or of the current element."""
         if isinstance(type_, Quantity) and is_of_point(place):
             return coordinate(place, type_, shown, self._inputs, self._nodes)
         if place.list_path is not None:
@@ -243,8 +245,8 @@ class Numbers:
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The proposition that is true of each beam of a scan, and of each point of a cloud:
-        without its place there is none.
+        """The proposition that is true for each beam of a scan, and for each point of a cloud.
+        Points without a position do not count.
         """
         points = self.type_of(node.list)
         assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
@@ -310,7 +312,7 @@ class Numbers:
                 raise AssertionError(f"checked: {name} is no function to a number")
 
     def previous(self, node: ast.Expression) -> Components:
-        """The components of an expression as they were in the sample before."""
+        """The components of an expression at the previous sample."""
         shown = self.shown(node)
         before = replace(shown, text=f"previous({shown.text})")
         parts = self.components(node)
@@ -337,7 +339,7 @@ class Numbers:
     def of_named_region(
         self, measure: Measure, position: ast.Expression, container: ast.Expression, shown: Shown
     ) -> int:
-        """The signal of a function that the region has which a class stands for."""
+        """The signal of a function of the region that a class stands for."""
         type_ = self.type_of(container)
         assert isinstance(type_, Region), "checked: it is a region"
         function = RegionFunction(measure, self._program.regions[stripped(container)])
@@ -378,7 +380,7 @@ class Numbers:
         return self.way_to_stop(self._program.motions[type_.name], wanted, shown)
 
     def way_to_stop(self, motion: CheckedMotion, wanted: float, shown: Shown) -> int:
-        """The way in m on which a motion slows down to a speed, at the latest (S65)."""
+        """The distance in m in which a motion slows down to a speed, at the latest (S65)."""
         return way_to_stop(self.scalar(motion.speed), motion, wanted, shown, self._nodes)
 
     # --- how it is shown ---------------------------------------------------------------------
@@ -389,7 +391,9 @@ class Numbers:
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:
-    """A scalar beside a vector counts for each of its components."""
+    """The operands with equal numbers of components: a scalar beside a vector is repeated for each
+    component.
+    """
     size = max(len(left), len(right))
     return (
         left * (size if len(left) == 1 else 1),

@@ -56,12 +56,14 @@ class Places:
         return sector
 
     def element(self, name: str) -> Place:
-        """The element at hand that the name of a fold stands for."""
+        """The current element, for which the name of a fold stands."""
         return self._elements[name]
 
     @contextmanager
     def elements_of(self, node: ast.ListFold) -> Iterator[None]:
-        """Inside, the variable of a fold stands for the element at hand of its list."""
+        """While the context is active, the variable of a fold stands for the current element of its
+        list.
+        """
         place = self.place(node.list)
         assert place is not None, "checked: it is a list that an input brings"
         self._elements[node.variable.text] = place.each()

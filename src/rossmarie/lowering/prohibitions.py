@@ -1,7 +1,8 @@
-"""Skills that rules stop whenever they run: no way for a planner that looks for another (S68).
+"""Skills that rules always stop, so that a planner must not use them when it looks for another path
+(S68).
 
-What a rule asks is read off its condition, not proved: a query to the skills that run, or an
-`or` with one. So it holds of each skill that is named, and nothing is said of others.
+The queries of a rule are read from its condition, not proved: a query about the running skills, or
+an `or` with one. So the result is certain for each named skill, and leaves other skills open.
 """
 
 from __future__ import annotations
@@ -20,25 +21,27 @@ from rossmarie.skills.trees import FIRST_FAILURE, FIRST_SUCCESS, RETRY, SELECTOR
 from rossmarie.skills.trees import folded as folded_tree
 
 WITHOUT = "without"
-"""The field of a goal that has them."""
+"""The field of a goal with the prohibitions."""
 _REPLAN = "replan"
 
 Things = frozenset[tuple[str, str]]
-"""Parameters, each with a class: a skill is meant if all its things are of these."""
+"""Parameters, each with a class. A skill is meant if all its things have these classes."""
 _Taken = frozenset[tuple[UseKind, str]]
 
 _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
-"""Nodes that do not succeed if one of their children does not."""
+"""Nodes that fail if one of their children fails."""
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
-"""Nodes that succeed if one of their children does."""
+"""Nodes that succeed if one of their children succeeds."""
 _MOST_WAYS = 64
-"""Combinations of things of one skill that are reported. With the others, a rule stops it again."""
+"""The most combinations of things of one skill that are reported. For all others, the rule stops
+the skill again.
+"""
 _MOST_LEVELS = 64
-"""Compounds in compounds that are looked into."""
+"""The most levels of nested compounds that are searched."""
 
 
 def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.Machine:
-    """The machine, with goals that say of which skills no other way is to be made."""
+    """The machine, with goals that name the skills that a planner must not use."""
     tasks = machine.reactions.tasks
     if skills is None or not any(_replans(task.effect) for task in tasks):
         return machine
@@ -71,7 +74,7 @@ def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effe
 
 
 def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:
-    """Those that others do not hold already."""
+    """Only combinations that no other combination covers."""
     return (each for each in ways if not any(other < each for other in ways))
 
 
@@ -95,7 +98,7 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
 
 
 def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
-    """The queries to skills that run of which each alone makes a condition true."""
+    """The queries about running skills, each of which alone makes a condition true."""
     waiting = [condition]
     while waiting:
         node = machine.propositions[waiting.pop()].node
@@ -109,8 +112,8 @@ def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
 
 
 def _lost(machine: ir.Machine, rule: int) -> _Taken:
-    """All that a rule takes away as soon as it is active, and for as long as it is. A stage begins
-    after the one before: without delay if nothing there can fail.
+    """The resources that a rule takes away as soon as it is active, for as long as it is active. A
+    stage begins after the one before, without delay if no effect of that stage can fail.
     """
     found = []
     for stage in machine.reactions.plans[rule].stages:
@@ -122,12 +125,14 @@ def _lost(machine: ir.Machine, rule: int) -> _Taken:
 
 
 def _lasts(effect: reactions.Effect) -> bool:
-    """Say whether what an effect takes away stays away; who sends a goal keeps the server."""
+    """Say whether the effect takes a resource away permanently. A rule that sends a goal keeps the
+    server.
+    """
     return reactions.is_lasting(effect) or isinstance(effect, reactions.SendGoal)
 
 
 def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
-    """The classes that a query names, each the one that all the others are below."""
+    """The classes that a query names, each the most general one."""
     below = skills.classes.below
     return frozenset(
         (parameter, next(each for each in classes if below(each) == classes))
@@ -139,7 +144,7 @@ def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
 
 
 def _needing(lost: _Taken, skills: Mapping[str, Skill]) -> frozenset[str]:
-    """The skills that cannot do without something, in whatever way they run."""
+    """The skills that cannot run without some resource, whatever path they take."""
     found = frozenset(
         name
         for name, skill in skills.items()
@@ -169,7 +174,7 @@ def _needs(skill: Skill, known: Collection[str]) -> bool:
 def _with_compounds(
     stopped: Mapping[str, frozenset[Things]], skills: Mapping[str, Skill]
 ) -> Mapping[str, frozenset[Things]]:
-    """Add the compounds that have no way but through a skill that is stopped."""
+    """Add the compounds whose only paths lead through a stopped skill."""
     found = {name: stopped.get(name, frozenset()) for name in skills}
     for _ in range(_MOST_LEVELS):
         before = dict(found)
@@ -182,7 +187,9 @@ def _with_compounds(
 
 
 def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozenset[Things]:
-    """The things with which each tree of a compound leads through skills that are stopped."""
+    """The things with which every path through each tree of a compound leads through stopped
+    skills.
+    """
 
     def of_step(step: Step) -> frozenset[Things]:
         ways = (_passed(each, step, skill.parameters) for each in stopped.get(step.skill, ()))
@@ -197,7 +204,7 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
 
 
 def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
-    """The things that are stopped in each of some ways; none if there is no way."""
+    """The things that are stopped on every path; none if there is no path."""
     if not ways:
         return frozenset()
     found = ways[0]
@@ -207,7 +214,7 @@ def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
 
 
 def _few(ways: frozenset[Things]) -> frozenset[Things]:
-    """The first ways, in an order that is always the same; the most general ones come first."""
+    """The first combinations in a fixed order, the most general first."""
     general = frozenset(_without_special_cases(ways))
     if len(general) <= _MOST_WAYS:
         return general
@@ -215,7 +222,9 @@ def _few(ways: frozenset[Things]) -> frozenset[Things]:
 
 
 def _passed(things: Things, step: Step, parameters: Mapping[str, Parameter]) -> Things | None:
-    """Things of a step as those of the compound; None if it does not get all of them from there."""
+    """The things of a step as things of the compound; None if the compound does not pass all of
+    them.
+    """
     names = {parameter: step.arguments.get(parameter) for parameter, _ in things}
     if not all(each in parameters for each in names.values()):
         return None

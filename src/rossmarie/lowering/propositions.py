@@ -1,7 +1,7 @@
 """Expressions that are true, false or unknown.
 
 A name of a condition stands for the proposition that the condition was lowered to; conditions are
-lowered once, before whatever refers to them.
+lowered once, before the expressions that refer to them.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _COMPARISONS = {
 
 
 class Propositions:
-    """Lowers conditions of one program. `skills` lowers what they ask of skills."""
+    """Lowers conditions of one program. `skills` lowers their queries about skills."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
         self._program = program
@@ -54,9 +54,7 @@ class Propositions:
         return self._proposition(node, None)
 
     def too_late(self, keeps: CheckedKeeps, shown: Shown) -> int:
-        """The proposition that a motion is nearer to some places than the way on which it slows
-        down.
-        """
+        """The proposition that a motion is closer to some places than its stopping distance."""
         function = RegionFunction(Measure.DISTANCE, keeps.region)
         wanted = Shown(keeps.frame, keeps.written.place.span)
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
@@ -67,8 +65,8 @@ class Propositions:
         return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 
     def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:
-        """The signals of a pose, and the proposition that it is known: so monitors keep its
-        numbers.
+        """The signals of a pose, and the proposition that the pose is known. The proposition makes
+        monitors keep the numbers.
         """
         signals = self._numbers.pose(node)
         shown = _shown(node)
@@ -85,7 +83,9 @@ class Propositions:
         )
 
     def _lower_conditions(self, node: ast.Expression) -> None:
-        """All conditions that a node names, the deepest first; chains of names are no recursion."""
+        """Lower all conditions that a node names, the deepest first. Chains of names cause no
+        recursion.
+        """
         waiting = list(conditions_in(node, None, self._program.symbols))[::-1]
         while waiting:
             key = waiting[-1]
@@ -109,7 +109,7 @@ class Propositions:
     # --- expressions -------------------------------------------------------------------------
 
     def _proposition(self, node: ast.Expression, entity: str | None) -> int:
-        """The proposition of a node that stands in an entity, or in a rule."""
+        """The proposition of a node inside an entity, or inside a rule."""
         constant = self._program.values.get(node)
         if constant is not None:
             return self._nodes.literal(bool(constant.boolean), _shown(node))
@@ -207,7 +207,9 @@ class Propositions:
         return self._nodes.leaf(ir.Compare(compared, left, right), _shown(node))
 
     def _show_alike(self, signal: int, other: ast.Expression) -> None:
-        """Show a signal in the unit of the constant that it is compared with: `deg`, not `rad`."""
+        """Display a signal in the unit of the constant that it is compared with: `deg`, not
+        `rad`.
+        """
         unit = self._numbers.shown(other).unit
         if other in self._program.values and unit is not None:
             self._nodes.show_in(signal, unit)
@@ -271,7 +273,7 @@ class Propositions:
                 return self._nodes.conjunction((at_least(number), no_more), _shown(node))
 
     def _changed(self, node: ast.Call) -> int:
-        """S47: a component is not what it was in the sample before."""
+        """S47: a component differs from its value at the sample before."""
         (argument,) = node.arguments
         now = self._numbers.components(argument)
         before = self._numbers.previous(argument)
@@ -359,7 +361,7 @@ def _shown(node: ast.Expression) -> Shown:
 
 
 def _operand(node: ast.Expression) -> str:
-    """The words of an operand, in parentheses unless they stand by themselves."""
+    """The words of an operand, in parentheses if they would be ambiguous without."""
     text = words(node.span)
     is_one_word = isinstance(node, ast.Reference | ast.Member | ast.Call | ast.Parenthesized)
     return text if is_one_word else f"({text})"

@@ -1,6 +1,6 @@
-"""The actions of rules -> what the rules do: plans of tasks, and what these refer to.
+"""The actions of rules -> the reactions: plans of tasks, and the data that tasks refer to.
 
-An action without a body contributes no task. Of escalations each place has tasks of its own.
+An action without a body contributes no task. Each place of an escalation has its own tasks.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from rossmarie.syntax import ast
 
 @dataclass
 class _Draft:
-    """A task whose escalations are not known yet."""
+    """A task whose escalations are still unknown."""
 
     action: str
     checked: CheckedEffect
@@ -41,7 +41,7 @@ class _Draft:
 
 @dataclass(frozen=True)
 class _Escalation:
-    """The task that may fail, the action that follows, and what follows if that fails."""
+    """The task that may fail, the following action, and the escalations of that action."""
 
     task: int
     action: str
@@ -50,8 +50,8 @@ class _Escalation:
 
 @dataclass
 class Plans:
-    """Lowers the plans of all rules; `watches` are the propositions that confirmations ask,
-    `readings` the signals that memories of poses ask.
+    """Lowers the plans of all rules. `watches` are the propositions that confirmations use,
+    `readings` the signals that memories of poses use.
     """
 
     program: CheckedProgram
@@ -138,7 +138,7 @@ class Plans:
     def _begin(
         self, action: str, last_resort: str | None, escalations: deque[_Escalation]
     ) -> tuple[int, ...]:
-        """The tasks of an action; what follows if they fail is put to the `escalations`."""
+        """The tasks of an action. Its escalations are added to `escalations`."""
         first = len(self._drafts)
         for checked in self.program.effects.get(action, ()):
             index = len(self._drafts)
@@ -152,7 +152,7 @@ class Plans:
     # --- effects -----------------------------------------------------------------------------
 
     def _effect(self, checked: CheckedEffect, commands: Mapping[str, int]) -> reactions.Effect:
-        """The effect; `commands` are the places of command topics."""
+        """The effect. `commands` are the indices of command topics."""
         match checked.effect:
             case CheckedLimit(topic=topic, bounds=bounds):
                 return reactions.Limit(commands[topic], bounds)
@@ -180,7 +180,9 @@ class Plans:
                 return self._awaited(awaited)
 
     def _retrace(self, sent: CheckedRetrace) -> reactions.Retrace:
-        """Poses that are remembered alike are one memory. A monitor keeps what it watches."""
+        """Poses with the same memory settings share a memory. A monitor keeps the values that it
+        watches.
+        """
         signals, known = self.propositions.pose(sent.pose)
         if known not in self.watches:
             self.watches.append(known)
@@ -206,7 +208,7 @@ class Plans:
                 return reactions.CancelGoal(server, kind, watch, timeout_ns, interrupted)
 
     def _watch(self, confirmation: ast.Expression) -> int:
-        """The number of the proposition of a confirmation among those that are watched."""
+        """The number of the proposition of a confirmation among the watched ones."""
         proposition = self.propositions.lower(confirmation)
         if proposition not in self.watches:
             self.watches.append(proposition)

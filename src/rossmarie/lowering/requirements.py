@@ -1,4 +1,6 @@
-"""Requirements of rules, lowered behind all that monitors need: no monitor pays for them."""
+"""Requirements of rules, lowered after everything that monitors need, so that no monitor computes
+them.
+"""
 
 from __future__ import annotations
 
@@ -43,8 +45,8 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
 
 
 def _not_in_time(rule: int, keeps: CheckedKeeps, program: CheckedProgram, found: Lowered) -> int:
-    """The proposition that it is too late, and the condition of the rule is false: also where a
-    skill of its scope does not run, or one of its exemptions does.
+    """The proposition that it is too late while the condition of the rule is false. This includes
+    times when no skill of its scope runs, or a skill of one of its exemptions runs.
     """
     span, name = keeps.written.span, found.machine.rules[rule].name
     late = found.propositions.too_late(keeps, Shown(f"too late: {words(span)}", span))

@@ -1,7 +1,7 @@
-"""Queries to the skills that run, as flags of the message that tells of them.
+"""Queries about the running skills, as flags of the message about them.
 
-One query has two forms (S59). What a rule asks is stale when the context is late. What an
-exemption rests on comes by an input without a timeout, and is false then.
+One query has two forms (S59). The query of a rule is stale when the context is late. The query of
+an exemption uses an input without a timeout, and is false then.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from rossmarie.syntax import ast
 from rossmarie.types import Boolean
 
 CONTEXT = "skill_context"
-"""The name of the input by which rules ask; the other one has `_kept` behind it."""
+"""The name of the input for queries of rules. The other input adds `_kept`."""
 
 
 class Skills:
-    """Lowers queries to skills. What is asked twice is one slot."""
+    """Lowers queries about skills. Equal queries share a slot."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
         self._program = program
@@ -30,12 +30,14 @@ class Skills:
         self._nodes = nodes
 
     def asked(self, node: ast.Doing) -> int:
-        """The proposition that the skill runs: stale when nobody says for too long what runs."""
+        """The proposition that the skill runs; stale if there has been no message about skills for
+        too long.
+        """
         return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
 
     def kept(self, node: ast.Doing) -> int:
-        """The proposition that the skill runs and that the context is not late: false when it
-        is.
+        """The proposition that the skill runs and that the context is not late; false if it is
+        late.
         """
         used = self._context(f"{CONTEXT}_kept", None)
         timeout_ns = self._skills.timeout_ns
@@ -49,11 +51,11 @@ class Skills:
         return self._nodes.conjunction((self._flag(node, used), fresh), text)
 
     def text(self, node: ast.Doing) -> str:
-        """A query in the words of the rules."""
+        """A query in the notation of the rules."""
         return self._found(node).text
 
     def permits(self, node: ast.Doing) -> tuple[str, ...]:
-        """The permissions of the skill that is asked for, in words."""
+        """The permissions of the requested skill, in words."""
         return self._found(node).permits
 
     def _found(self, node: ast.Doing) -> CheckedDoing:

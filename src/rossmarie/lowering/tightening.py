@@ -1,8 +1,8 @@
-"""Parameters of the node that do not tighten what they stand in. With a tighter value, a rule is to
-be active whenever it was before, and to clear no earlier (S87).
+"""Parameters of the node that do not tighten the rules that use them. With a tighter value, a rule
+must be active whenever it was before, and clear no earlier (S87).
 
-Moves are the directions in which a number, or a proposition from false to true, can go when
-parameters are tightened. A number whose direction is not known may go both ways.
+Moves are the directions in which a number, or a proposition from false to true, can change when
+parameters are tightened. A number of unknown direction may move both ways.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ _GREATER = frozenset({Comparison.GREATER, Comparison.GREATER_OR_EQUAL})
 
 
 def misdirected(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """A finding for each rule that a parameter of the node could loosen, and for all else that
-    rests on one.
+    """A finding for each rule that a parameter of the node could loosen, and for all other nodes
+    that depend on a parameter.
     """
     if not ir.settings_of(machine):
         return
@@ -48,7 +48,7 @@ def _turned(moves: _Moves) -> _Moves:
 
 
 def _times(moves: _Moves, sign: int | None) -> _Moves:
-    """The moves of a product with a number of that sign; None if the sign is not known."""
+    """The moves of a product with a number of that sign; None if the sign is unknown."""
     if sign is None:
         return _BOTH if moves else _NONE
     return moves if sign > 0 else _turned(moves)
@@ -69,8 +69,8 @@ class _MovesOf:
             self.proposition(index)
 
     def proposition(self, index: int) -> _Moves:
-        """The moves of a proposition. Propositions stand behind what they rest on, so nothing
-        recurses far.
+        """The moves of a proposition. Propositions follow their operands, so the recursion stays
+        shallow.
         """
         if index not in self._propositions:
             self._propositions[index] = self._of_proposition(self._machine.propositions[index].node)
@@ -114,12 +114,12 @@ class _MovesOf:
                     _times(_turned(right), first) if second is not None else _times(right, None)
                 )
                 return _times(left, second) | divided
-            case _:  # open: a function of which it is not known
+            case _:  # open: a function whose direction is unknown
                 return _BOTH
 
     def _sign(self, node: ir.SignalNode) -> int | None:
-        """1 for what is never below zero, -1 for what is never above; a divisor is never zero, as a
-        quotient by zero is unknown.
+        """1 for a signal that is never below zero, -1 for one that is never above. A divisor is
+        never zero, because a quotient by zero is unknown.
         """
         if isinstance(node, ir.Constant):
             return 1 if node.value >= 0.0 else -1
@@ -138,7 +138,7 @@ class _MovesOf:
                 return left * right
             case Function.NEGATE, [int(operand)]:
                 return -operand
-            case _:  # open: a function of which it is not known
+            case _:  # open: a function whose sign is unknown
                 return None
 
     # --- propositions
@@ -176,7 +176,7 @@ class _MovesOf:
     # --- findings ----------------------------------------------------------------------------
 
     def finding(self, proposition: int, move: int, rule: ir.Rule | None) -> Diagnostic:
-        """The finding at the part of a proposition that goes where it should not."""
+        """The finding at the part of a proposition that moves in the wrong direction."""
         node = self._machine.propositions[proposition].node
         while (inner := self._inside(node, move)) is not None:
             proposition, move = inner
@@ -191,7 +191,7 @@ class _MovesOf:
         return CannotTighten(reason=reason).at(place.span)
 
     def _inside(self, node: ir.PropositionNode, move: int) -> tuple[int, int] | None:
-        """The operand of a proposition that goes the wrong way, and that way."""
+        """The operand of a proposition that moves in the wrong direction, and that direction."""
         match node:
             case ir.Not(operand=operand):
                 return operand, -move

@@ -1,4 +1,4 @@
-"""The user's own words, on one line: what verdicts and generated comments show; and units."""
+"""The user's own words, on one line, for verdicts and generated comments; and units."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from rossmarie.types import (
 )
 from rossmarie.units import Unit
 
-# A text literal, which has no escapes, is kept as it is; any run of white space and comments
-# becomes one blank.
+# A text literal, which has no escapes, stays unchanged. Any run of white space and comments becomes
+# one blank.
 _PIECE = re.compile(
     r"""(?P<literal>"[^"\n]*")|(?:\s|//[^\n]*|'''.*?''')+""",
     re.DOTALL,
@@ -39,7 +39,7 @@ def words(span: Span) -> str:
 
 
 def unit_of(type_: Type) -> Unit | None:
-    """The unit in which a number, or what is made of numbers, is shown."""
+    """The unit in which a number, or a composite of numbers, is displayed."""
     match type_:
         case Quantity(unit=unit):
             return unit

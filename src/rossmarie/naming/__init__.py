@@ -1,4 +1,4 @@
-"""Names of the parts of a guard, by which its users, other nodes and reports know them."""
+"""Names of the parts of a guard, for its users, other nodes and reports."""
 
 from rossmarie.naming.effects import effect_target, effect_words
 from rossmarie.naming.identifiers import c_identifier, public_prefix

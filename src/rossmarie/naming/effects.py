@@ -7,7 +7,7 @@ from rossmarie.ir import reactions
 
 
 def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
-    """An effect in few words: `limit /cmd_vel`, `publish /horn at 2 Hz`."""
+    """An effect in a few words: `limit /cmd_vel`, `publish /horn at 2 Hz`."""
     match effect:
         case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
             return _bound_words(machine.reactions.commands[topic], effect)
@@ -38,8 +38,8 @@ def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
 
 
 def effect_target(machine: ir.Machine, effect: reactions.Effect) -> str | None:
-    """The name of what an effect acts on: a topic, a service, a server, a parameter, ...; None if
-    it acts on nothing that has a name.
+    """The name of the target of an effect: a topic, a service, a server, a parameter, ...; None if
+    it has no named target.
     """
     match effect:
         case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
@@ -67,7 +67,7 @@ def _bound_words(command: reactions.CommandTopic, effect: reactions.Limit | reac
 
 
 def _value_words(value: reactions.Scalar) -> str:
-    """A value as rules have it."""
+    """A value in the notation of rules."""
     if isinstance(value, bool):
         return str(value).lower()
     return f'"{value}"' if isinstance(value, str) else f"{value:g}"

@@ -1,6 +1,7 @@
 """The prefix of the public names of the generated C: the name of a rules file as an identifier.
 
-Takes any text; gives a word that C and C++ do not have, and that the generated C does not use.
+The input is any text. The result is a word that is not reserved in C and C++, and that the
+generated C does not use.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ _LANGUAGE = """
     xor_eq linux unix
 """
 
-# Names that the generated functions call and have, where a field of a message is a parameter.
+# Names that the generated functions use, where a field of a message is a parameter.
 _GENERATED = """
     arcsine arcsine_far arcsine_surplus arctangent arctangent_surplus arrive arrived before begin
     both catch_up compute cross either element_proposition evaluate events every fabs first follow
@@ -32,8 +33,8 @@ _GENERATED = """
     window_middle
 """
 
-# Beginnings, up to the first underscore, of names that the generated C keeps to itself; a test
-# collects them.
+# Prefixes, up to the first underscore, of the internal names of the generated C; a test collects
+# them.
 _PRIVATE = """
     above age always append arcsine arctangent are arithmetic array at before begins below by catch
     change channel claiming column command covered cross dbl drop due earliest edge element engages
@@ -66,8 +67,8 @@ def c_identifier(text: str) -> str:
 
 
 def public_prefix(program: str) -> str:
-    """The prefix of all public names of a monitor: the name of its rules file, unless that makes
-    names that the monitor has inside, as `rule_values` of `rule.ross` would be.
+    """The prefix of all public names of a monitor: the name of its rules file, unless that would
+    create names that the monitor uses inside, as `rule_values` of `rule.ross` would.
     """
     word = c_identifier(program)
     return f"ross_{word}" if word.split("_")[0] in _PRIVATE_WORDS else word

@@ -1,5 +1,5 @@
-"""The names by which others call the node that is built from a machine, and the names where
-commands and goals enter it.
+"""The names of the generated node for other nodes, and the names at which commands and goals enter
+it.
 """
 
 from __future__ import annotations
@@ -12,20 +12,20 @@ _UNFILTERED = "unfil_"
 
 
 def node_name(machine: ir.Machine) -> str:
-    """The node and its package. The ending keeps it apart from packages that are called like the
-    rules file, and from the C names.
+    """The name of the node and its package. Its ending distinguishes it from packages with the name
+    of the rules file, and from the C names.
     """
     return f"{public_prefix(machine.name).rstrip('_')}_safety"
 
 
 def unfiltered(name: str) -> str:
-    """Where commands enter that leave on a topic, or goals for a server: `/robot/unfil_cmd_vel`."""
+    """The unfiltered counterpart of a topic or an action server: `/robot/unfil_cmd_vel`."""
     head, slash, tail = name.rpartition("/")
     return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
 def relayed_servers(machine: ir.Machine) -> dict[str, str]:
-    """The action servers of which goals that were interrupted are sent again, with their types."""
+    """The action servers whose interrupted goals are sent again, with their types."""
     found = {}
     for task in machine.reactions.tasks:
         match task.effect:

@@ -9,8 +9,8 @@
 
 /* `arriving` has a byte for each channel of each update, `slots` a number for each slot of each
  * update. An array of all updates lies in `elements`, and `ends` says where those of each update
- * end; where `known` is 0 nothing is known of the list of which it is a column. `parts` and `counts`
- * are room for the arrays of one update.
+ * end; where `known` is 0 nothing is known of the list of which it is a column. `parts` and
+ * `counts` are room for the arrays of one update.
  */
 typedef struct host_batch {
     size_t update_count;
@@ -27,7 +27,7 @@ typedef struct host_batch {
     size_t *counts;
 } host_batch;
 
-/* Room for samples of some signals: an instant and a row of values for each. */
+/* Memory for samples of some signals: an instant and a row of values for each. */
 typedef struct host_samples {
     size_t room;
     size_t count;
@@ -57,9 +57,9 @@ static int take_update(host *h, const host_batch *batch, size_t i)
                      batch->slots + i * batch->slot_count, batch->parts, batch->counts);
 }
 
-/* Take in the updates from `first` on, with a sample after each, and before it wherever a timer was
- * due. Returns how far it came: not to the end where the room for samples is full, or the instant
- * of an update is out of range.
+/* Process the updates from `first` on, with a sample after each, and before it if a timer was due.
+ * Returns how far it came: not to the end if the memory for samples is full, or if the instant of
+ * an update is out of range.
  */
 size_t host_take(host *h, size_t first, const host_batch *batch, host_samples *samples)
 {

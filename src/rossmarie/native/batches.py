@@ -1,4 +1,4 @@
-"""Batches of updates, and room for samples, as `batch.c` sees them."""
+"""Batches of updates, and memory for samples, in the layout of `batch.c`."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from rossmarie.ir import Batch
 from rossmarie.native.library import Library
 
 _ROOM = 1024
-"""Samples more than updates: what timers are likely to give."""
+"""The memory for samples in addition to one per update, for timers."""
 
 
 class BatchTable:
-    """A batch in C; it must live as long as `pointer` is used."""
+    """A batch in C. It must live as long as `pointer` is used."""
 
     def __init__(self, library: Library, batch: Batch) -> None:
         elements = [library.pointer("double[]", array.values) for array in batch.arrays]
@@ -41,7 +41,7 @@ class BatchTable:
 
 
 class SampleTable:
-    """Room for samples of some signals while a batch is taken."""
+    """Memory for samples of some signals while a batch is processed."""
 
     def __init__(self, library: Library, updates: int, signals: Sequence[int]) -> None:
         self._times_ns = np.empty(updates + _ROOM, np.int64)
@@ -58,13 +58,13 @@ class SampleTable:
 
     @property
     def is_full(self) -> bool:
-        """True if there is no room left."""
+        """True if the memory is full."""
         return bool(self.pointer.count == self.pointer.room)
 
     def move_out(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        """The instants and values of the samples; after that there is room again."""
+        """The instants and values of the samples. Afterwards the memory is free again."""
         times_ns = self._times_ns[: self.pointer.count].copy()
         values = self._values[: self.pointer.count].copy()
-        values[np.isnan(values)] = np.nan  # of the many kinds of NaN, the plain one
+        values[np.isnan(values)] = np.nan  # the plain NaN instead of the many other kinds
         self.pointer.count = 0
         return times_ns, values

@@ -1,7 +1,8 @@
-"""C text in, the content of a shared library out.
+"""The compilation of C text to the content of a shared library.
 
-Libraries are kept in the user's cache folder under a name that tells their text, the compiler and
-its options, so that the same text is compiled once; several processes may build at once.
+Libraries are stored in the user's cache folder under a name derived from their text, the compiler
+and its options, so that the same text is compiled once. Several processes may build at the same
+time.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ class NoCompilerError(Exception):
 
 
 class BuildError(Exception):
-    """The C compiler did not accept the text: a fault of the program that wrote it."""
+    """The C compiler rejected the text: a defect of the program that wrote it."""
 
 
 def compiler() -> list[str]:
@@ -61,8 +62,8 @@ def build(
     """Compile the file `main` among `files`, and those `beside` it, to a shared library, unless
     that was done before.
 
-    Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if there is
-    no room to compile.
+    Raises `NoCompilerError`, or `BuildError` with the output of the compiler, or `OSError` if the
+    disk is full.
     """
     command = [*compiler(), *OPTIONS, *more_options]
     sources = (main, *beside)
@@ -71,7 +72,9 @@ def build(
 
 
 def _digest(files: Mapping[str, str], sources: Sequence[str], command: Sequence[str]) -> str:
-    """A name for the result: the version of the compiler counts by its file's size and time."""
+    """A name for the result. The size and modification time of the compiler's file stand for its
+    version.
+    """
     found = Path(command[0]).resolve().stat()
     digest = hashlib.sha256()
     for part in (*sources, *command, str(found.st_size), str(found.st_mtime_ns)):

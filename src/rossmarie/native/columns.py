@@ -1,7 +1,7 @@
-"""Whole columns as memory that C reads, checked against the machine that is to read them.
+"""Whole columns in memory for C, checked against the machine that reads them.
 
-Takes numpy arrays by the names of `ir.field_names` and `ir.arrival_names`. What fits is the same
-for every engine: this is the only place that accepts or refuses columns.
+The input is numpy arrays by the names of `ir.field_names` and `ir.arrival_names`. The requirements
+are the same for every engine: only this module accepts or refuses columns.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rossmarie import ir
 
 FLAG_VALUES = (0.0, 1.0, float("nan"))
-"""The values that the bytes of a column of flags stand for; `host.c` has the same table."""
+"""The values of the bytes in a column of flags; `host.c` has the same table."""
 
 _UNKNOWN_FLAG = 2
 _WANTED = {ir.Kind.REAL: "numbers", ir.Kind.FLAG: "flags"}
@@ -34,7 +34,7 @@ class Columns:
 
     `times_ns` has the shape (rows,), `slots` a column of that shape for each slot: float64, or for
     flags uint8, an index into `FLAG_VALUES`. `arrays` has a float64 table of shape (rows, elements)
-    for each array. `arriving` tells for each channel, as 0 or 1, whether every row is a message.
+    for each array. `arriving` is 1 for each channel with a message in every row, else 0.
     """
 
     times_ns: NDArray[np.int64]
@@ -46,10 +46,10 @@ class Columns:
 def fit(
     machine: ir.Machine, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
 ) -> Columns:
-    """The columns as engines take them.
+    """The columns in the form for engines.
 
-    Raises `ColumnError` if a column is missing or nothing reads it, if its shape is not that of the
-    instants or its values are of a wrong type, or if the instants are not int64 or out of range.
+    Raises `ColumnError` if a column is missing or unused, if its shape differs from that of the
+    instants or its values have a wrong type, or if the instants are not int64 or out of range.
     """
     instants = _instants(np.asarray(times_ns))
     given = {name: np.asarray(column) for name, column in columns.items()}
@@ -76,7 +76,7 @@ def fit(
 def _chosen(
     given: Mapping[str, NDArray[np.generic]], fields: tuple[frozenset[str], ...]
 ) -> list[str]:
-    """The given column that feeds each field."""
+    """The given column for each field."""
     chosen = []
     for names in fields:
         fitting = sorted(names & given.keys())
@@ -90,7 +90,7 @@ def _chosen(
 
 
 def _arriving(machine: ir.Machine, named: set[int]) -> NDArray[np.uint8]:
-    """A channel with fields has messages, as their columns were given; another one if named."""
+    """The channels with messages: those with given columns, and those that are named."""
     read = {slot.input for slot in machine.slots} | {array.input for array in machine.arrays}
     arriving = np.zeros(max(1, len(machine.channels)), np.uint8)
     arriving[sorted(named.union(machine.inputs[index].channel for index in read))] = 1
@@ -131,7 +131,7 @@ def _scalars(
 
 
 def _strings(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDArray[np.generic]:
-    """A string as its index among the strings of the machine; -1 if it is another one."""
+    """The index of each string among the strings of the machine; -1 for any other string."""
     values = column.tolist()
     if not all(isinstance(value, str) for value in values):
         raise ColumnError(f"column {name} holds {column.dtype}, not only strings")
@@ -140,7 +140,7 @@ def _strings(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDA
 
 
 def _flags(column: NDArray[np.generic]) -> NDArray[np.uint8]:
-    """Always a copy: a byte that came from outside could lead beyond the table in C."""
+    """The flags, always as a copy: a foreign byte could exceed the table in C."""
     if column.dtype == np.bool_:
         column = column.view(np.uint8)
     flags = (column != 0).view(np.uint8)
@@ -152,7 +152,7 @@ def _flags(column: NDArray[np.generic]) -> NDArray[np.uint8]:
 def _tables(
     machine: ir.Machine, names: list[str], given: Mapping[str, NDArray[np.generic]]
 ) -> tuple[NDArray[np.float64], ...]:
-    """A table for each array; those of a list have one width."""
+    """A table for each array. Tables of one list have equal widths."""
     tables = []
     for name, array in zip(names, machine.arrays, strict=True):
         is_text = array.kind is ir.Kind.TEXT
@@ -173,7 +173,9 @@ def _tables(
 
 
 def _require_places(name: str, table: NDArray[np.float64]) -> None:
-    """All rows of a table have as many points: none can be left out for want of a place (S57)."""
+    """Require that all rows of a table have equally many points: points without a position cannot
+    be left out (S57).
+    """
     lacks = np.isnan(table).any(axis=1)
     if lacks.any():
         raise ColumnError(
@@ -201,6 +203,8 @@ def _elements(name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:
 
 
 def _aligned(column: NDArray[np.generic], kind: type[_Number]) -> NDArray[_Number]:
-    """As C reads it; numbers that float64 cannot hold become infinite, which is unknown."""
+    """A column in the memory layout of C. Numbers too large for float64 become infinite, which is
+    unknown.
+    """
     with np.errstate(over="ignore"):
         return np.ascontiguousarray(column, kind)

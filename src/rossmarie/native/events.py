@@ -1,4 +1,4 @@
-"""Events as the C code logs them, and as `ir` has them."""
+"""Events in the log of the C code, converted to events of `ir`."""
 
 from __future__ import annotations
 

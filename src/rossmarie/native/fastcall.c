@@ -8,7 +8,7 @@
 
 #include "batch.c"
 
-/* What takes in a message; more than a monitor may be behind it. */
+/* The functions that process a message. A monitor may be a part of the object behind them. */
 #ifndef TAKE_PACKED
 #define TAKE_PACKED host_packed
 #endif
@@ -96,7 +96,7 @@ static PyObject *new_events(host *h, size_t before)
     return found;
 }
 
-/* (start, stop, room for active bits or None) -> the bytes of the events of these rows. */
+/* (start, stop, memory for active bits or None) -> the bytes of the events of these rows. */
 static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
     const rows *of = (const rows *)PyCapsule_GetPointer(self, NULL);

@@ -15,7 +15,7 @@ typedef struct stepper {
     host *machine;
     PyObject *owner; /* keeps the machine and the wiring alive */
     const guard_wiring *wiring;
-    double *observation; /* room for numbers that were float32 */
+    double *observation; /* memory for numbers that were float32 */
     double *action;
 } stepper;
 
@@ -40,8 +40,7 @@ static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffe
     return room;
 }
 
-/* Numbers that were changed go back into their array: a float32 not further from 0 than they are.
- */
+/* Put changed numbers back into their array. A float32 is rounded towards 0. */
 static void put_back(const double *numbers, const Py_buffer *view)
 {
     float *floats = (float *)view->buf;
@@ -54,8 +53,8 @@ static void put_back(const double *numbers, const Py_buffer *view)
     }
 }
 
-/* What is known after a step: what happened, which rules are active, the margins and, if the action
- * was changed, the tasks.
+/* The facts after a step: its bits, the active rules, the margins and, if the action was changed,
+ * the tasks.
  */
 static PyObject *noted(const host *h, int said)
 {
@@ -82,8 +81,8 @@ static PyObject *noted(const host *h, int said)
     return note;
 }
 
-/* (at_ns, observation or None, action or None) -> what is known then; None if the arrays or the
- * instant do not fit: then nothing has happened.
+/* (at_ns, observation or None, action or None) -> the facts after the step; None if the arrays or
+ * the instant do not fit: then nothing has changed.
  */
 static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
@@ -129,7 +128,7 @@ static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t
 
 /* --- messages ------------------------------------------------------------------------------ */
 
-/* One channel: which slots and arrays of the machine its messages carry, and room for them. */
+/* One channel: the slots and arrays of the machine that its messages carry, and memory for them. */
 typedef struct watcher {
     host *machine;
     PyObject *owner; /* keeps the machine alive */
@@ -171,8 +170,8 @@ static const double *elements_of(PyObject *array, Py_buffer *view, double **room
     return NULL;
 }
 
-/* A message with arrays, and what follows; less than 0 if the instant is out of range, or with an
- * exception.
+/* Process a message with arrays, and run the reactor. Returns less than 0 if the instant is out of
+ * range, or with an exception.
  */
 static int take_arrays(const watcher *by, int64_t t_ns, const double *values,
                        PyObject *const *arrays)
@@ -203,8 +202,8 @@ static int take_arrays(const watcher *by, int64_t t_ns, const double *values,
     return (int)(h->count + guard_of(h)->count - before);
 }
 
-/* (at_ns, *numbers, *arrays) -> the instant at which time is wanted next; None if there is
- * something to take.
+/* (at_ns, *numbers, *arrays) -> the instant of the next advance; None if there is something to
+ * take.
  */
 static PyObject *fastwatch(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {

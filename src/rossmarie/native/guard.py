@@ -1,7 +1,7 @@
 """A monitor in C with the reactor of its rules, in this process.
 
-Takes the machine and the C text that a target wrote for it, of which only the functions of `host.c`
-and `guard.c` are known here.
+Takes the machine and the C text that a target wrote for it, and uses only the functions of `host.c`
+and `guard.c`.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ void guard_bounds(host *, int64_t, int, double *);
 
 
 def load_native_guard(machine: ir.Machine, files: Mapping[str, str]) -> NativeGuard:
-    """Build the files (`guard.c` among them) and give a guard that has seen nothing. Raises what
-    `load_native` raises.
+    """Build the files (`guard.c` among them) and return a guard in its initial state. Raises the
+    errors of `load_native`.
     """
     reader = EventReader(machine)
     declared = declarations(fields_of(machine)) + _FUNCTIONS + DECLARATIONS
@@ -79,9 +79,9 @@ def load_native_guard(machine: ir.Machine, files: Mapping[str, str]) -> NativeGu
 
 
 class NativeGuard:
-    """A monitor and its reactor, which looks after each call of the monitor, at the same instant.
-    Every method that takes an instant raises `ValueError` outside of `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`, but for `bounds`.
+    """A monitor and its reactor, which runs after each call of the monitor, at the same instant.
+    Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and `ir.LATEST_NS`,
+    except `bounds`.
     """
 
     def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
@@ -97,7 +97,7 @@ class NativeGuard:
         self._order = _order(machine)
 
     def fresh(self) -> NativeGuard:
-        """Another guard of the same machine, that has seen nothing."""
+        """Another guard of the same machine in its initial state."""
         return NativeGuard(self._machine, self.library, self._reader)
 
     @property
@@ -107,7 +107,7 @@ class NativeGuard:
 
     @property
     def states(self) -> tuple[State, ...]:
-        """Where each task stands, by index."""
+        """The state of each task, by index."""
         state = self.library.function("guard_task_state")
         tasks = range(len(self._machine.reactions.tasks))
         return tuple(_STATES[state(self.host, task)] for task in tasks)
@@ -126,11 +126,11 @@ class NativeGuard:
         return tuple(room[0:count])
 
     def open(self) -> None:
-        """Commands may pass (R12)."""
+        """Let commands pass (R12)."""
         self.library.function("guard_open")(self.host)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if nothing else comes before."""
+        """The instant at which `advance` has to be called if no other call comes before."""
         wake_ns: int = self._next_wake(self.host)
         return None if wake_ns == _NEVER else wake_ns
 
@@ -144,22 +144,24 @@ class NativeGuard:
     # --- what happens ------------------------------------------------------------------------
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
-        """The messages that arrive at one instant, by channel index."""
+        """Process the messages that arrive at one instant, by channel index."""
         self._events += self._monitor.update(at_ns, messages)
         self._follow(at_ns)
 
     def advance(self, at_ns: int) -> None:
-        """Time passes without a message; what is due at this very instant happens as well."""
+        """Let time pass without a message. Timers due exactly at this instant fire."""
         self._events += self._monitor.advance(at_ns)
         self._follow(at_ns)
 
     def reset(self, at_ns: int, rule: int | None = None) -> None:
-        """An operator resets one latched rule, or all."""
+        """Reset one latched rule, or all, for an operator."""
         self._events += self._monitor.reset(at_ns, rule)
         self._follow(at_ns)
 
     def report(self, at_ns: int, task: int, *, success: bool) -> None:
-        """The end of a task that was ordered to start. Raises `IndexError` if there is none."""
+        """Report the end of a task that was ordered to start. Raises `IndexError` if there is no
+        such task.
+        """
         if not 0 <= task < len(self._machine.reactions.tasks):
             raise IndexError(f"there is no task {task}")
         require_instant(at_ns)
@@ -176,7 +178,7 @@ class NativeGuard:
         return lambda at_ns, *slots: packed(self.host, channel, at_ns, new("double[]", [*slots, 0]))
 
     def watch_call(self, channel: int) -> Callable[..., int | None]:
-        """A function `(at_ns, *slots, *arrays) -> when time is wanted next, or None if there is
+        """A function `(at_ns, *slots, *arrays) -> instant of the next advance, or None if there is
         something to take` for one message on a channel, with its slots and its arrays in index
         order, in the units of the message; arrays are of numpy, of float64 or float32.
 
@@ -200,7 +202,7 @@ class NativeGuard:
         return [*head, *sizes, *carried.slots, 0]
 
     def _plain_watch(self, channel: int, carried: Fields) -> Callable[..., int | None]:
-        """The same without the headers of Python."""
+        """The same function without Python's headers."""
         slots, count = carried.slots, len(carried.slots)
 
         def watch(at_ns: int, *values: Any) -> int | None:
@@ -215,14 +217,14 @@ class NativeGuard:
         return watch
 
     def step_call(self, wiring: Wiring) -> StepCall:
-        """The fastest step, for arrays of the sizes of a wiring."""
+        """The fastest step for arrays of the sizes in a wiring."""
         table = self._table(wiring)
         if made := self.library.step_function(self.host, table.pointer, (self, table)):
             return made
         return plain_step(self.library, self.host, table, self._note)
 
     def allow_call(self, wiring: Wiring) -> AllowCall:
-        """Say which of some actions would pass as they are."""
+        """A function that says which of some actions would pass unchanged."""
         library, table = self.library, self._table(wiring)
         call = library.function("guards_allow")
 
@@ -235,22 +237,22 @@ class NativeGuard:
         return allow
 
     def row(self, count: int) -> NativeRow:
-        """So many guards of the same machine, that have seen nothing."""
+        """A row of `count` guards of the same machine in their initial state."""
         return NativeRow(self.library, count, self._machine, self._table)
 
     def take_events(self) -> list[Event]:
-        """The events that were reported since the last time; orders wait on."""
+        """The events since the last call. Orders stay."""
         events, self._events = self._events, []
         return events + self._monitor.take_events()
 
     def save(self) -> bytes:
-        """All that it knows, and orders that nobody has taken."""
+        """The whole state, and the orders that have not been taken."""
         room = bytearray(self._size)
         self.library.function("guard_save")(self.host, self.library.pointer(_BYTES, room))
         return bytes(room) + self._order_log()
 
     def load(self, saved: bytes) -> None:
-        """Know what another guard of the same rules has known. Raises `ValueError` if that was one
+        """Restore the state of another guard of the same rules. Raises `ValueError` for the state
         of another program.
         """
         count, left = divmod(len(saved) - self._size, self._order.size)
@@ -283,8 +285,8 @@ class NativeGuard:
         return packed_note(said, bits, margins, list(states)[:tasks], list(since_ns)[:tasks])
 
     def take(self) -> Reported:
-        """All that was reported since the last time. Raises `MemoryError` if any of it was lost for
-        lack of memory, from then on.
+        """All events and orders since the last call. Raises `MemoryError`, from then on, if any was
+        lost for lack of memory.
         """
         return Reported(self.take_events(), self._orders())
 

@@ -1,5 +1,5 @@
-/* Guards for policies: an observation goes into the monitor, the reactor follows, and what it says
- * lies on the action. One at a time, or many in a row.
+/* Guards for policies: the monitor processes an observation, the reactor follows, and its bounds
+ * apply to the action. One at a time, or many in a row.
  *
  * Compiled together with host.c and guard.c.
  */
@@ -7,9 +7,9 @@
 
 #include "guard.c"
 
-/* How numbers of observations and actions stand for fields of messages. A field has as many numbers
- * as `count` says, from `first` on, `step` apart; a scalar has one, and none if it is not carried.
- * A number x stands for x * scale + offset in the unit of the message.
+/* The mapping of numbers of observations and actions to fields of messages. A field has `count`
+ * numbers from `first` on, `step` apart; a scalar has one, and none if it is missing. A number x
+ * stands for x * scale + offset in the unit of the message.
  */
 typedef struct guard_part {
     int64_t first;
@@ -23,11 +23,11 @@ typedef struct guard_part {
     int32_t unused;
 } guard_part;
 
-/* What a task publishes in the place of an action: the numbers of all parts of a command. */
+/* A command that a task publishes in place of an action: the numbers of all its parts. */
 typedef struct guard_publication {
     int32_t task;
     int32_t command;
-    int32_t lasts; /* else it takes the place of one action only */
+    int32_t lasts; /* else it replaces one action only */
     int32_t first; /* in `published` */
 } guard_publication;
 
@@ -54,7 +54,7 @@ typedef struct guard_wiring {
     double *action_room;
 } guard_wiring;
 
-/* What guard_step says: bits of its result. */
+/* Bits of the result of guard_step. */
 enum { GUARD_CHANGED = 1, GUARD_REFUSED = 2, GUARD_REPORTED = 4, GUARD_CLOSED = 8 };
 
 static double of_message(const guard_part *part, double x)
@@ -70,7 +70,7 @@ static double of_action(const guard_part *part, double value)
     return is_same ? value : (value - part->offset) / part->scale;
 }
 
-/* Whether a point of a cloud has a place: none of its axes is unknown. */
+/* True if a point of a cloud has a place: none of its axes is unknown. */
 static bool has_place(const guard_wiring *w, int32_t cloud, size_t point)
 {
     for (size_t i = 0; i != w->array_count; i++)
@@ -79,7 +79,7 @@ static bool has_place(const guard_wiring *w, int32_t cloud, size_t point)
     return true;
 }
 
-/* Leaves the points without a place out of a cloud, of which `first` is the first column. */
+/* Removes the points without a position from a cloud whose first column is `first`. */
 static void leave_out(const guard_wiring *w, size_t first)
 {
     const int32_t cloud = w->clouds[first];
@@ -119,7 +119,7 @@ static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const 
                      w->count_room);
 }
 
-/* Whether a task publishes in the place of this action: it does so still, or it has just begun,
+/* True if a task publishes in the place of this action: it does so still, or it has just begun,
  * which an order that nobody has taken yet says.
  */
 static bool publishes(const host *h, const guard_publication *one)
@@ -133,7 +133,7 @@ static bool publishes(const host *h, const guard_publication *one)
     return false;
 }
 
-/* Whether all numbers of an action that commands have are finite. */
+/* True if all numbers of an action that commands have are finite. */
 static bool is_finite(const guard_wiring *w, const double *action)
 {
     for (size_t i = 0; i != w->part_count; i++)
@@ -144,7 +144,7 @@ static bool is_finite(const guard_wiring *w, const double *action)
     return true;
 }
 
-/* Whether bounds let every number pass. */
+/* True if bounds let every number pass. */
 static bool are_free(const double *bounds, size_t count)
 {
     for (size_t i = 0; i != count; i++)
@@ -189,14 +189,14 @@ static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_
     return said;
 }
 
-/* Whether a guard can be at an instant: it is in range, and time does not go back. */
+/* True if a guard can be at an instant: it is in range, and time does not go back. */
 static bool can_be_at(const host *h, int64_t t_ns)
 {
     return t_ns > -(INT64_C(1) << 61) && t_ns < INT64_C(1) << 62 &&
            !(h->machine.started && t_ns < h->machine.now_ns);
 }
 
-/* An observation arrives, and the reactor follows. Less than 0 if the observation is refused. */
+/* Process an observation, and run the reactor. Less than 0 if the observation is refused. */
 static int observe(host *h, const guard_wiring *w, int64_t t_ns, const double *observation)
 {
     if (take_observation(h, w, t_ns, observation) < 0)
@@ -207,7 +207,7 @@ static int observe(host *h, const guard_wiring *w, int64_t t_ns, const double *o
     return 0;
 }
 
-/* An action becomes what may be done at this instant; bits of what happened to it. */
+/* Change an action into a permitted one at this instant. Returns bits that tell the changes. */
 static int decide(host *h, const guard_wiring *w, int64_t t_ns, double *action)
 {
     int said = 0;
@@ -231,9 +231,9 @@ static int decide(host *h, const guard_wiring *w, int64_t t_ns, double *action)
     return said;
 }
 
-/* A step: an observation arrives, and an action becomes what may be done. Without an observation it
- * is that of the last one, at the same instant; without an action, nothing is decided yet. Bits of
- * what happened, or -1 if the guard cannot be at this instant; then nothing has.
+/* A step: process an observation, and change an action into a permitted one. Without an
+ * observation, the last one and its instant are used; without an action, nothing is decided yet.
+ * Returns bits of the step, or -1 if the guard refuses this instant; then nothing has changed.
  */
 int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *observation,
                double *action)
@@ -251,14 +251,14 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
 
 /* --- many guards --------------------------------------------------------------------------- */
 
-/* The margins of each guard in its row, GUARD_MARGINS of them; NaN where nothing was observed. */
+/* The margins of each guard in its row, GUARD_MARGINS of them; NaN before the first observation. */
 void guards_margins(const host *first, size_t count, double *margins)
 {
     for (size_t i = 0; i != count; i++)
         guard_margins(&(guard_of(first) + i)->base, margins + i * GUARD_MARGINS);
 }
 
-/* So many guards in a row that have seen nothing; NULL if there is no memory. */
+/* `count` guards in a row in their initial state; NULL if there is no memory. */
 host *guards_new(size_t count)
 {
     guard *guards = (guard *)calloc(count, sizeof *guards);
@@ -279,7 +279,7 @@ void guards_free(host *first, size_t count)
 
 host *guards_at(host *first, size_t index) { return &(guard_of(first) + index)->base; }
 
-/* Start those again that have a byte that is not 0. */
+/* Restart the guards whose byte is not 0. */
 void guards_restart(host *first, size_t count, const unsigned char *which)
 {
     for (size_t i = 0; i != count; i++)
@@ -324,8 +324,8 @@ size_t guards_step(host *first, size_t count, const guard_wiring *w, const unsig
     return count;
 }
 
-/* The actions that each guard would let pass as they are: a byte for each, guard by guard.
- * Returns the number of guards, or the first that has observed nothing.
+/* The actions that each guard would let pass unchanged: a byte for each, guard by guard. Returns
+ * the number of guards, or the first guard without an observation.
  */
 size_t guards_allow(host *first, size_t count, const guard_wiring *w, const double *actions,
                     size_t action_count, unsigned char *allowed)

@@ -1,4 +1,4 @@
-"""The only place that speaks to C: a loaded library, with types.
+"""The only module that calls C: a loaded library, with types.
 
 Takes the content of a library built from `host.c`, or from `fastcall.c`, which includes it.
 """
@@ -25,7 +25,7 @@ class Library:
     """A library of one machine, and the memory that is handed to it."""
 
     def __init__(self, content: bytes, declarations: str) -> None:
-        """Raises `OSError` if the content is no library."""
+        """Raises `OSError` if the content is not a library."""
         self._python = _loaded(content)
         self._ffi = cffi.FFI()
         self._ffi.cdef(declarations)
@@ -34,7 +34,7 @@ class Library:
         self.null: Pointer = self._ffi.NULL
 
     def function(self, name: str) -> Callable[..., Any]:
-        """A function by name; raises `OSError` if the library lacks it."""
+        """A function by name. Raises `OSError` if the library does not have it."""
         try:
             found: Callable[..., Any] = getattr(self._functions, name)
         except AttributeError as error:
@@ -46,7 +46,9 @@ class Library:
         return self._ffi.gc(pointer, release)
 
     def pointer(self, kind: str, buffer: Any) -> Pointer:
-        """The memory of an array, which must live as long as the pointer is used; of None, none."""
+        """The memory of an array, which must live as long as the pointer is used; for None, a null
+        pointer.
+        """
         return self.null if buffer is None else self._ffi.from_buffer(kind, buffer)
 
     def new(self, kind: str, initial: object) -> Pointer:
@@ -54,11 +56,11 @@ class Library:
         return self._ffi.new(kind, initial)
 
     def is_null(self, pointer: Pointer) -> bool:
-        """Say whether a pointer leads nowhere."""
+        """Say whether a pointer is null."""
         return bool(pointer == self._ffi.NULL)
 
     def text_at(self, pointer: Pointer) -> str | None:
-        """A copy of a string; None for a pointer that leads nowhere."""
+        """A copy of a string; None for a null pointer."""
         if self.is_null(pointer):
             return None
         text = self._ffi.string(pointer)
@@ -131,8 +133,8 @@ class Library:
 
 @cache
 def _loaded(content: bytes) -> ctypes.PyDLL:
-    """The library with this content. It is loaded once, and stays: functions of `fastcall.c` may
-    outlive everybody who knows of the library.
+    """The library with this content. It is loaded once and stays, because functions of `fastcall.c`
+    may outlive all its users.
     """
     with _file_of(content) as path:
         return ctypes.PyDLL(str(path))
@@ -140,14 +142,14 @@ def _loaded(content: bytes) -> ctypes.PyDLL:
 
 @contextmanager
 def _file_of(content: bytes) -> Iterator[Path]:
-    """A file with this content that nobody can change, for the system's loader, which takes names
-    only. No two such files have one name, by which the loader knows what it has loaded.
+    """A read-only file with this content, for the system's loader, which accepts only names. No two
+    such files share a name, because the loader identifies libraries by name.
     """
     with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
         path = Path(folder) / "monitor.so"
         try:
             memory = _in_memory(content)
-        except OSError:  # then the folder protects it, to which only this user has access
+        except OSError:  # then the folder protects it: only this user has access
             path.write_bytes(content)
             yield path
             return
@@ -159,8 +161,8 @@ def _file_of(content: bytes) -> Iterator[Path]:
 
 
 def _in_memory(content: bytes) -> int:
-    """A sealed file in memory. Where programs must not lie among temporary files, this one can be
-    loaded all the same.
+    """A sealed file in memory. It can be loaded even if programs must not be loaded from the folder
+    of temporary files.
     """
     if sys.platform != "linux" or not Path("/proc/self/fd").exists():
         raise OSError("this system has no files in memory that have a name")

@@ -1,7 +1,7 @@
 """A monitor in C that runs in this process: the same methods and events as the interpreter.
 
-Takes the machine and the C text that a target wrote for it. Of the text only the functions of
-`host.c` are known here, not what is behind them.
+Takes the machine and the C text that a target wrote for it. This module uses only the functions of
+`host.c`.
 """
 
 from __future__ import annotations
@@ -30,13 +30,15 @@ from rossmarie.native.signatures import declarations, fields_of
 _NEVER = 2**63 - 1
 _NAN = float("nan")
 _TOO_MANY = 2**32 - 1
-"""More elements than the list of any input may have; no element is looked at then."""
+"""More elements than the list of any input may have. C reads no element then."""
 _BYTES = "unsigned char[]"
 _OWN = ("batch.c", "fastcall.c", "fastguard.c", "guarding.c")
 _HEADERS = Path(sysconfig.get_paths()["include"])
 
 RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
-"""Start, stop and room for the active bits, or None; gives the bytes of the events."""
+"""The call takes start, stop and memory for the active bits, or None, and returns the bytes of the
+events.
+"""
 
 MOST_FIELDS = 256  # as in fastcall.c
 
@@ -53,10 +55,10 @@ _MAINS = Mains("batch.c", "fastcall.c")
 
 
 def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
-    """Build the files (`host.c` among them) and give a monitor that has seen nothing.
+    """Build the files (`host.c` among them) and return a monitor in its initial state.
 
     A library in the cache that cannot be loaded is built again. Raises `NoCompilerError`,
-    `BuildError`, or `OSError` if there is no room to build, or if the library cannot be loaded.
+    `BuildError`, or `OSError` if the disk is full, or if the library cannot be loaded.
     """
     reader = EventReader(machine)
     declared = declarations(fields_of(machine))
@@ -66,7 +68,7 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
 def load_library(
     mains: Mains, files: Mapping[str, str], declared: str, reader: EventReader
 ) -> Library:
-    """Build the files and load what came out. Raises what `load_native` raises."""
+    """Build the files and load the result. Raises the errors of `load_native`."""
     built = _built(mains, files)
     try:
         return _checked(Library(built, declared), reader)
@@ -75,7 +77,9 @@ def load_library(
 
 
 def _built(mains: Mains, files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
-    """With functions for Python if its headers are at hand and serve, else without."""
+    """The content of the built library: with functions for Python if Python's headers exist and
+    work, else without.
+    """
     texts, beside = with_own(files), [name for name in files if name.endswith("_reactor.c")]
     if (_HEADERS / "Python.h").is_file():
         try:
@@ -131,7 +135,7 @@ class NativeMonitor:
         self._waiting = b""
 
     def fresh(self) -> NativeMonitor:
-        """Another monitor of the same machine, that has seen nothing."""
+        """Another monitor of the same machine in its initial state."""
         return NativeMonitor(self._machine, self.library, self._reader)
 
     # --- as the interpreter ------------------------------------------------------------------
@@ -149,12 +153,12 @@ class NativeMonitor:
         return self.library.bytes_at(self._call("host_active"), self.active_bytes)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if no message comes before."""
+        """The instant at which `advance` has to be called if no message comes before."""
         wake_ns: int = self._call("host_next_wake")
         return None if wake_ns == _NEVER else wake_ns
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
-        """The messages that arrive at one instant, by channel index."""
+        """Process the messages that arrive at one instant, by channel index."""
         if len(messages) == 1:
             (channel,) = messages
             arguments = self._fields_of(channel, messages[channel])
@@ -174,8 +178,8 @@ class NativeMonitor:
         return arguments
 
     def _unknown_lists(self, channel: int, values: ChannelValues) -> set[int]:
-        """The columns of the lists that are not known in a message: C is told of too many elements
-        instead of any.
+        """The columns of the unknown lists in a message. C receives a count above every bound for
+        them.
         """
         found: set[int] = set()
         for each in self._fields[channel].lists:
@@ -208,11 +212,13 @@ class NativeMonitor:
         )
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message; timers due at this very instant fire as well."""
+        """Let time pass without a message. Timers due exactly at this instant fire."""
         return self._events_of(at_ns, "host_advance")
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all: those with a false condition clear."""
+        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
+        clear.
+        """
         return self._events_of(at_ns, "host_reset", -1 if rule is None else rule)
 
     # --- fast --------------------------------------------------------------------------------
@@ -252,22 +258,22 @@ class NativeMonitor:
         """Update all channels at every instant of `times_ns` (shape (rows,)) with the fields of
         that row, in the units of the messages; columns are as `fit` describes them.
 
-        Raises `ColumnError` if the columns do not fit: nothing has been taken in then.
+        Raises `ColumnError` if the columns do not fit: then nothing has changed.
         """
         return self.bind(times_ns, columns).run(active=active)
 
     def bind(
         self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
     ) -> BoundColumns:
-        """Columns as for `run`, looked at once, to be taken in chunk by chunk.
+        """Check columns as for `run` once, for runs over chunks.
 
         Raises `ColumnError` if they do not fit.
         """
         return BoundColumns(self, fit(self._machine, times_ns, columns))
 
     def take(self, batch: Batch, shown: Sequence[int]) -> Taken:
-        """The updates of a batch, with samples of some signals, which are neither constant nor of
-        elements only.
+        """Process the updates of a batch, and sample some signals, which are neither constant nor
+        elementwise.
 
         Raises `ValueError` at an instant out of range, `MemoryError` if events were lost for lack
         of memory.
@@ -288,8 +294,8 @@ class NativeMonitor:
         return Taken(events, times_ns, values)
 
     def rows_call(self, table: Pointer, kept: object) -> RowsCall:
-        """A function that takes in rows of a table; `kept` is what its memory rests on, which the
-        caller keeps as well.
+        """A function that processes rows of a table. `kept` owns the memory of the table; the
+        caller keeps it as well.
         """
         made = self.library.rows_function(self.host, table, (self, kept))
         if made is not None:
@@ -306,7 +312,7 @@ class NativeMonitor:
         return rows
 
     def result(self, log: bytes, packed: NDArray[np.uint8] | None) -> RunResult:
-        """The findings of a run."""
+        """The results of a run."""
         return RunResult(self._machine, self._reader, log, packed)
 
     # --- calls -------------------------------------------------------------------------------
@@ -321,7 +327,7 @@ class NativeMonitor:
         return self._reader.read(self._drain())
 
     def _drain(self) -> bytes:
-        """The bytes of the events that were logged since the last time."""
+        """The bytes of the events since the last call."""
         if self._failed(self.host):
             raise MemoryError("the log of events could not grow: events are lost")
         count = self._event_count(self.host)
@@ -333,7 +339,7 @@ class NativeMonitor:
 
 
 class BoundColumns:
-    """Columns that a monitor has looked at; they must not change while they are used."""
+    """Columns that a monitor has checked. They must not change while they are used."""
 
     def __init__(self, monitor: NativeMonitor, columns: Columns) -> None:
         self._monitor = monitor
@@ -351,7 +357,7 @@ class BoundColumns:
         self._take_rows = monitor.rows_call(table, self._memory)
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> RunResult:
-        """Take in the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
         """

@@ -1,4 +1,4 @@
-"""The findings of a run over many rows, worked out when they are asked for."""
+"""The results of a run over many rows, computed on demand."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ from rossmarie.native.events import EventReader
 
 @dataclass(eq=False)
 class RunResult:
-    """The findings of a run over many rows.
+    """The results of a run over many rows.
 
-    `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit
-    `r % 8` of byte `r // 8`; it is None if it was not asked for.
+    `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit `r %
+    8` of byte `r
+
+    8`; it is None if it was not asked for.
     """
 
     machine: ir.Machine
@@ -33,9 +35,9 @@ class RunResult:
 
     @cached_property
     def active(self) -> NDArray[np.bool_]:
-        """The rules that were active after each row: of shape (rows, rules).
+        """The rules that were active after each row, of shape (rows, rules).
 
-        Raises `ValueError` if the run was not asked for it.
+        Raises `ValueError` if the run did not record them.
         """
         if self.packed_active is None:
             raise ValueError("run with active=True to learn which rules were active")

@@ -1,4 +1,4 @@
-"""Steps of guards in C: an observation arrives, and an action becomes what may be done."""
+"""Steps of guards in C: an observation arrives, and an action is changed into a permitted one."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from rossmarie.native.library import Library, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
 StepCall: TypeAlias = Callable[[int, "NDArray[Any] | None", "NDArray[Any] | None"], "bytes | None"]
-"""An instant, an observation, and an action that is changed in its place; gives what is known then,
-or None if they do not fit. None for an observation: nothing new is seen. None for an action: it is
-decided later.
+"""A call takes an instant, an observation, and an action that is changed in place. It returns the
+facts after the step, or None if the arguments do not fit. If the observation is None, nothing
+arrives; if the action is None, the decision comes later.
 """
 
 AllowCall: TypeAlias = Callable[[Floats], "NDArray[np.bool_]"]
-"""Say which of some actions, of shape (k, m), would pass as they are after the last observation."""
+"""Say which of some actions, of shape (k, m), would pass unchanged after the last observation."""
 
 DECLARATIONS = """
 typedef struct guard_part {
@@ -77,8 +77,8 @@ size_t guards_allow(host *, size_t, guard_wiring *, double *, size_t, unsigned c
 
 _BYTES = "unsigned char[]"
 CHANGED, REFUSED, REPORTED, CLOSED = 1, 2, 4, 8
-"""The bits of what happened in a step: the action was changed, was not finite, there is news, and
-nothing passes yet.
+"""The bits of a step: the action was changed, the action was not finite, there are events or
+orders, and nothing passes yet.
 """
 
 
@@ -86,7 +86,9 @@ class WiringTable:
     """A wiring in C; it must live as long as `pointer` is used."""
 
     def __init__(self, library: Library, wiring: Wiring, channels: int, fields: int) -> None:
-        """For so many channels, and at most so many fields of a command."""
+        """Reserve memory for the given number of channels, and for the largest number of fields of
+        a command.
+        """
         present = [int(channel in wiring.arriving) for channel in range(channels)] or [0]
         elements = sum(part.count for part in wiring.arrays)
         published = [number for each in wiring.publications for number in each.numbers]
@@ -126,7 +128,7 @@ def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
 
 
 def _clouds(wiring: Wiring) -> list[int]:
-    """For each array the cloud of which it is a column."""
+    """The cloud of which each array is a column, by array; -1 if there is none."""
     owners = {column: cloud for cloud, each in enumerate(wiring.clouds) for column in each.columns}
     return [owners.get(array, -1) for array in range(len(wiring.arrays))]
 
@@ -146,7 +148,7 @@ def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
 
 
 def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCall) -> StepCall:
-    """A step without the headers of Python."""
+    """A step without Python's headers."""
     call = library.function("guard_step")
 
     def step(
@@ -178,7 +180,7 @@ NoteCall: TypeAlias = Callable[[int], bytes]
 
 
 def fits(array: object, length: int) -> bool:
-    """Say whether something is an array of so many floats, or left out."""
+    """Say whether a value is a float array of this length, or None."""
     return array is None or (
         isinstance(array, np.ndarray)
         and array.shape == (length,)
@@ -187,7 +189,7 @@ def fits(array: object, length: int) -> bool:
 
 
 def put_back(numbers: Floats, action: NDArray[Any]) -> None:
-    """Put numbers into an array: a float32 not further from 0 than they are."""
+    """Put numbers into an array. A float32 is rounded towards 0."""
     with np.errstate(over="ignore"):
         nearest = numbers.astype(action.dtype)
     is_beyond = np.abs(nearest.astype(np.float64)) > np.abs(numbers)
@@ -201,7 +203,7 @@ def packed_note(
     states: Sequence[int],
     since_ns: Sequence[int],
 ) -> bytes:
-    """The facts after a step, as bytes; tasks only if the action was changed."""
+    """The facts after a step as bytes, with tasks only if the action was changed."""
     note = bytes([said]) + active + struct.pack(f"={len(margins)}d", *margins)
     if said & CHANGED:
         note += bytes(states) + struct.pack(f"={len(since_ns)}q", *since_ns)
@@ -209,7 +211,7 @@ def packed_note(
 
 
 class NativeRow:
-    """Guards in a row, that have seen nothing: a step of all of them is one call."""
+    """Guards in a row in their initial state. One call performs a step of all of them."""
 
     def __init__(
         self,
@@ -231,7 +233,7 @@ class NativeRow:
         self._table: WiringTable | None = None
 
     def connect(self, wiring: Wiring) -> None:
-        """Take arrays of the sizes of a wiring from now on."""
+        """Use arrays of the sizes in a wiring from now on."""
         self._table = self._table_of(wiring)
 
     def step(
@@ -241,11 +243,12 @@ class NativeRow:
         observations: Floats | None,
         actions: Floats | None,
     ) -> tuple[int, NDArray[np.bool_], NDArray[np.bool_]]:
-        """Let one instant, or one for each guard, come; actions are changed in their places. None
-        stands for all guards, the instants at which they are, nothing new, and nothing to decide.
+        """Perform a step at one instant, or at one instant for each guard. Actions are changed in
+        place. None stands for all guards, for their present instants, for no observation, and for
+        no decision.
 
-        Gives the first row that cannot be at its instant (then nothing has happened), or the number
-        of rows; which rules are active, of shape (rows, rules), and which actions were changed.
+        Returns the first row that refuses its instant (then nothing has changed), or the number of
+        rows; a mask of the active rules, of shape (rows, rules); and a mask of the changed actions.
         """
         library = self._library
         active, changed = np.empty(self._shape, np.bool_), np.empty(self._count, np.bool_)
@@ -264,8 +267,8 @@ class NativeRow:
         return int(done), active, changed
 
     def allow(self, actions: Floats) -> tuple[int, NDArray[np.bool_]]:
-        """Say which of some actions each guard would let pass as they are, of shape (rows,
-        actions); first comes the first row that has seen nothing, or the number of rows.
+        """Say which of some actions each guard would pass unchanged, as a mask of shape (rows,
+        actions). The first result is the first row without an observation, or the number of rows.
         """
         library = self._library
         allowed = np.empty((self._count, len(actions)), np.bool_)
@@ -288,7 +291,7 @@ class NativeRow:
         return margins
 
     def restart(self, which: NDArray[np.bool_]) -> None:
-        """Let those that are marked forget everything."""
+        """Let the marked guards forget everything."""
         call = self._library.function("guards_restart")
         call(self._first, self._count, self._library.pointer(_BYTES, which))
 

@@ -1,4 +1,4 @@
-"""In which order the messages of ROS 2 files were stored, without decoding any of them."""
+"""The order in which the messages of ROS 2 files were stored, found without decoding a message."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _Index = tuple[int, NDArray[np.void]]
 
 
 def rows_in_order(path: Path) -> Iterator[Arrivals]:
-    """The messages of a .db3 file. Raises `sqlite3.Error` where it is damaged."""
+    """The messages of a .db3 file. Raises `sqlite3.Error` for a damaged file."""
     database = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True)
     try:
         rows = database.execute(

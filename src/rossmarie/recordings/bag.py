@@ -1,7 +1,7 @@
 """Recordings of messages: .bag, .db3, .mcap and bag directories.
 
-Messages are decoded only if a rule reads their topic. Where a file turns out to be damaged in the
-middle, what can be salvaged after the damage is read on.
+Messages are decoded only if a rule reads their topic. If a file is damaged in the middle, reading
+continues with the messages that can be salvaged after the damage.
 """
 
 from __future__ import annotations
@@ -55,9 +55,9 @@ _NO_CLOCK = "their stamps are out of range: no clock runs that long"
 class _Reading:
     """The decoding of the messages of one topic, and the channels that read them.
 
-    `transforms` decodes them for the channels of transforms, of which it has some or none.
+    `transforms` decodes them for the channels of transforms, if it contains any.
 
-    `unfit` counts the messages that are passed over, by the reason.
+    `unfit` counts the skipped messages, by reason.
     """
 
     decoder: Decoder | None
@@ -68,8 +68,8 @@ class _Reading:
 
 
 class BagRecording:
-    """A recording of messages; `salvage` opens what is left of it if its storage fails, and says
-    what is missing.
+    """A recording of messages; If its storage fails, `salvage` opens the readable rest and
+    describes the loss.
     """
 
     def __init__(
@@ -192,7 +192,7 @@ class BagRecording:
             )
 
     def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
-        """The messages that are not passed over; the others are counted."""
+        """The messages that fit. Skipped messages are counted."""
         is_odd_type = np.array([self._odd_type(each) is not None for each in stored.connections])
         is_early, is_late = stored.times_ns <= EARLIEST_NS, stored.times_ns >= LATEST_NS
         is_unfit = is_odd_type[stored.senders] | is_early | is_late
@@ -203,7 +203,7 @@ class BagRecording:
         return ~is_unfit
 
     def _odd_type(self, connection: Connection) -> str | None:
-        """Why messages of a connection are passed over; None if they are not."""
+        """The reason why messages of a connection are skipped; None if they are not."""
         expected = self._connections[connection.topic][0].message_type
         found = connection.message_type
         if found == expected:
@@ -245,7 +245,9 @@ class BagRecording:
 
 
 class _Last:
-    """The last instant at which messages were read, and how many of each topic at it."""
+    """The last instant at which messages were read, and the number of messages of each topic at
+    it.
+    """
 
     def __init__(self) -> None:
         self._at_ns = EARLIEST_NS
@@ -263,8 +265,8 @@ class _Last:
         self._counts.update(batch.connections[sender].topic for sender in senders)
 
     def is_before(self, batch: Packed) -> NDArray[np.bool_]:
-        """The messages that come after those that were read. Messages of one topic at one instant
-        are stored in one order, however a file is read.
+        """The messages after those that were read. Messages of one topic at one instant are stored
+        in one order, however a file is read.
         """
         is_after = batch.times_ns >= self._at_ns
         for row in np.flatnonzero(batch.times_ns == self._at_ns).tolist():

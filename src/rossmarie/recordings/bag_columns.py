@@ -1,6 +1,6 @@
 """The chunks of a ROS 1 bag.
 
-Where a record is not as it should be, rosbags reads the batch, and says what is wrong.
+If a record is malformed, rosbags reads the batch, and reports the reason.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Opening the files of a bag: as they should be, or what can be salvaged of them."""
+"""Opening the files of a bag: complete, or the part that can be salvaged."""
 
 from __future__ import annotations
 
@@ -57,9 +57,7 @@ def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path])
 
 
 def _span(storage: Storage) -> tuple[int, int] | None:
-    """The stamps of the first and the last message at an instant that can be; None if there is
-    none.
-    """
+    """The stamps of the first and the last message at a possible instant; None if there is none."""
     span = storage.span()
     if span is None or (span[0] > EARLIEST_NS and span[1] < LATEST_NS):
         return span

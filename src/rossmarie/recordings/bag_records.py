@@ -24,10 +24,10 @@ def message_places(
     numbers: NDArray[np.int64],
     times_ns: NDArray[np.int64],
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Where messages start and end in the content of a chunk. The index says at which offsets they
-    are, by which connections they came, and when.
+    """The start and the end of each message in the content of a chunk. The index gives their
+    offsets, connections and stamps.
 
-    Raises `ValueError` or `KeyError` for records that are of another form or do not say the same.
+    Raises `ValueError` or `KeyError` for records that have another form or contradict the index.
     """
     heads = _heads(content, offsets)
     form = _Form(heads[0])
@@ -53,8 +53,8 @@ def _integers(heads: NDArray[np.uint8], place: int) -> NDArray[np.int64]:
 
 
 class _Form:
-    """Where the fields are in a head: as in one that shows it. Raises `ValueError` or `KeyError` if
-    that is not the head of a message.
+    """The places of the fields in a head, taken from one head. Raises `ValueError` or `KeyError` if
+    it is not the head of a message.
     """
 
     def __init__(self, head: NDArray[np.uint8]) -> None:

@@ -1,4 +1,4 @@
-"""Updates in columns: put together, and taken apart."""
+"""Updates in columns: their assembly, and their separation."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Assembly:
         slots: Mapping[int, NDArray[np.float64]],
         arrays: Mapping[int, Sequence[NDArray[np.generic] | None]],
     ) -> None:
-        """Messages on some channels, in some rows, and all that is known of what they carry."""
+        """Add messages on some channels, in some rows, with all known values."""
         for channel in channels:
             self._arriving[rows, channel] = 1
         for slot, column in slots.items():
@@ -56,7 +56,7 @@ class Assembly:
             self._arrays[array][row] = np.array(elements, np.float64)
 
     def _look_at_list(self, columns: Sequence[int], most: int, row: int) -> None:
-        """S51: a list that is not whole, or too long, is not known."""
+        """S51: an incomplete or too long list is unknown."""
         found = [self._arrays[column][row] for column in columns]
         counts = {None if each is None else len(each) for each in found}
         (count,) = counts if len(counts) == 1 else (None,)
@@ -65,7 +65,9 @@ class Assembly:
                 self._arrays[column][row] = None
 
     def batch(self) -> Batch:
-        """All of it but the rows in which nothing came; of what was not added, nothing is known."""
+        """The whole batch without rows in which nothing arrived. Values that were not added are
+        unknown.
+        """
         for columns, most in self._lists:
             for row in range(len(self._times_ns)):
                 self._look_at_list(columns, most, row)
@@ -96,9 +98,9 @@ def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:
 
 
 def begun_together(machine: Machine, batches: Iterable[Batch]) -> Iterator[Batch]:
-    """The same batches, but that the messages of the first instant are one update: a node, too,
-    begins with the first messages of all topics together. Where a topic has another message at that
-    instant, that one and those after it are updates of their own.
+    """The same batches, except that the messages of the first instant form one update, because a
+    node also begins with the first messages of all topics together. If a topic has another message
+    at that instant, that message and later ones are separate updates.
     """
     remaining = iter(batches)
     begun, times_ns = list[Batch](), list[int]()

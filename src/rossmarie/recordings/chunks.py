@@ -36,7 +36,7 @@ ROW = np.dtype(
 
 Rows = NDArray[np.void]
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
-"""Where messages start and end in the content of their chunk."""
+"""The start and the end of each message in the content of its chunk."""
 
 
 class Chunks(Protocol):
@@ -54,7 +54,9 @@ class Chunks(Protocol):
 
 
 def in_order(chunks: Chunks) -> Iterator[Packed]:
-    """All messages. Where a chunk cannot be read, those before its start come first."""
+    """All messages in order. If a chunk cannot be read, the messages before its start come
+    first.
+    """
     waiting = _Waiting()
     for start_ns, chunk in sorted((at_ns, chunk) for chunk, at_ns in chunks.starts_ns.items()):
         if waiting.are_enough:
@@ -90,7 +92,7 @@ class _Waiting:
         return is_batch and self._count >= len(self._old) // 2
 
     def before(self, at_ns: int | None) -> Rows:
-        """Those before an instant, or all; they wait no longer."""
+        """The messages before an instant, or all. They no longer wait."""
         rows = np.concatenate([self._old, *self._fresh])
         is_due = np.ones(len(rows), np.bool_) if at_ns is None else rows["at_ns"] < at_ns
         self._old, self._fresh = rows[~is_due], []

@@ -1,9 +1,8 @@
 """Clocks that were set back while a recording was made.
 
-Stored messages are replayed in the order of their stamps. Where the clock was set back (a
-simulation that was started again, a clock that was corrected), two stretches of time lie over each
-other then; that shows in the order in which the messages were stored. Rows of a CSV file are
-replayed as they stand, so that there the monitor sees the clock go back.
+Stored messages are replayed in the order of their stamps. If the clock was set back (a restarted
+simulation, a corrected clock), two periods overlap; the order in which the messages were stored
+shows this. Rows of a CSV file are replayed in file order, so the monitor sees the clock go back.
 """
 
 from __future__ import annotations
@@ -80,7 +79,7 @@ class Setbacks:
             self._farthest_ns = max(self._farthest_ns, int(far.max()))
 
     def findings(self, effect: str, path: Path) -> tuple[Diagnostic, ...]:
-        """A finding if there are any: `effect` is what they do to a replay."""
+        """A finding if there are any: `effect` is their effect on a replay."""
         if not self._counts:
             return ()
         count = max(self._counts.values())

@@ -55,9 +55,10 @@ _UNCOMPRESSED = ("", "none")
 def decompress_prefix(
     compression: str, data: bytes, allowance: Allowance
 ) -> tuple[bytes, str | None]:
-    """The content of `data` as far as it can be reported, and why no further (None: it is whole).
+    """The content of `data` as far as it can be decompressed, and the reason why no further (None:
+    it is complete).
 
-    Raises nothing: of an unknown compression, or of data beyond a limit, there is no content.
+    Raises nothing. For an unknown compression, or for data beyond a limit, there is no content.
     """
     if compression in _UNCOMPRESSED:
         return data, None

@@ -1,7 +1,7 @@
 """The cells of a CSV file, as instants and values.
 
-Numbers are written as in other programs: not as Python may write them (`1_000`). A cell that is not
-what it should be is NaN, and counted.
+Numbers are written as in other programs: not as Python may write them (`1_000`). An unreadable cell
+is NaN, and counted.
 """
 
 from __future__ import annotations
@@ -32,7 +32,9 @@ _FLAGS = {"true": 1.0, "false": 0.0, "1": 1.0, "0": 0.0, "1.0": 1.0, "0.0": 0.0}
 _SHOWN = 40
 
 Clock = Callable[[str], int | None]
-"""From a cell of the first column to nanoseconds; None if it is no instant."""
+"""The conversion of a cell of the first column to nanoseconds; None if the cell is not an
+instant.
+"""
 
 
 def clock(name: str, first: str) -> Clock | None:
@@ -104,7 +106,7 @@ class ChannelReader:
 
     @property
     def never_found(self) -> Iterator[ElementSearch]:
-        """The elements that no row so far had, although some had others."""
+        """The elements that no row so far contained, although some rows contained others."""
         return (each for each in self._searches.values() if each.is_vain)
 
     def _listed_number(

@@ -70,7 +70,7 @@ _DELIMITERS = ",;\t"
 _SHOWN = 200
 _MOST_STAMPS = 10_000
 _MOST_PATTERNS = 1000
-"""Ways in which rows are filled that are counted at once."""
+"""The most patterns of filled cells that are counted together."""
 
 
 class CsvRecording:
@@ -221,7 +221,9 @@ class CsvRecording:
                 collector.add(never_found(topic, search, machine))
 
     def _rows(self) -> Iterator[tuple[int | None, list[str]]]:
-        """Instant and cells of each row; no instant if it does not have one or does not fit."""
+        """The instant and the cells of each row. The instant is None if it is missing or not
+        valid.
+        """
         width = len(self._names)
         with self.path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
             rows = csv.reader(self._lines(file), delimiter=self._delimiter, skipinitialspace=True)

@@ -1,7 +1,7 @@
 """The messages of one topic -> the columns that a machine reads of them.
 
-Nearly all messages are decoded together, by a plan. rosbags decodes those that no plan is for, and
-those that are not as it expects; where it cannot do it either, it says why.
+Nearly all messages are decoded together, by a plan. rosbags decodes messages without a plan, and
+messages that a plan cannot decode. If rosbags fails, too, the reason is recorded.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ class Decoded:
 
 
 class Decoder:
-    """Decodes what comes by a connection, or by others on its topic; `missing` is what is wanted
-    and not in the definition.
+    """Decodes messages of a connection, or of other connections on its topic. `missing` are the
+    wanted fields that the definition does not have.
     """
 
     def __init__(
@@ -95,7 +95,7 @@ class Decoder:
         return walk(self._plan, self._texts, messages.content, starts, ends)
 
     def _decode_alone(self, content: bytes, row: int, found: Found) -> str | None:
-        """Decode one message, as rosbags does it; gives why that cannot be, if it cannot."""
+        """Decode one message with rosbags. Returns the reason if that is not possible."""
         try:
             message = self._message(content)
             values = self._read(message)
@@ -110,8 +110,8 @@ class Decoder:
         return self._take_sensed(message, row, found)
 
     def _take_sensed(self, message: Message, row: int, found: Found) -> str | None:
-        """Take the points of clouds and the beams of scans; gives why some are not known, if some
-        are not (S56, S70).
+        """Take the points of clouds and the beams of scans. Returns the reason if some are unknown
+        (S56, S70).
         """
         reason = None
         for each in self._sensed:
@@ -125,8 +125,8 @@ class Decoder:
 
 
 def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], Message]:
-    """The way in which rosbags decodes a message that came by a connection, or by others on its
-    topic. It raises one of `DECODE_FAILURES`, also for a message that is too large.
+    """The decoder of rosbags for messages of a connection, or of other connections on its topic. It
+    raises one of `DECODE_FAILURES`, also for a message that is too large.
     """
     name = full_type(connection.message_type)
     is_ros1 = connection.encoding == "ros1"

@@ -1,4 +1,4 @@
-"""From the type of a topic to what decodes its messages.
+"""Message definitions: from the type of a topic to the store that decodes its messages.
 
 A definition in the recording comes first, then the user's own .msg folders, then the standard
 packages of ROS and `skill_context_msgs`.
@@ -39,7 +39,7 @@ _MSG_SEPARATOR = re.compile(r"^=+\r?\nMSG: (\S+)\r?\n", re.MULTILINE)
 
 
 class UndefinedTypeError(Exception):
-    """A message type of which no definition is known; the text says why."""
+    """A message type of which no definition is known; the text gives the reason."""
 
 
 def full_type(name: str) -> str:

@@ -1,5 +1,5 @@
-"""Elements that go by names: their places in the arrays of one message after the other, and what is
-told of those that are never found.
+"""Elements with names: their places in the arrays of each message, and the findings on elements
+that never occur.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
 
 @dataclass
 class ElementSearch:
-    """The search for an element of a slot in one message after the other: whether any had it, and
-    some of the names, or the lengths of arrays, that they had. Of a query to skills: whether any
-    was from its export, and from which others they were.
+    """The search for a named element in one message after another: whether any message had it, and
+    some of the names, or array lengths, of the messages. For a query about skills: whether a
+    message came from its export, and the other exports.
     """
 
     slot: Slot
@@ -82,7 +82,7 @@ def _instead(element: Named, names: Sequence[str], length: int) -> Sequence[str]
 
 
 def never_found(topic: str, search: ElementSearch, machine: Machine) -> Diagnostic:
-    """The finding that a search was in vain."""
+    """The finding that a search failed."""
     path, span = search.slot.path, input_span(machine, search.slot.input)
     by = next(step for step in path if isinstance(step, ByName | Listed | Doing | Quantity))
     match by:

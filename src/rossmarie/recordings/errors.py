@@ -1,8 +1,8 @@
 """ROSS6xx: recordings, and how they fit the rules that run over them.
 
-Trouble with a topic or a field is a warning at the input that reads it: what could be read is still
-used. Trouble with a file as a whole has no place in a rules file; it stands at the start of the
-file itself, and ends the reading as a `RecordingError` only where nothing at all can be read.
+A problem with a topic or a field is a warning at the input that reads it: readable values are still
+used. A problem with a whole file has no place in a rules file. It is reported at the start of the
+file itself, and is a `RecordingError` only if nothing can be read.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from dslkit.source import SourceFile, Span
 
 
 class RecordingError(Exception):
-    """Nothing can be read, or written about, a recording; `diagnostic` says why."""
+    """A recording cannot be read, or no report can be written about it. `diagnostic` gives the
+    reason.
+    """
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
@@ -170,7 +172,7 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
 
 
 class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
-    """A topic of a type of which no definition is known."""
+    """A topic with a type whose definition is unknown."""
 
     title = "there is no definition of {type_name}, the type of `{topic}`"
     label = "this input stays unknown in this replay"
@@ -182,7 +184,9 @@ class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
 
 
 class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
-    """Messages of a topic that are not for the rules, or at no instant that can be."""
+    """Messages of a topic that are skipped: rules do not read them, or their instant is not
+    possible.
+    """
 
     title = "{count} of {total} messages on `{topic}` are skipped"
     label = "this input does not receive the skipped messages"
@@ -216,7 +220,7 @@ class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
 
 
 class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
-    """A path at which there is nothing."""
+    """A path without a file."""
 
     title = "there is no recording at this path"
 
@@ -225,7 +229,7 @@ class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
 
 
 class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
-    """A file that the operating system does not hand out."""
+    """A file that the operating system cannot open."""
 
     title = "the recording cannot be opened: {reason}"
     help = "check the read permission of the file"
@@ -252,7 +256,7 @@ class RecordingEmpty(Error, code="ROSS613", name="recording-empty"):
 
 
 class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
-    """A file of which nothing can be read."""
+    """A file without readable content."""
 
     title = "nothing in this recording can be read: {reason}"
     help = "check that the file was copied completely, and that the extension matches the content"
@@ -260,7 +264,7 @@ class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
 
 
 class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
-    """A file of which a part can be read."""
+    """A file with partly readable content."""
 
     title = "the recording is damaged: {reason}"
     note = "{kept} messages could be read and are used"
@@ -270,7 +274,7 @@ class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
 
 
 class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
-    """A recording that holds nothing that the rules read."""
+    """A recording without any message that the rules read."""
 
     title = "the recording holds nothing that the rules read"
     note = "the rules read {expected}; the recording holds {recorded}"
@@ -283,7 +287,7 @@ class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
 
 
 class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
-    """A system model is wanted of a recording that does not know types."""
+    """A system model is requested from a recording without types."""
 
     title = "a CSV file does not contain the message types of its topics"
     help = "write the system model from a .bag, .db3 or .mcap file, or by hand"
@@ -313,7 +317,7 @@ class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
 
 
 class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
-    """Rows of a CSV file that are not an instant and values."""
+    """Rows of a CSV file that do not consist of an instant and values."""
 
     title = "{count} of {total} rows are skipped"
     label = "{reason}"
@@ -333,7 +337,7 @@ class ColumnRepeated(Error, code="ROSS622", name="column-repeated"):
 
 
 class ColumnMissing(Warning, code="ROSS623", name="column-missing"):
-    """An input that no column of a CSV file is named after."""
+    """An input without a CSV column of its name."""
 
     title = "no column is named after the input `{input}`"
     label = "this input stays unknown in this replay"

@@ -1,7 +1,6 @@
-"""From a decoded message to the numbers that a machine reads of it.
+"""Extraction: from a decoded message to the numbers that a machine reads from it.
 
-What to read is looked up in the definition of the message once, so that each message costs a few
-attribute accesses.
+The definition of the message is searched once, so each message costs only a few attribute accesses.
 """
 
 from __future__ import annotations
@@ -64,8 +63,8 @@ Find = Callable[[Named, Sequence[str], int], int | None]
 @dataclass(frozen=True)
 class Extractor:
     """Reads the wanted values of a message: those `found` in its type, not those `missing`. The
-    points of clouds and the beams of scans are read by `sensed`. What came of the names of elements
-    stands in `searches`.
+    points of clouds and the beams of scans are read by `sensed`. `searches` holds the results for
+    named elements.
     """
 
     read: Callable[[Message], ChannelValues]

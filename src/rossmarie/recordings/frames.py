@@ -1,4 +1,4 @@
-"""The frames of a recording: those that it has transforms of, and those that headers say."""
+"""The frames of a recording: frames in transforms, and frames in headers."""
 
 from __future__ import annotations
 
@@ -50,7 +50,8 @@ class _Edge:
 
 
 class FrameSearch:
-    """Looks for the frames of a recording in its messages. What cannot be decoded is passed over.
+    """Looks for the frames of a recording in its messages. Messages that cannot be decoded are
+    skipped.
 
     `headers_of` are the topics whose headers are looked at; None if these are all.
     """
@@ -125,7 +126,7 @@ def frames_in(
     store_of: Callable[[Connection], Typestore],
     batches: Callable[[Iterable[str]], Iterable[Packed]],
 ) -> FramesFound:
-    """Read the frames of a recording. What cannot be decoded is passed over."""
+    """Read the frames of a recording. Messages that cannot be decoded are skipped."""
     search = FrameSearch(connections, store_of)
     for batch in batches(search.topics):
         search.note(batch)

@@ -1,4 +1,4 @@
-"""ROS 1 bags as they should be: with an index of their chunks."""
+"""Complete ROS 1 bags, with an index of their chunks."""
 
 from __future__ import annotations
 

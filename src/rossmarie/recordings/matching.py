@@ -1,4 +1,4 @@
-"""The recorded topic that each channel of a machine reads, and what is wrong with it."""
+"""The recorded topic that each channel of a machine reads, and the problems with it."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Match:
 
 @dataclass
 class Unreadable:
-    """Counts what cannot be read of one topic, and remembers the first case.
+    """Counts the unreadable messages of one topic, and stores the first case.
 
     `what` is counted, such as "messages on `/odom`"; `help` replaces the usual one.
     """
@@ -75,7 +75,7 @@ class Unreadable:
         self.first = self.first or (at_ns, reason)
 
     def report(self, collector: Collector) -> None:
-        """Tell it once, at every input concerned."""
+        """Report the count once, at every input concerned."""
         if self.first is None:
             return
         at_ns, reason = self.first
@@ -128,7 +128,7 @@ def match_topics(
 def nothing_to_replay(
     topics: Mapping[str, Topic], machine: Machine, path: Path, collector: Collector
 ) -> RecordingError:
-    """That no channel of a machine can be read, and what has been found out about each."""
+    """The error that no channel of a machine can be read, with all findings on the channels."""
     topics_read = {each.source for each in machine.channels if not is_setting(each)}
     expected = listed(topics_read)
     finding = at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
@@ -138,7 +138,7 @@ def nothing_to_replay(
 def with_reasons(
     finding: Diagnostic, collector: Collector, help: Remark | None = None
 ) -> RecordingError:
-    """A finding that ends the reading, with all that has been found out before as its notes."""
+    """The error for a finding that ends the reading, with all earlier findings as its notes."""
     reported = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
     return RecordingError(remarked(finding, *sorted(reported, key=str), help=help))
 
@@ -158,8 +158,8 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
 def _trouble(
     topics: Mapping[str, Topic], channel: Channel, name: str
 ) -> tuple[Template | None, Remark | None]:
-    """The trouble that keeps a channel from reading the recorded topic `name`, with a better help
-    than the usual one if there is.
+    """The problem that keeps a channel from reading the recorded topic `name`, and a specific help
+    if there is one.
     """
     types = (channel.message_type,) if channel.edge is None else _OF_TRANSFORMS
     wanted = types[0]
@@ -185,7 +185,7 @@ def _alternative(topics: Mapping[str, Topic], name: str, message_type: str) -> s
 
 
 def input_span(machine: Machine, number: int) -> Span:
-    """Where an input is declared."""
+    """The place of an input's declaration."""
     return machine.inputs[number].span
 
 

@@ -22,15 +22,15 @@ _MESSAGE = 0x05
 _RECORD = struct.Struct("<BQ")
 _NUMBER = struct.Struct("<I")
 _CHECKSUM = _RECORD.size + 24
-"""Where the checksum of a chunk is, in bytes from its start."""
+"""The place of the checksum of a chunk, in bytes from its start."""
 _CONTENT = _RECORD.size + 40
-"""Where its content is, less the name of its compression."""
+"""The place of its content, minus the length of the name of its compression."""
 _HEAD = np.dtype([("channel", "<u2"), ("sequence", "<u4"), ("at_ns", "<u8"), ("sent_ns", "<u8")])
 
 
 class McapChunks:
-    """The chunks of an open file, by where they start; `asked` are the connections whose messages
-    are asked for, as the file has them and as we do.
+    """The chunks of an open file, by their start. `asked` are the requested connections, as rosbags
+    and as this package represent them.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class McapChunks:
         yield pack(rows, self._connections, self._contents, _find)
 
     def _load(self, chunk: int) -> bytes:
-        """As rosbags does it."""
+        """The content of a chunk, loaded as rosbags loads it."""
         bio, about = self._file.bio, self._chunks[chunk]
         assert bio is not None, "the file is open"
         bio.seek(chunk + _CHECKSUM)
@@ -88,7 +88,7 @@ class McapChunks:
         return storage_mcap.decompress(stored, about.compression, about.uncompressed_size, checksum)
 
     def _trouble_with(self, about: ChunkInfo) -> Exception:
-        """The exception of rosbags for a chunk with records that make no sense."""
+        """The exception of rosbags for a chunk with invalid records."""
         bio = self._file.bio
         assert bio is not None, "the file is open"
         try:
@@ -111,7 +111,7 @@ def _find(_: bytes, rows: Rows) -> Places:
 
 
 def _message_places(content: bytes) -> NDArray[np.int64] | None:
-    """Where the records of messages are in a chunk; None if there is one that makes no sense."""
+    """The places of the message records in a chunk; None if a record is invalid."""
     found: list[int] = []
     place, end = 0, len(content)
     while place < end:

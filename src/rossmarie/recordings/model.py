@@ -1,7 +1,7 @@
-"""The interface of every recording, whatever file it came from.
+"""The interface of every recording, whatever its file format.
 
 Instants are integers in nanoseconds: the stamps at which messages were received (ROS: log time),
-not those in their headers.
+not the stamps in headers.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Recording(Protocol):
 
     @property
     def path(self) -> Path:
-        """Where it is."""
+        """The path of the recording."""
 
     @property
     def topics(self) -> Mapping[str, Topic]:
@@ -108,7 +108,7 @@ class Recording(Protocol):
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
-        """The faults of the file as a whole, although it can be read."""
+        """The defects of the file as a whole, although it can be read."""
 
     def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
@@ -116,8 +116,8 @@ class Recording(Protocol):
         """The messages for a machine: those of a recording in the order of their stamps, rows of a
         CSV file in the order of the file.
 
-        `topic_map` leads from topics of the rules to recorded ones. What does not fit is reported
-        to `collector` at the call, what cannot be read when the iteration ends. Raises
+        `topic_map` maps topics of the rules to recorded topics. Topics that do not fit are reported
+        to `collector` at the call, unreadable messages at the end of the iteration. Raises
         `RecordingError` at the call if there is nothing to read.
         """
 
@@ -128,11 +128,11 @@ class Recording(Protocol):
         """Read the topics of `observers`, and the transforms, for so many seconds at most.
 
         Each observer gets messages of its topic, evenly spread over the recording: all, or some
-        thousand. What cannot be decoded, and what an observer cannot take, is passed over.
+        thousand. Messages that cannot be decoded, or that an observer rejects, are skipped.
         """
 
     def definitions(self) -> Mapping[str, str]:
-        """The texts of .msg files that it brings along of types that no standard package has, by
+        """The texts of .msg files in the recording, for types outside the standard packages, by
         names such as `my_msgs/Wheel`.
         """
 

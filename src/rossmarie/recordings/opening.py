@@ -1,4 +1,4 @@
-"""From a path to an open recording."""
+"""Opening a recording by its path."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def open_recording(path: Path, message_folders: Sequence[Path] = ()) -> Recordin
 
     `message_folders` hold the .msg files of types that neither the recording nor a standard package
     of ROS defines. A damaged file is opened as far as it can be read, see `Recording.findings`.
-    Raises `RecordingError` if that is not at all.
+    Raises `RecordingError` if nothing can be read.
     """
     files = recording_files(path)
     if files[0].suffix == ".csv":

@@ -1,4 +1,5 @@
-"""Where the fields that rules read are in an encoded message: steps from its start to its end.
+"""The places of the fields that rules read in an encoded message, as steps from its start to its
+end.
 
 Each step leads from one place to the next. It names the *targets* that it fills: slots, parts of
 slots (the two numbers of an instant), and arrays.

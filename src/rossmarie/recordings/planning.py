@@ -1,4 +1,4 @@
-"""From the definition of a message to the plan by which its fields are found."""
+"""Plans for reading: from the definition of a message to the steps that find its fields."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class _Wanted(NamedTuple):
 
 
 class _NotPlannedError(Exception):
-    """A definition has what no step is for."""
+    """A definition has a field for which there is no step."""
 
 
 def plan_for(
@@ -206,7 +206,7 @@ class _Planner:
         self._close()
 
     def _lose_count(self) -> None:
-        """Where it ends is not known."""
+        """Forget the alignment: the end of the array is unknown."""
         self._multiple, self._beyond = 1, 0
 
     def _close(self) -> None:

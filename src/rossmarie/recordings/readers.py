@@ -1,7 +1,6 @@
 """The readers of rosbags, held to limits before they take memory.
 
-rosbags decompresses whatever a file says, and reads YAML that is in it. Here is the one place that
-puts limits in between.
+rosbags decompresses any amount of data, and reads any YAML in a file. This module sets the limits.
 """
 
 from __future__ import annotations

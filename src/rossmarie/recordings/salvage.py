@@ -1,7 +1,7 @@
 """Common parts of the salvage of damaged chunked files (.bag, .mcap).
 
-A first pass reads the records one after the other, up to where they end or make no sense, and notes
-where messages are. Then they are read in the order of time.
+A first pass reads the records one after the other, up to the end or the first invalid record, and
+records the places of messages. Then they are read in the order of time.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from rossmarie.recordings.limits import Allowance, LimitError
 from rossmarie.recordings.stored import Connection, Packed, Stored, packed
 
 OUTSIDE = -1
-"""In place of a chunk: the message lies in the file itself."""
+"""The chunk number of a message outside any chunk: the message is in the file itself."""
 
 
 class Place(NamedTuple):
-    """Where a message is: from `start` to `end` in the content of a chunk."""
+    """The place of a message: from `start` to `end` in the content of a chunk."""
 
     at_ns: int
     connection: int
@@ -44,7 +44,9 @@ class Chunk(NamedTuple):
 
 @dataclass
 class Scan:
-    """The findings of the first pass; `loss` says what is missing, None if all is there."""
+    """The findings of the first pass; `loss` describes the missing part, None if nothing is
+    missing.
+    """
 
     allowance: Allowance
     connections: dict[int, Connection] = field(default_factory=dict)
@@ -58,7 +60,7 @@ class Scan:
             self.loss = reason
 
     def keep(self, place: Place) -> None:
-        """Note where a message is."""
+        """Record the place of a message."""
         if len(self.places) < self.allowance.messages:
             self.places.append(place)
         else:

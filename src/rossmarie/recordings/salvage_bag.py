@@ -82,7 +82,7 @@ def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: Scan) -> N
 
 
 def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
-    """The records from `position` on, up to the first that makes no sense; `of` says of what."""
+    """The records from `position` on, up to the first invalid one. `of` names their source."""
     size = len(data)
     while position + 4 <= size:
         start = position

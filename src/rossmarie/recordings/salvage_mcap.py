@@ -111,7 +111,7 @@ def _keep(
 
 
 def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
-    """The records from `position` on, up to the first that makes no sense; `of` says of what."""
+    """The records from `position` on, up to the first invalid one. `of` names their source."""
     size = len(data)
     while position + _RECORD.size <= size:
         operation, length = _RECORD.unpack_from(data, position)

@@ -1,4 +1,4 @@
-"""The findings of a walk through many messages: a column for each slot, and the arrays."""
+"""The results of a walk through many messages: a column for each slot, and the arrays."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _NOTHING: NDArray[np.generic] = np.empty(0)
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """A value for each message. `is_done` says which of them have been gone through; of the others
-    nothing is known.
+    """A value for each message. `is_done` marks the messages that the walk has passed; the values
+    of the others are unknown.
     """
 
     is_done: NDArray[np.bool_]
@@ -30,7 +30,7 @@ class Found:
 
 
 def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> Found:
-    """The findings where nobody walks."""
+    """The results without a walk."""
     return Found(
         np.zeros(count, np.bool_),
         {slot: np.full(count, np.nan) for slot in slots},

@@ -1,7 +1,7 @@
 """The stored messages of a recording, still as bytes.
 
-`IntactStorage` reads files as they should be, by way of rosbags; the salvage modules read what is
-left of damaged ones.
+`IntactStorage` reads complete files with rosbags. The salvage modules read the rest of damaged
+files.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Storage(Protocol):
 
     @property
     def connections(self) -> Sequence[Connection]:
-        """Where messages come from; several may send on one topic."""
+        """The sources of messages. Several may send on one topic."""
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""

@@ -1,6 +1,6 @@
 """Stored messages, still as bytes: one by one, and in batches.
 
-A batch is one piece of bytes, with columns that say what lies where in it.
+A batch is one block of bytes, with columns for the places in it.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ READER_FAILURES: tuple[type[Exception], ...] = (
     TypeError,
     ValueError,
 )
-"""The exceptions that rosbags raises on damaged files. It takes much of their content for granted,
-so that a byte that is wrong shows up as whatever Python makes of it.
+"""The exceptions that rosbags raises on damaged files. rosbags does not validate most of their
+content, so a wrong byte can cause almost any Python exception.
 """
 
 
@@ -112,7 +112,7 @@ def unpacked(batch: Packed) -> Iterator[Stored]:
 
 
 def packed(messages: Iterable[Stored]) -> Iterator[Packed]:
-    """Messages in batches. Where reading them breaks off, those before come first."""
+    """Messages in batches. If reading fails, the messages before come first."""
     remaining = iter(messages)
     while True:
         taken: list[Stored] = []
@@ -126,7 +126,7 @@ def packed(messages: Iterable[Stored]) -> Iterator[Packed]:
 
 
 def _take(messages: Iterator[Stored], taken: list[Stored]) -> Exception | None:
-    """Take as many messages as belong into one batch; gives why they break off, if they do."""
+    """Take as many messages as fit into one batch. Returns the exception if reading fails."""
     size = 0
     try:
         for connection, at_ns, content in messages:

@@ -1,4 +1,4 @@
-"""A survey of a recording: how its topics speak, and samples of their messages."""
+"""A survey of a recording: the rhythm of its topics, and samples of their messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A system model, as text in the rule language, of what a recording holds."""
+"""A system model as text in the rule language, written from a recording."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ def write_model(
     """The frames and the topics of a recording, with types, and in comments how many messages there
     are.
 
-    `definitions` are the types whose .msg files lie at `definition_path`; None if nobody writes
-    them. `frames` are those of the recording, if they are known already. What the rule language
-    cannot name, and what then has no definition, is left as a comment.
-    Raises `RecordingError` if the recording does not know types (CSV).
+    `definitions` are the types whose .msg files lie at `definition_path`; None if these files are
+    not written. `frames` are the frames of the recording, if they are known already. Names that the
+    rule language cannot express become comments, and so do topics without a definition. Raises
+    `RecordingError` if the recording has no types (CSV).
     """
     topics = sorted(recording.topics.values(), key=lambda topic: topic.name)
     if any(topic.message_type is None for topic in topics) or not topics:

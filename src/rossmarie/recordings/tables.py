@@ -1,6 +1,6 @@
-"""The tables of a .db3 file: those that hold what is stored, and nothing that is computed.
+"""The tables of a .db3 file: only stored data, no computed data.
 
-A view, a virtual table or a generated column can give any number of rows and bytes from a few
+A view, a virtual table or a generated column can produce any number of rows and bytes from a few
 words.
 """
 

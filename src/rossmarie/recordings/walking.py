@@ -1,7 +1,7 @@
 """A walk through many encoded messages of one type at the same time, by their plan.
 
-Every step is made by all messages before the next one. A message that is not as the plan expects is
-left behind: it is damaged, or has what no step is for, and somebody else has to decode it.
+All messages make a step before the next step begins. A message that does not fit the plan is left
+behind: it is damaged, or has a field without a step, and rosbags has to decode it.
 """
 
 from __future__ import annotations
@@ -199,7 +199,7 @@ class _Group:
     def _keep(
         self, good: NDArray[np.bool_], *columns: NDArray[np.int64]
     ) -> tuple[NDArray[np.int64], ...]:
-        """Leave the others behind, also in columns that go along with the group."""
+        """Leave the other messages behind, also in columns that belong to the group."""
         if good.all():
             return columns
         self._rows, self._places = self._rows[good], self._places[good]

@@ -1,7 +1,7 @@
 """The axis of a replay: nanoseconds since its start, on which time never runs backwards.
 
-Where the stamps of a recording jump back (a simulation that was reset, a clock that was set), the
-axis goes on from where it was. Without jumps a position is just the stamp less the start.
+If the stamps of a recording jump back (a reset simulation, a set clock), the axis continues from
+its last position. Without jumps a position is just the stamp less the start.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Many samples -> few, such that a picture of them looks the same: no spike and no gap is lost.
+"""Many samples -> few, with an equal picture: no spike and no gap is lost.
 
-A value holds until the next time, so samples that repeat the one before them carry nothing.
+A value is valid until the next time, so repeated samples carry no information.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def thinned(
 
 
 def _changes(values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Where a value differs from the one before; the last one counts as well."""
+    """A mask of the values that differ from the value before. The last value counts as well."""
     unknown = np.isnan(values)
     repeats = (values[1:] == values[:-1]) | (unknown[1:] & unknown[:-1])
     kept = np.concatenate((np.ones(min(len(values), 1), dtype=bool), ~repeats))
@@ -71,10 +71,10 @@ def _extremes(times: NDArray[_Time], values: NDArray[np.float64], buckets: int) 
 
 
 def _is_first(ascending: NDArray[np.intp]) -> NDArray[np.bool_]:
-    """Where a number differs from the one before."""
+    """A mask of the numbers that differ from the number before."""
     return np.asarray(np.diff(ascending, prepend=-1) != 0)
 
 
 def _is_last(ascending: NDArray[np.intp]) -> NDArray[np.bool_]:
-    """Where a number differs from the next one."""
+    """A mask of the numbers that differ from the next number."""
     return np.asarray(np.diff(ascending, append=-1) != 0)

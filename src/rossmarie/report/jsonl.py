@@ -1,8 +1,8 @@
 """A replay as JSON lines: a header, then one object for each event, in the order of events, each
-followed by the orders that it would have led to.
+followed by the orders that it would have caused.
 
-The schema is written down in `docs/reference/verdicts.md`; `SCHEMA` grows when a reader of the old
-one could misread the new one.
+`docs/reference/verdicts.md` describes the schema. `SCHEMA` is increased when a reader of the old
+schema could misread the new one.
 """
 
 from __future__ import annotations

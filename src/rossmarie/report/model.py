@@ -18,11 +18,11 @@ from rossmarie.report.rehearsal import Rehearsed
 
 @dataclass(frozen=True)
 class Threshold:
-    """Where a condition stands on the axis of a plot, in the unit of the plot.
+    """The place of a condition on the axis of a plot, in the unit of the plot.
 
-    `limits` are the values at which its proposition changes, `regions` the closed stretches (ends
-    may be infinite) in which it speaks for a change of `rules`: for their activation, or, if
-    `releases`, for clearing them.
+    `limits` are the values at which its proposition changes. `regions` are the closed intervals
+    (ends may be infinite) in which it supports a change of `rules`: their activation, or, if
+    `releases`, their clearing.
     """
 
     limits: tuple[float, ...]

@@ -1,4 +1,4 @@
-"""Machine -> which of its signals are worth a plot, with the limits that rules set for them.
+"""Machine -> the signals worth a plot, with the limits that rules set for them.
 
 The driver samples the signals that `plan_plots` names and hands them back through `PlotPlan.plot`.
 """

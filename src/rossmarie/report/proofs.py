@@ -49,15 +49,15 @@ class Proofs:
 
     @property
     def is_inductive(self) -> bool:
-        """Say whether the monitor is right in runs of any length: each step begins where another
-        one may have ended, so all have to be proved.
+        """Say whether the proofs cover runs of any length: each step begins in a state that another
+        step may have left, so all steps have to be proved.
         """
         is_proved = all(outcome.verdict is Verdict.PROVED for outcome in self.outcomes)
         return is_proved and not has_windows(self.machine)
 
     @property
     def is_complete(self) -> bool:
-        """Say whether nothing is left to show."""
+        """Say whether everything is proved."""
         return self.is_inductive and not self.unasked
 
     def having(self, verdict: Verdict) -> tuple[ProofOutcome, ...]:
@@ -107,8 +107,8 @@ def has_windows(machine: ir.Machine) -> bool:
 
 
 def write_proofs(proofs: Proofs, out: TextIO) -> None:
-    """Write how many queries of each group are answered, what is not proved and why, for which
-    rules it holds without bound, and the verdict.
+    """Write the number of answered queries of each group, the unproved parts with reasons, the
+    rules for which the proof is unbounded, and the verdict.
     """
     print_table(_table(proofs, styled=Console(file=out).is_terminal), out)
     out.write("".join(f"{line}\n" for line in _conclusion(proofs)))
@@ -147,7 +147,7 @@ def _left(outcomes: Sequence[ProofOutcome]) -> str:
 
 
 def _conclusion(proofs: Proofs) -> Iterator[str]:
-    """Tell what is open, with the reasons, and what all this amounts to."""
+    """Describe the open parts, with the reasons, and the overall result."""
     for outcome in proofs.having(Verdict.UNDECIDED):
         for reason in proofs.reasons(outcome):
             yield f"undecided: {outcome.check.about}: {reason}"

@@ -1,9 +1,10 @@
-"""A rehearsal: a reactor, driven by the monitor's events, shows what rules would have done.
+"""A rehearsal: a reactor, driven by the monitor's events, shows the orders that rules would have
+given.
 
-Takes the events of a monitor of a verified machine. The robot of a recording was not reported
-anything, so nothing in it says how an order ended: all that a node would await is taken as done at
-once, with success, and confirmed. What another rule keeps from its resource runs out of time,
-though. The effect `reset` does not act on the verdicts.
+Takes the events of a monitor of a verified machine. The robot of a recording received no orders, so
+the recording has no results of them: everything that a node would await counts as done at once,
+with success, and confirmed. A task whose resource another rule keeps times out, though. The effect
+`reset` does not act on the verdicts.
 """
 
 from __future__ import annotations

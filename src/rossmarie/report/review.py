@@ -1,4 +1,4 @@
-"""Rules beside the C that was made of them: one HTML page, for the review of generated code.
+"""Rules beside the C that was generated from them: one HTML page, for the review of generated code.
 
 Takes the texts that the rules rest on and the generated ones. Generated lines name the line of the
 rules that they come from in a comment, and the page goes by these comments alone, so that it shows
@@ -20,8 +20,8 @@ from rossmarie.report.templates import asset, template
 
 @dataclass(frozen=True)
 class Made:
-    """Generated lines that belong together: where they stand, and their text without the comment
-    that names a line of rules.
+    """Generated lines that belong together: their place, and their text without the comment that
+    names a line of rules.
     """
 
     file: str
@@ -31,7 +31,7 @@ class Made:
 
 @dataclass(frozen=True)
 class Row:
-    """A line of rules, and what was made of it."""
+    """A line of rules, and the lines generated from it."""
 
     line: int
     text: str
@@ -50,7 +50,7 @@ def render_review(sources: Iterable[SourceFile], generated: Mapping[str, str]) -
 
 
 def side_by_side(source: SourceFile, generated: Mapping[str, str]) -> Sequence[Row]:
-    """The lines of a rules file, each with what was made of it."""
+    """The lines of a rules file, each with the lines generated from it."""
     made: dict[int, list[Made]] = {}
     for file, text in generated.items():
         for place, found in _marked(PurePath(source.path).name, text):

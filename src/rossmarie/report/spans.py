@@ -1,6 +1,6 @@
-"""Verdicts -> when each rule was active, and a summary of each rule.
+"""Verdicts -> the times during which each rule was active, and a summary of each rule.
 
-Verdicts of one rule alternate between activations and clearings (monitors guarantee it), and all
+Verdicts of one rule alternate between activations and clearings (monitors guarantee this), and all
 instants become positions on the axis of the replay.
 """
 
@@ -17,9 +17,9 @@ from rossmarie.report.model import Replay
 class ActiveSpan:
     """A rule is active from `start_ns` up to `end_ns` (positions on the axis of the replay).
 
-    `opened` and `closed` are the places of the two verdicts in `Replay.events`; `closed` is None
-    if the rule is still active when the recording ends, `end_ns` is then the end of the replay.
-    `stale` says that the rule became active for lack of an input.
+    `opened` and `closed` are the places of the two verdicts in `Replay.events`; `closed` is None if
+    the rule is still active when the recording ends, `end_ns` is then the end of the replay.
+    `stale` is True if the rule became active because of a stale input.
     """
 
     rule: int
@@ -39,8 +39,8 @@ class ActiveSpan:
 class Summary:
     """One rule over a whole replay; `first_ns` is on the axis of the replay.
 
-    The first cause is that of the first activation that is not a start: waiting for the first
-    message on an input tells nothing about the drive. A rule that only ever waited has that.
+    The first cause belongs to the first activation that is not a start: waiting for the first
+    message on an input is not informative. For a rule that only waited, it is that wait.
     """
 
     rule: str
@@ -107,7 +107,7 @@ def _summary(
 
 
 def _is_start(event: Event) -> bool:
-    """Say whether a rule became active for want of a first message."""
+    """Say whether a rule became active because an input had not sent its first message."""
     return (
         isinstance(event, Verdict)
         and event.change is Change.ACTIVATED_STALE

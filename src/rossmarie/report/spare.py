@@ -1,4 +1,4 @@
-"""The margins of thresholds, in numbers and units that people read."""
+"""The margins of thresholds, in readable numbers and units."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie import ir
 from rossmarie.testing.margins import Margin, Reach
 
 Range = tuple[float | None, float | None]
-"""From where to where; None: without end."""
+"""The two ends of a range; None is no limit."""
 
 MEANING = (
     "Between the first two values every verdict stays as it is, to the instant; between the "
@@ -20,8 +20,8 @@ MEANING = (
 
 @dataclass(frozen=True)
 class Spare:
-    """A threshold or a duration, what it is, and how far it can go: with every verdict the `same`,
-    to the instant, and with each rule as often active.
+    """A threshold or a duration, its value, and the range of its values with exactly the `same`
+    verdicts, and with equally many activations of each rule.
     """
 
     name: str
@@ -63,7 +63,9 @@ def _shown(shown: ir.Signal | None, value: float) -> float:
 
 
 def read_spare(found: Mapping[str, object]) -> Spare:
-    """A spare as `asdict` and JSON leave it. Raises `ValueError` and what a wrong shape raises."""
+    """A spare from the form of `asdict` and JSON. Raises `ValueError`, and other errors for a wrong
+    shape.
+    """
     return Spare(
         name=_text(found["name"]),
         unit=_text(found["unit"]),

@@ -28,9 +28,8 @@ _UNBROKEN = 1_000_000
 
 
 def write_table(replay: Replay, out: TextIO, *, width: int | None = None) -> None:
-    """Write one row for each rule, and if the rules would have done anything, one for each task:
-    fitted to the width of a terminal, one line each elsewhere. With a `width`, `out` gets to a
-    terminal later.
+    """Write one row for each rule and, if the rules would have acted, one row for each task: fitted
+    to the width of a terminal, else one line each. With a `width`, `out` reaches a terminal later.
     """
     terminal = None if width is None else True
     console = Console(file=out, width=width, force_terminal=terminal, highlight=False)

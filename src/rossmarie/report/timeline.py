@@ -1,7 +1,7 @@
-"""A replay -> one HTML page that needs nothing but a browser: no network, no other file.
+"""A replay -> one HTML page that needs only a browser: no network, no other file.
 
-The page holds the data that `page.py` prepares; its scripts draw the picture. What a reader without
-scripts, or on paper, needs stands in the template.
+The page contains the data that `page.py` prepares; its scripts draw the picture. The template
+contains the text for readers without scripts, or on paper.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
 
 _FIRST_DATED_NS = 10**18
-"""Stamps from here on (the year 2001) count from the Unix epoch; smaller ones need not."""
+"""Stamps from this one on (the year 2001) count from the Unix epoch; smaller ones need not."""
 
 _SCRIPTS = (
     "times.js", "series.js", "shapes.js", "runs.js", "card.js", "rows.js", "plot.js", "view.js",

@@ -1,4 +1,4 @@
-"""Times as every report writes them."""
+"""Times in the format of all reports."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ _DAY = 864_000
 """Longer units, in tenths of a second."""
 
 _ALMOST_A_SECOND_NS = 995_000_000
-"""From here on two digits would say 1."""
+"""The length in nanoseconds from which rounding to two digits gives 1."""
 
 
 def format_position(position_ns: int) -> str:

@@ -1,7 +1,7 @@
-"""The skills of a robot, as `ezskiros export` tells of them in a file.
+"""The skills of a robot, as `ezskiros export` describes them in a file.
 
-Knows nothing of rules: what a file says, whether it is as its format demands, and whether it is
-still true of the files that it was made from.
+This package knows nothing about rules. It reads the content of the file, checks its format, and
+checks that the file still fits its sources.
 """
 
 from rossmarie.skills.closed import Closure

@@ -1,4 +1,4 @@
-"""Closed sets: a skill or a class with all that are derived from it."""
+"""Closed sets: a skill or a class with everything that is derived from it."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 
 class Closure:
-    """The names below and above others; `parents` leads from each to those that it is derived from.
+    """The names below and above others. `parents` maps each name to the names that it is derived
+    from.
 
-    Parents without an entry of their own count as well. All on a circle, as equivalent classes
-    are, are derived from each other.
+    Parents without an entry of their own count as well. All names on a circle, such as equivalent
+    classes, are derived from each other.
     """
 
     def __init__(self, parents: Mapping[str, Sequence[str]]) -> None:
@@ -20,16 +21,16 @@ class Closure:
                 self._children.setdefault(parent, []).append(name)
 
     def below(self, name: str) -> tuple[str, ...]:
-        """The name and all that are derived from it, sorted."""
+        """The name and all names that are derived from it, sorted."""
         return _reached(name, self._children)
 
     def above(self, name: str) -> tuple[str, ...]:
-        """The name and all that it is derived from, sorted."""
+        """The name and all names that it is derived from, sorted."""
         return _reached(name, self._parents)
 
     def are_related(self, one: str, other: str) -> bool:
-        """Say whether one of the two is the other, or is derived from it, or both have something
-        derived from them.
+        """Say whether two names are equal, or one is derived from the other, or some name is
+        derived from both.
         """
         return not set(self.below(one)).isdisjoint(self.below(other))
 

@@ -1,6 +1,4 @@
-"""Values of a JSON file, each with the way to it, so that what is wrong is reported by its
-place.
-"""
+"""Values of a JSON file, each with its path, so that errors are reported with their place."""
 
 from __future__ import annotations
 
@@ -17,8 +15,8 @@ _LONGEST_SHOWN = 40
 
 
 class UnreadableJson(Exception):
-    """A text that is no JSON, or other JSON than expected; `offset` is where, None if only the
-    message says so.
+    """A text that is not JSON, or not the expected JSON. `offset` is the place, None if only the
+    message gives it.
     """
 
     def __init__(self, problem: str, offset: int | None = None) -> None:
@@ -29,13 +27,13 @@ class UnreadableJson(Exception):
 
 @dataclass(frozen=True)
 class Json:
-    """A value and the way to it: `skills[3].name`."""
+    """A value and its path: `skills[3].name`."""
 
     value: Any
     way: str = ""
 
     def fail(self, problem: str) -> NoReturn:
-        """Raise `UnreadableJson`, which says where."""
+        """Raise `UnreadableJson` with the place."""
         raise UnreadableJson(f"`{self.way}` {problem}" if self.way else f"the file {problem}")
 
     def get(self, key: str) -> Json:
@@ -46,7 +44,7 @@ class Json:
         return found
 
     def find(self, key: str) -> Json | None:
-        """The member of an object, if it is there."""
+        """The member of an object, if it exists."""
         fields = self.fields()
         return Json(fields[key], self._way_to(key)) if key in fields else None
 
@@ -81,7 +79,7 @@ class Json:
         return None if self.value is None else make(self)
 
     def text(self) -> str:
-        """A text, which is not empty."""
+        """A text that is not empty."""
         if not isinstance(self.value, str):
             self._expected("a text")
         if not self.value:

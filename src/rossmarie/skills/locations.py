@@ -1,4 +1,4 @@
-"""Locations of things, as a file of skills tells them, and places in sources."""
+"""Locations of things in a file of skills, and places in sources."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SIDES = 2
 
 
 def location(item: Json) -> Location:
-    """A location of the scene. Raises `UnreadableJson`."""
+    """A location in the scene. Raises `UnreadableJson`."""
     corners = item.get("corners")
     found = corners.each(_corner)
     if len(found) == _SIDES or len(found) > MOST_CORNERS:
@@ -37,7 +37,7 @@ def _corner(item: Json) -> tuple[float, float]:
 
 
 def place_of(item: Json) -> Place | None:
-    """The place where something is written; None if in no file. Raises `UnreadableJson`."""
+    """The place of a source text; None if it is in no file. Raises `UnreadableJson`."""
     return item.get("place").optional(_place)
 
 

@@ -1,4 +1,4 @@
-"""The contents of a file of skills, as far as rules ask."""
+"""The parts of a file of skills that rules need."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Place:
-    """A stretch of a source; lines and columns count from 1, the end is behind the last character.
+    """A range of a source. Lines and columns count from 1; the end is after the last character.
     `path` is relative to the folder of the file of skills.
     """
 
@@ -31,7 +31,7 @@ class Source:
 
 @dataclass(frozen=True)
 class SkillClass:
-    """A class of things, `skiros.Product`, and those that it is derived from."""
+    """A class of things, `skiros.Product`, and its parent classes."""
 
     name: str
     parents: tuple[str, ...]
@@ -40,8 +40,8 @@ class SkillClass:
 
 @dataclass(frozen=True)
 class Property:
-    """A data property of things: `float`, `int`, `bool` or `str`; `of` are the classes that have
-    it. Numbers of a property with a `unit` arrive in SI.
+    """A data property of things: `float`, `int`, `bool` or `str`; `of` are its classes. Numbers of
+    a property with a `unit` arrive in SI.
     """
 
     name: str
@@ -53,9 +53,10 @@ class Property:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
-    One that is needed has a value before the skill starts; one that is given gets it from whoever
-    starts the skill, and has no default. `default` is that of one that has a number for it.
+    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`. A
+    needed parameter has a value before the skill starts. A given parameter gets its value from the
+    program that starts the skill, and has no default. `default` is the default of a parameter with
+    a number as default.
     """
 
     name: str
@@ -68,7 +69,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Limit:
-    """The end of what is permitted: `value` in `unit`, which is `si` in SI."""
+    """The limit of a permission: `value` in `unit`, or `si` in SI."""
 
     value: float
     unit: str
@@ -81,8 +82,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Permission:
-    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class;
-    the parameter is None where the description names a class.
+    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class.
+    The parameter is None if the description names a class.
     """
 
     kind: str
@@ -98,7 +99,7 @@ class Permission:
 
 
 class UseKind(enum.Enum):
-    """The kind of something that a skill commands."""
+    """The kind of a resource that a skill commands."""
 
     TOPIC = "topic"
     SERVER = "server"
@@ -106,7 +107,9 @@ class UseKind(enum.Enum):
 
 @dataclass(frozen=True)
 class Use:
-    """A topic or an action server that a skill commands; its type, if the description says it."""
+    """A topic or an action server that a skill commands, with its type if the description gives
+    it.
+    """
 
     kind: UseKind
     name: str
@@ -116,10 +119,9 @@ class Use:
 
 @dataclass(frozen=True)
 class Child:
-    """A skill in a behavior tree. `arguments` are texts by the names of its parameters: the name of
-    a parameter of the compound, or one that children share; or a value as Python has it; None for
-    a value that is computed. `is_retried` tells that the tree can start the skill again after it
-    has failed.
+    """A skill in a behavior tree. `arguments` maps the names of its parameters to texts: the name
+    of a parameter of the compound, or a name that children share; or a Python value; or None for a
+    computed value. `is_retried` is True if the tree can start the skill again after a failure.
     """
 
     skill: str
@@ -130,7 +132,7 @@ class Child:
 
 @dataclass(frozen=True)
 class Condition:
-    """A condition of a skill: as a description writes it, and the same as an object of JSON."""
+    """A condition of a skill, as written in the description, and as a JSON object."""
 
     text: str
     statement: Mapping[str, Any]
@@ -139,8 +141,8 @@ class Condition:
 
 @dataclass(frozen=True)
 class Conditions:
-    """The conditions of a skill. It can start when all of `pre` hold; `hold` holds all the while;
-    when it has succeeded, all of `post` hold.
+    """The conditions of a skill. It can start if all of `pre` are true; `hold` has to be true while
+    it runs; after success, all of `post` are true.
     """
 
     pre: tuple[Condition, ...]
@@ -150,8 +152,8 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Step:
-    """A skill in a tree. `arguments` are texts by the names of its parameters: the name of one of
-    the compound, or what is written; None for what is computed when the skill runs.
+    """A skill in a tree. `arguments` maps the names of its parameters to texts: the name of a
+    parameter of the compound, or a written value; None for a value that is computed at run time.
     """
 
     skill: str
@@ -161,9 +163,9 @@ class Step:
 
 @dataclass(frozen=True)
 class Control:
-    """The node over others, by its word in the file; empty if the file has none. `limit` is that of
-    a timeout in seconds, and the number of tries of a retry: a number, or the parameter of the
-    compound that it is; None if nobody knows.
+    """An inner node of a tree, with its word in the file; empty if the file has none. `limit` is
+    the time of a timeout in seconds, or the number of tries of a retry: a number, or a parameter of
+    the compound; None if it is unknown.
     """
 
     kind: str
@@ -177,8 +179,8 @@ Node = Step | Control
 
 @dataclass(frozen=True)
 class Skill:
-    """A skill, by the name of its description; `parents` are the descriptions that it is derived
-    from, `trees` the ways through it, `children` all skills in these.
+    """A skill, by the name of its description. `parents` are the descriptions that it is derived
+    from, `trees` its alternative trees, `children` all skills in these trees.
     """
 
     name: str
@@ -194,8 +196,9 @@ class Skill:
 
 @dataclass(frozen=True)
 class Location:
-    """A thing of the scene, and where it is: `corners` in m in the x-y plane of `frame`. One corner
-    is a point, three or more are a polygon, anticlockwise; none mean that nobody knows where it is.
+    """A thing in the scene, and its location: `corners` in m in the x-y plane of `frame`. One
+    corner is a point; three or more are a polygon, anticlockwise; none means that the location is
+    unknown.
     """
 
     iri: str
@@ -208,8 +211,8 @@ class Location:
 
 @dataclass(frozen=True)
 class SkillFile:
-    """A file of skills. `digest` stands for its sources; messages of that export carry it. The
-    context is the topic on which these come, each `period_ns`.
+    """A file of skills. `digest` identifies its sources; messages of that export contain it. The
+    context is the topic of these messages, which arrive every `period_ns`.
     """
 
     digest: str

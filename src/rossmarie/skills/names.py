@@ -1,4 +1,4 @@
-"""Names of classes and properties: `skiros.Product`, or `Product` where that is clear."""
+"""Names of classes and properties: `skiros.Product`, or `Product` if it is unique."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The text of a file of skills -> what it says.
+"""The text of a file of skills -> its content.
 
-Trusts nothing: whatever is not as the format demands is an `UnreadableSkills` that says what and
-where. Keys that the format does not have are passed over.
+The content is not trusted: any violation of the format is an `UnreadableSkills` with its place.
+Unknown keys are ignored.
 """
 
 from __future__ import annotations
@@ -38,16 +38,16 @@ FORMAT = "ezskiros/skills"
 VERSION = 1
 MESSAGE_TYPE = "skill_context_msgs/SkillContext"
 LARGEST_FILE = 16 * 2**20
-"""Bytes of a file of skills."""
+"""The largest size of a file of skills in bytes."""
 LONGEST_PERIOD = 3600.0
-"""Seconds between two messages of a context."""
+"""The longest time in seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
-"""The types of parameters that are no things."""
+"""The types of parameters that are not things."""
 NUMBERS = ("float", "int")
-"""Those that are numbers."""
+"""The numeric types among them."""
 
 _STARTING_AGAIN = (RETRY,)
-"""Nodes of a tree that start a child again after it has failed."""
+"""Nodes of a tree that start a child again after a failure."""
 
 _DIGEST = re.compile(r"[0-9a-f]{64}")
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -56,8 +56,8 @@ _TOPIC = re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*", re.ASCII)
 
 
 class UnreadableSkills(Exception):
-    """A file of skills that cannot be used: why, the file as far as it was read, and the offset in
-    it, None if only the reason says where. `is_missing` tells that there is no such file.
+    """A file of skills that cannot be used: the reason, the text read so far, and the offset in it,
+    None if the reason contains the place. `is_missing` is True if the file does not exist.
     """
 
     def __init__(
@@ -97,13 +97,13 @@ def read_text(path: Path) -> SourceFile:
         raise UnreadableSkills("there is no such file", is_missing=True) from error
     except UnicodeDecodeError as error:
         raise UnreadableSkills("it is not UTF-8 text") from error
-    except (OSError, ValueError) as error:  # ValueError: what no path can be
+    except (OSError, ValueError) as error:  # ValueError: an impossible path
         reason = getattr(error, "strerror", None) or "it cannot be opened"
         raise UnreadableSkills(reason.lower()) from error
 
 
 def parse_skills(file: SourceFile) -> SkillFile:
-    """The contents of a file of skills. Raises `UnreadableSkills`."""
+    """The content of a file of skills. Raises `UnreadableSkills`."""
     try:
         return _skills(parse_json(file.text))
     except UnreadableJson as error:
@@ -153,7 +153,7 @@ def _require_no_circle(
 
 
 def _require_known(skills: Json, classes: Mapping[str, SkillClass]) -> None:
-    """A parameter that is a thing is of a class in the file."""
+    """Require that the class of each thing parameter is in the file."""
     for skill in skills.elements():
         for parameter in skill.get("parameters").elements():
             type_ = parameter.get("type")
@@ -238,7 +238,7 @@ def _use(item: Json) -> Use:
 
 
 def _children(trees: Iterable[Node]) -> Iterator[Child]:
-    """The skills in all trees, whatever is between them and the root."""
+    """The skills in all trees, at any depth."""
     for tree in trees:
         for step, above in steps(tree):
             is_retried = any(each.kind in _STARTING_AGAIN for each in above)
@@ -260,7 +260,7 @@ def _parameter(item: Json) -> Parameter:
 
 
 def _number_in(spelled: str | None) -> float | None:
-    """The number that Python has there; None if it is another value, or infinite."""
+    """The number that a Python literal stands for; None for any other value, or an infinite one."""
     try:
         number = math.nan if spelled is None else float(spelled)
     except ValueError:

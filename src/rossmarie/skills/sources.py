@@ -1,4 +1,4 @@
-"""The files that skills come from: whether they are as they were, and places in them."""
+"""The source files of skills: a check whether they have changed, and places in them."""
 
 from __future__ import annotations
 
@@ -10,23 +10,25 @@ from dslkit.source import SourceFile, Span, ending, is_file
 from rossmarie.skills.model import Place, SkillFile
 
 LARGEST_SOURCE = 256 * 2**20
-"""Bytes of a source, such as an ontology."""
+"""The largest size of a source, such as an ontology, in bytes."""
 LARGEST_SHOWN = 4 * 2**20
-"""Bytes of a Python module of which messages show a line."""
+"""The largest size of a Python module from which messages show a line, in bytes."""
 
 _BLOCK = 2**20
 
 
 @dataclass(frozen=True)
 class OutOfDate:
-    """A source that is not what it was, and the words for that."""
+    """A changed source, and the words for the change."""
 
     path: str
     problem: str
 
 
 def changed_source(skills: SkillFile, folder: Path) -> OutOfDate | None:
-    """The first source that is missing or has changed; `folder` is that of the file of skills."""
+    """The first source that is missing or has changed; None if there is none. `folder` is the
+    folder of the file of skills.
+    """
     for source in skills.sources:
         path = folder / source.path
         if not is_file(path):
@@ -54,8 +56,8 @@ def _sha256(path: Path) -> str | None:
 
 
 def span_at(place: Place | None, folder: Path) -> Span | None:
-    """The span of a place in a Python module; None if nothing can be shown there. Of other files,
-    and of links to them, no text is shown: the author of the rules may lack the right to read them.
+    """The span of a place in a Python module; None if nothing can be shown. Text of other files,
+    and of links to them, is never shown: the author of the rules may not be allowed to read them.
     """
     if place is None:
         return None

@@ -1,6 +1,6 @@
-"""Behavior trees of compound skills, as a file of skills tells them.
+"""Behavior trees of compound skills in a file of skills.
 
-Nothing here recurses: a file may lie as deep in itself as it likes.
+The code does not recurse, because a file may be nested to any depth.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def folded(
     of_step: Callable[[Step], _Made],
     of_control: Callable[[Control, Sequence[_Made]], _Made],
 ) -> _Made:
-    """The result for a tree: that of each skill, joined by the nodes above it."""
+    """The result for a tree: the results of its skills, combined by the nodes above them."""
     found: list[_Made] = []
     waiting: list[tuple[Node, bool]] = [(tree, False)]
     while waiting:
@@ -59,8 +59,8 @@ def steps(tree: Node) -> Iterator[tuple[Step, tuple[Control, ...]]]:
 
 
 def read_tree(tree: Json, name: Callable[[Json], str], numbers: Container[str]) -> Control:
-    """One way through a compound, of whose parameters some are `numbers`; `name` reads the name of
-    a skill. Raises `UnreadableJson`.
+    """One tree of a compound; `numbers` are its number parameters. `name` reads the name of a
+    skill. Raises `UnreadableJson`.
     """
     found: list[Node] = []
     waiting: list[tuple[Json, list[Json] | None]] = [(tree, None)]

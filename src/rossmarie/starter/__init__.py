@@ -1,6 +1,6 @@
 """First rules for a robot, written from one recording of it.
 
-`begin` reads a recording and gives the texts of a system model, and of rules with their tests.
+`begin` reads a recording and returns the texts of a system model, and of rules with their tests.
 """
 
 from rossmarie.starter.beginning import Beginning, begin

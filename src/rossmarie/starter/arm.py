@@ -27,7 +27,7 @@ class Joints:
         self.largest: dict[str, float] | None = None
 
     def see(self, message: Any) -> None:
-        """Take in a message: the names of its joints, and their largest numbers."""
+        """Process a message: the names of its joints, and their largest numbers."""
         self.names = self.names or tuple(message.name)
         count = len(message.name)
         found = {
@@ -43,14 +43,14 @@ class Joints:
         }
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """An input for the positions, and for each field with numbers other than zero."""
+        """An input for the positions, and one for each field with nonzero numbers."""
         filled = [each for each, most in (self.largest or {}).items() if most or each == "position"]
         inputs = {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled}
         return inputs or {f"{name}_state": ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Fast and loaded joints; where the joints of an arm can be told by their names, those of
-        the library.
+        """Proposals for fast and loaded joints. If the names of the joints identify an arm, the
+        rules of the library.
         """
         commands, filled = robot.commands, self.largest or {}
         if filled.get("velocity"):
@@ -98,8 +98,8 @@ class Joints:
 
 
 def _by_parameter(names: Sequence[str]) -> dict[str, str]:
-    """The joints of an arm by the parameters of the library: those of a UR by their words, those
-    of other arms by their numbers.
+    """The joints of an arm by the parameters of the library. The joints of a UR are identified by
+    words, the joints of other arms by numbers.
     """
     usable = [name for name in names if '"' not in name and name.isprintable()]
     found = {each[0]: name for name in usable if (each := _NAMED.search(name))}
@@ -107,7 +107,7 @@ def _by_parameter(names: Sequence[str]) -> dict[str, str]:
     if len(found) == len(words):
         return dict(zip(_PARAMETERS, map(found.__getitem__, words), strict=True))
     numbered = {int(each[1]): name for name in usable if (each := _NUMBERED.match(name))}
-    # An arm of seven joints turns its upper arm by one more, the third.
+    # An arm of seven joints has an additional rotation of its upper arm, the third joint.
     numbers = {7: (1, 2, 4, 5, 6, 7), 6: (1, 2, 3, 4, 5, 6)}.get(len(numbered), ())
     if len(usable) != len(numbered) or not all(each in numbered for each in numbers):
         return {}
@@ -115,7 +115,7 @@ def _by_parameter(names: Sequence[str]) -> dict[str, str]:
 
 
 class Force:
-    """The forces at a wrist; `path` leads to them from a message."""
+    """The forces at a wrist. `path` leads to them from a message."""
 
     word = "wrench"
 
@@ -124,7 +124,7 @@ class Force:
         self.largest = 0.0
 
     def see(self, message: Any) -> None:
-        """Take in a message: its force in N."""
+        """Process a message: its force in N."""
         force = (message.wrench if self._path else message).force
         size = math.hypot(force.x, force.y, force.z)
         if math.isfinite(size):

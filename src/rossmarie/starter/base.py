@@ -10,9 +10,9 @@ from rossmarie.starter.numbers import plain, rounded_down, rounded_up
 from rossmarie.starter.robot import Proposal, Robot, Watched
 
 _ROOM = 1.2
-"""A limit is so much above what was normal in the recording."""
+"""The factor by which a limit exceeds the normal values of the recording."""
 _UPRIGHT_DEG = 30
-"""An IMU that begins tilted farther is mounted otherwise than the base stands."""
+"""The largest initial tilt of an IMU in deg that is mounted level with the base."""
 _LEAST_TILT_DEG, _MOST_TILT_DEG = 15, 30
 _LATEST_SCAN_S = 0.5
 _MOST_BEAMS = 4096
@@ -28,7 +28,7 @@ class Odometry:
         self.fastest = 0.0
 
     def see(self, message: Any) -> None:
-        """Take in a message: its speed in m/s."""
+        """Process a message: its speed in m/s."""
         linear = message.twist.twist.linear
         speed = math.hypot(linear.x, linear.y, linear.z)
         if math.isfinite(speed):
@@ -39,11 +39,13 @@ class Odometry:
         return {name: ""}
 
     def limit(self) -> float:
-        """The speed in m/s above which the base is faster than in the recording."""
+        """A speed limit in m/s, above all speeds in the recording."""
         return rounded_up(max(self.fastest * _ROOM, 0.1))
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """A limit of the speed; stalled wheels, where another odometry tells of the body."""
+        """Proposals for a speed limit, and for stalled wheels, if another odometry measures the
+        body.
+        """
         rule = robot.rule(watched, "too_fast")
         yield Proposal(
             f"The fastest in the recording: {plain(self.fastest)} m/s.",
@@ -75,14 +77,14 @@ class Inertia:
         self.has_orientation = True
 
     def see(self, message: Any) -> None:
-        """Take in a message: its roll and pitch in deg, its turning in rad/s."""
+        """Process a message: its roll and pitch in deg, its turn rate in rad/s."""
         rate = message.angular_velocity
         turn = math.hypot(rate.x, rate.y, rate.z)
         if math.isfinite(turn):
             self.turn = max(self.turn, turn)
         q = message.orientation
         length = math.hypot(q.x, q.y, q.z, q.w)
-        # REP 145: an IMU that does not know its orientation says -1.
+        # REP 145: an IMU without an orientation reports -1.
         if message.orientation_covariance[0] == -1 or not 0.5 < length < 2:
             self.has_orientation = False
             return
@@ -98,7 +100,7 @@ class Inertia:
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Tilt, where the IMU knows it; turning, where not."""
+        """Proposals for tilt, if the IMU measures it; else for the turn rate."""
         commands, name = robot.commands, watched.name
         first = self.first_tilt or 0.0
         if not self.has_orientation or first > _UPRIGHT_DEG:
@@ -140,7 +142,7 @@ class Scan:
         self.nearest = math.inf
 
     def see(self, message: Any) -> None:
-        """Take in a message: its angles in deg, its nearest distance in m."""
+        """Process a message: its angles in deg, its nearest distance in m."""
         self.beams = max(self.beams, len(message.ranges))
         if self.sector is None:
             ends = sorted((math.degrees(message.angle_min), math.degrees(message.angle_max)))
@@ -153,7 +155,7 @@ class Scan:
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Things that are near, in a sector that the scanner sees; and a scanner that is blind."""
+        """Proposals for near objects, in a visible sector, and for a blind scanner."""
         if self.sector is None:
             return
         (right, left), commands = self.sector, robot.commands
@@ -195,7 +197,7 @@ class Scan:
 
 
 def _sector(low: float, high: float) -> tuple[tuple[int, int] | None, int]:
-    """The part in deg of what a scanner sees that lies ahead of it, and how much it sees."""
+    """The visible part in deg ahead of a scanner, and its whole visible angle."""
     if not (math.isfinite(low) and math.isfinite(high)) or high - low > 2 * 360:
         return None, 0
     if high - low >= _FULL_TURN_DEG:

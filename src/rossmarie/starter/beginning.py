@@ -25,13 +25,13 @@ from rossmarie.starter.robot import Commands, Kind, Proposal, Robot, Watched
 from rossmarie.starter.writing import Source, write_rules
 
 READING_S = 20.0
-"""A recording is read for so long at most, so that a large one takes no longer either."""
+"""The longest time in seconds for reading a recording, so that a large one does not take longer."""
 
 
 @dataclass(frozen=True)
 class Beginning:
-    """The texts of a system model, of definitions by their types, and of rules. `topic_map` leads
-    from topics of the rules to those of the recording that are called otherwise.
+    """The texts of a system model, of definitions by their types, and of rules. `topic_map` maps
+    topics of the rules to recorded topics of another name.
     """
 
     model: str
@@ -43,7 +43,7 @@ class Beginning:
 
 
 def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
-    """Read a recording for so many seconds at most, and write first rules. Raises
+    """Read a recording for a limited time in seconds, and write first rules. Raises
     `RecordingError`.
     """
     definitions = recording.definitions()
@@ -57,7 +57,8 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     observers: dict[str, Observe] = {name: each.see for name, each in kinds.items()}
     observers |= {name: each.see for name, each in wanted.items()}
     survey = recording.survey(observers, seconds)
-    model = write_model(recording, definitions, survey.frames)  # raises for a table, without types
+    # raises for a table, which has no types
+    model = write_model(recording, definitions, survey.frames)
     names = Names()
     watched = list(_watched(topics, kinds, survey, names))
     if not any(each.is_steady for each in watched):
@@ -83,8 +84,8 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
 
 
 def _known(topics: Sequence[Topic]) -> Iterator[Topic]:
-    """The topics with messages that rules are about, in the order of the types. Of names that mean
-    the same, the first counts.
+    """The topics with messages that have a kind, in the order of the types. Of equivalent names,
+    the first counts.
     """
     order = list(KINDS)
     found = [each for each in topics if each.message_type in KINDS and _absolute(each.name) != OWN]
@@ -130,7 +131,7 @@ def _commands(topics: Sequence[Topic], watched: Sequence[Watched]) -> tuple[Comm
 
 
 def _is_free(commands: Commands, types: Mapping[str, str | None]) -> bool:
-    """Say whether no message of another type is on the topic on which commands enter the filter."""
+    """Say whether no message of another type uses the topic on which commands enter the filter."""
     return types.get(commands.entry, commands.message_type) == commands.message_type
 
 
@@ -139,7 +140,7 @@ def _absolute(topic: str) -> str:
 
 
 def _unread(recording: Recording, survey: Survey) -> str | None:
-    """The part of the recording that was read, in words; None if that is all."""
+    """The part of the recording that was read, in words; None for the whole recording."""
     if survey.is_whole:
         return None
     read, whole = ((end - recording.start_ns) / 1e9 for end in (survey.end_ns, recording.end_ns))

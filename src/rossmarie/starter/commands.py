@@ -26,7 +26,7 @@ class Wanted:
     fastest: float = 0.0
 
     def see(self, message: Any) -> None:
-        """Take in a message."""
+        """Process a message."""
         linear = getattr(message, "twist", message).linear
         speed = math.hypot(linear.x, linear.y, linear.z)
         if math.isfinite(speed):
@@ -34,15 +34,15 @@ class Wanted:
 
 
 def are_commands(topic: Topic) -> bool:
-    """Say whether the messages on a topic are velocities that somebody commands."""
+    """Say whether the messages on a topic are velocity commands."""
     last = topic.name.rpartition("/")[2]
     is_named_so = any(word in last for word in _WORDS) and not last.startswith(UNFILTERED)
     return topic.message_type in TYPES and is_named_so
 
 
 def chosen(topics: Sequence[Topic]) -> Topic | None:
-    """The topic of commands that most likely reaches the robot: one with the usual name comes
-    first, then one with more messages.
+    """The command topic that most likely reaches the robot: a topic with the usual name comes
+    first, then the topic with the most messages.
     """
 
     def rank(topic: Topic) -> tuple[bool, int, int, str]:
@@ -65,7 +65,7 @@ def commands_on(name: str, message_type: str, others: Sequence[str]) -> Commands
 
 
 def commands_of_nobody(is_arm: bool, others: Collection[str]) -> Commands:
-    """The actions for commands that a recording does not have; `others` are its topics."""
+    """The actions for commands that are not recorded. `others` are the recorded topics."""
     if is_arm:
         name = _free("/servo_node/delta_twist_cmds", others)
         about = f"The recording has no commands; {name} is that of MoveIt Servo: name yours."
@@ -85,7 +85,7 @@ def _free(topic: str, others: Collection[str]) -> str:
 
 
 def proposal(robot: Robot, wanted: Mapping[str, Wanted], recorded: str) -> Proposal:
-    """A limit of what is commanded."""
+    """A proposal for a limit of commands."""
     commands = robot.commands
     fastest = wanted[recorded].fastest
     name, rule = robot.names.take("command"), robot.names.take("commanded_too_fast")

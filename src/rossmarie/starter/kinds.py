@@ -1,4 +1,4 @@
-"""The types of messages that first rules are about."""
+"""The message types for which there are first rules."""
 
 from __future__ import annotations
 
@@ -23,7 +23,9 @@ KINDS: Mapping[str, Callable[[], Kind]] = {
 """A class for the messages of each type, in the order in which rules are written."""
 
 OWN = "/diagnostics"
-"""The topic on which the node of the rules speaks, too: its silence tells nothing (ROSS256)."""
+"""The topic on which the node of the rules also publishes, so that its silence has no meaning
+(ROSS256).
+"""
 
 ARM = frozenset({"joints", "wrench"})
-"""The words for the kinds of messages that an arm without a base has."""
+"""The kinds of messages of an arm without a base."""

@@ -1,4 +1,4 @@
-"""Names for the declarations of a rules file, each of its own."""
+"""Unique names for the declarations of a rules file."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ _TAKEN = frozenset(
     | {"notAhead", "part", "relaxGrip", "slow", "soften", "standStill", "standUntilReset"}
     | {"stop", "stopMotor", "tell"}
 )
-"""The names of actions of the library, and of an element in a rule that is proposed."""
+"""The names of library actions, and the name of an element in a proposed rule."""
 
 _SHORTEST = 3
-"""The letters of an abbreviation."""
+"""The number of letters of an abbreviation."""
 
 
 class Names:
-    """Hands out each name once."""
+    """Returns each name only once."""
 
     def __init__(self) -> None:
         self._taken = {*_TAKEN, *RESERVED}
 
     def take(self, wanted: str) -> str:
-        """The name that is wanted, or one with a number behind it."""
+        """The wanted name, or the name with a number at the end."""
         name, number = wanted, 1
         while name in self._taken:
             number += 1
@@ -35,8 +35,8 @@ class Names:
 
 
 def name_of(topic: str, word: str, alike: Collection[str]) -> str:
-    """A name for the messages on a topic, one of those `alike` that have messages of one kind: the
-    word for that kind, and the parts of the topic that tell it from the others: `imu_front` for
+    """A name for the messages on a topic, among the topics `alike` with messages of one kind: the
+    word for that kind, and the parts of the topic that distinguish it: `imu_front` for
     `/front/imu/data` beside `/rear/imu/data`.
     """
     if len(alike) == 1:
@@ -51,5 +51,5 @@ def _words(topic: str) -> list[str]:
 
 
 def _means(part: str, word: str) -> bool:
-    """Say whether a part of a topic says what the word says, as `odom` of `odometry`."""
+    """Say whether a part of a topic has the meaning of a word, as `odom` has of `odometry`."""
     return part == "data" or (len(part) >= _SHORTEST and word.startswith(part))

@@ -1,4 +1,4 @@
-"""Numbers and durations as a person would write them."""
+"""Round numbers and durations."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ import math
 from rossmarie.recordings.model import Rhythm
 
 FEWEST = 5
-"""Messages from which on a topic has a rhythm."""
+"""The least number of messages from which a rhythm can be computed."""
 SHORTEST_S = 0.05
-"""The shortest timeout: an operating system without real time may pause for so long."""
+"""The shortest timeout in seconds: an operating system without real time may pause for this
+long.
+"""
 PERIODS = 3
 MOST_PERIODS = 5
 GAPS = 1.5
@@ -35,12 +37,12 @@ def rounded_down(number: float) -> float:
 
 
 def plain(number: float) -> str:
-    """A number without an exponent, as far as that is short: `0.05`, `12`."""
+    """A number without an exponent, if it is short: `0.05`, `12`."""
     return f"{number:.3g}" if 1e-3 <= abs(number) < 1e3 else f"{number:.6g}"
 
 
 def is_steady(rhythm: Rhythm) -> bool:
-    """Say whether messages come so regularly that silence means something."""
+    """Say whether messages arrive so regularly that silence has a meaning."""
     if rhythm.count < FEWEST or rhythm.median_ns <= 0:
         return False
     return rhythm.outliers <= _MOST_OUTLIERS
@@ -49,8 +51,8 @@ def is_steady(rhythm: Rhythm) -> bool:
 def timeout_s(rhythm: Rhythm) -> float:
     """The timeout in seconds for a topic of this rhythm.
 
-    It is three periods, or one and a half times the longest gap, whichever is longer; of a steady
-    topic five periods at most, so that a pause of the sensor in the recording is seen as one.
+    It is three periods, or one and a half times the longest gap, whichever is longer. For a steady
+    topic it is at most five periods, so that a pause of the sensor in the recording is detected.
     """
     period, longest = rhythm.median_ns / 1e9, rhythm.longest_ns / 1e9
     wanted = max(PERIODS * period, GAPS * longest, SHORTEST_S)

@@ -1,4 +1,4 @@
-"""The robot of a recording, as far as first rules need to know it."""
+"""The robot of a recording, as far as first rules need it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.recordings.model import Rhythm
 from rossmarie.starter.names import Names
 
 UNFILTERED = "unfil_"
-"""In front of the name of a topic: that on which commands enter its filter."""
+"""The prefix of the topic on which commands enter the filter of a topic."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Commands:
 
     @property
     def is_twist(self) -> bool:
-        """Say whether rules of the library for a base fit."""
+        """Say whether library rules for a base fit."""
         return self.message_type == "geometry_msgs/Twist"
 
     @property
@@ -49,7 +49,7 @@ class Commands:
 
     @property
     def field(self) -> str:
-        """A field that is zero while the robot is stopped."""
+        """A field that is zero while the robot stands still."""
         return "linear.x" if self.is_twist else "twist.linear.x"
 
 
@@ -58,13 +58,13 @@ class Kind(Protocol):
 
     @property
     def word(self) -> str:
-        """A name for such messages, where they are on one topic only."""
+        """A name for such messages, if only one topic has them."""
 
     def see(self, message: Any) -> None:
-        """Take in a message."""
+        """Process a message."""
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The inputs by their names: the field that they read, and its unit."""
+        """The inputs by name: their field and its unit."""
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
         """Rules that may fit."""
@@ -90,7 +90,7 @@ class Watched:
 
 @dataclass(frozen=True)
 class Robot:
-    """The topics of a robot that rules read, and that of its commands."""
+    """The topics of a robot that rules read, and the topic of its commands."""
 
     watched: Sequence[Watched]
     commands: Commands
@@ -101,5 +101,5 @@ class Robot:
         return [each for each in self.watched if each.kind.word == word]
 
     def rule(self, watched: Watched, word: str) -> str:
-        """A name of its own for a rule, or for an import, about a topic."""
+        """A unique name for a rule or an import about a topic."""
         return self.names.take(watched.named(word))

@@ -23,7 +23,7 @@ class Battery:
         self.is_share = True
 
     def see(self, message: Any) -> None:
-        """Take in a message: its charge, from 0 to 1, and its voltage in V."""
+        """Process a message: its charge, from 0 to 1, and its voltage in V."""
         charge, voltage = message.percentage, message.voltage
         self.is_share &= 0 < charge <= 1  # also if it is not a number
         self.lowest = min(self.lowest, charge)
@@ -35,7 +35,9 @@ class Battery:
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """A low battery, by its charge or, where that is not told, by its voltage."""
+        """A proposal for a low battery, by its charge or, if the charge is unknown, by its
+        voltage.
+        """
         name, commands = watched.name, robot.commands
         volts = rounded_down(self.weakest * 0.9) if math.isfinite(self.weakest) else None
         rule = robot.rule(watched, "battery_low")
@@ -69,7 +71,7 @@ class Heat:
         self.hottest = -math.inf
 
     def see(self, message: Any) -> None:
-        """Take in a message: its temperature in degC."""
+        """Process a message: its temperature in degC."""
         if math.isfinite(message.temperature):
             self.hottest = max(self.hottest, message.temperature)
 
@@ -78,7 +80,7 @@ class Heat:
         return {name: ".temperature"}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """A hot part."""
+        """A proposal for a hot part."""
         if not math.isfinite(self.hottest):
             return
         commands = robot.commands
@@ -105,7 +107,7 @@ class Diagnostics:
         self.most = 0
 
     def see(self, message: Any) -> None:
-        """Take in a message: its number of statuses."""
+        """Process a message: its number of statuses."""
         self.most = max(self.most, len(message.status))
 
     def fields(self, name: str) -> Mapping[str, str]:
@@ -116,7 +118,7 @@ class Diagnostics:
         return {name: f".status up to {bound}"}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """A part with an error."""
+        """A proposal for a part with an error."""
         commands = robot.commands
         yield Proposal(
             f"The most statuses in a message of the recording: {self.most}.",

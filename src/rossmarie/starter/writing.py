@@ -22,8 +22,9 @@ _JOINT = "\N{WORD JOINER}"
 
 @dataclass(frozen=True)
 class Source:
-    """The file that rules are begun from. `part` is the part that was read; None if that is all.
-    `shared` is a recorded topic on which the node of the rules speaks, too; None if there is none.
+    """The recording behind the rules. `part` is the part that was read; None for the whole
+    recording. `shared` is a recorded topic on which the node of the rules also publishes; None if
+    there is none.
     """
 
     name: str
@@ -32,8 +33,8 @@ class Source:
 
 
 def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[Proposal]]) -> str:
-    """Rules in the one layout: inputs, a rule about their silence with its tests, and `proposals`
-    by their topics, as comments.
+    """Rules in canonical layout: inputs, a rule about their silence with its tests, and `proposals`
+    by topic, as comments.
     """
     steady = [each for each in robot.watched if each.is_steady]
     silent = robot.names.take("silent")
@@ -105,7 +106,7 @@ def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: Robot) -> st
 
 
 def _proposed(watched: Watched, proposals: Sequence[Proposal]) -> Iterator[str]:
-    """Proposals about a topic, with the inputs that they need beside those that are there."""
+    """Proposals about a topic, with the additional inputs that they need."""
     declared = _declarations(watched)
     code = "\n".join(each.code for each in proposals)
     names = [name for name in declared if re.search(rf"\b{name}\b", code)]

@@ -1,9 +1,9 @@
-"""Build the tree from what the grammar recognised. One method per rule of ross.lark, called bottom
-up.
+"""Build the tree from the rules that the grammar recognises. One method per rule of ross.lark,
+called bottom up.
 
-Each method gets the parts of its rule: tokens, nodes, or small records. Never raises on what a
-user wrote: what is recognised but not accepted (`&&`, `a < b < c`, a number beyond the range of a
-double) is reported, and the rest of the expression goes on.
+Each method gets the parts of its rule: tokens, nodes, or small records. No method raises an error
+for user text. A form that is recognised but not accepted (`&&`, `a < b < c`, a number beyond the
+range of a double) is reported, and the rest of the expression continues.
 """
 
 from __future__ import annotations
@@ -167,7 +167,7 @@ class Builder(SystemBuilder):
         )
 
     def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
-        """The unit and the frame behind `in`, and where they end."""
+        """The unit and the frame behind `in`, and the index after them."""
         found: list[Token] = []
         while is_token(parts, index, "in"):
             found.append(parts[index + 1])
@@ -314,7 +314,8 @@ class Builder(SystemBuilder):
     def step(self, parts: list[Any]) -> ast.Step:
         """`also ACTION else ACTION`; `also` alone is a name.
 
-        The number of parts tells them apart, as a wrong name may be any word, `else` too.
+        The number of parts distinguishes the forms, because a wrong name may be any word, including
+        `else`.
         """
         is_also = len(parts) % 2 == 0
         action = self.name(parts[1 if is_also else 0])

@@ -1,6 +1,6 @@
-"""Build the effects of an action from what the grammar recognised of its body.
+"""Build the effects of an action from the rules that the grammar recognises in its body.
 
-One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+One method per rule of ross.lark, as in `build`, which describes their arguments and guarantees.
 """
 
 from __future__ import annotations
@@ -206,7 +206,7 @@ class EffectBuilder(ExpressionBuilder):
 
 
 def clause(parts: list[Any], word: str) -> Any:
-    """The part that stands behind a word among the parts of an effect; None if it is not there."""
+    """The part after a word among the parts of an effect; None if it is missing."""
     return next(
         (part.value for part in parts if isinstance(part, Part) and part.word == word), None
     )

@@ -1,6 +1,6 @@
-"""Build the nodes of an expression from what the grammar recognised of it.
+"""Build the nodes of an expression from the rules that the grammar recognises.
 
-One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+One method per rule of ross.lark, as in `build`, which describes their arguments and guarantees.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class _Comparator(NamedTuple):
 
 class _Trailer(NamedTuple):
     """`.name`, `.name(...)`, `[0]`, `["name"]`, `[name]` or `[-30 deg .. 30 deg]` behind a value;
-    the parts tell which.
+    the parts distinguish the forms.
     """
 
     name: ast.Name | None
@@ -40,8 +40,8 @@ class _Trailer(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A word and what stands behind it: `3 times`, `within 0.25 sec`, `by 5 N` among the arguments
-    of a call, `ramp 20 %/s` and `else stop` behind an effect.
+    """A word and its argument: `3 times`, `within 0.25 sec`, `by 5 N` among the arguments of a
+    call, `ramp 20 %/s` and `else stop` after an effect.
     """
 
     word: str
@@ -59,7 +59,7 @@ class _Each(NamedTuple):
 
 
 class ExpressionBuilder:
-    """Builds the expressions of one file and reports to `report` what it cannot accept."""
+    """Builds the expressions of one file, and reports unacceptable ones to `report`."""
 
     def __init__(self, source: Scan, report: Callable[[Diagnostic], None]) -> None:
         self._source = source
@@ -123,8 +123,8 @@ class ExpressionBuilder:
         return _Comparator("not in", self._span(parts))
 
     def comparison(self, parts: list[Any]) -> ast.Expression:
-        """`a < b`, `a in b`; a chain is reported, and stands for its links joined by `and` if all
-        of them point in the same direction.
+        """`a < b`, `a in b`. A chain is reported; if all its signs point in the same direction, it
+        becomes its links joined by `and`.
         """
         if len(parts) > 3 and not _is_monotonic(parts[1::2]):
             self._report(self._chained(parts))
@@ -255,7 +255,7 @@ class ExpressionBuilder:
         return ast.Broken(each.span)
 
     def each(self, parts: list[Any]) -> _Each | ast.Broken:
-        """`o in objects: CONDITION`; what stands before the colon has to have this form."""
+        """`o in objects: CONDITION`. The part before the colon must have this form."""
         head, colon, body = parts
         is_name = isinstance(head, ast.Membership) and isinstance(head.value, ast.Reference)
         if is_name and not head.is_negated:
@@ -321,7 +321,7 @@ class ExpressionBuilder:
     # --- parts -----------------------------------------------------------------------------------
 
     def position(self, token: Token) -> int | str | None:
-        """The place or the name of an element; None after reporting that there can be no such
+        """The index or the name of an element; None after reporting that there can be no such
         element.
         """
         if token.kind == "text":
@@ -346,7 +346,7 @@ class ExpressionBuilder:
         return ast.Unit(token.text, self._at(token))
 
     def _spelling(self, text: str, span: Span) -> str:
-        """The operator as this language writes it; another spelling is reported."""
+        """The operator in the spelling of this language. Another spelling is reported."""
         meant = FOREIGN.get(text)
         if meant is None:
             return text
@@ -373,7 +373,9 @@ class ExpressionBuilder:
 
 
 def _is_monotonic(signs: list[Token | _Comparator]) -> bool:
-    """Say whether all comparisons of a chain say the same: less, or greater, or equal."""
+    """Say whether all comparisons of a chain have the same direction: less, or greater, or
+    equal.
+    """
     meant = {FOREIGN.get(sign.text, sign.text) for sign in signs}
     return meant <= {"<", "<="} or meant <= {">", ">="} or meant == {"=="}
 

@@ -1,6 +1,6 @@
-"""Build system models from what the grammar recognised of them.
+"""Build system models from the rules that the grammar recognises.
 
-One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+One method per rule of ross.lark, as in `build`, which describes their arguments and guarantees.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Build the statements of a test from what the grammar recognised of it.
+"""Build the statements of a test from the rules that the grammar recognises.
 
-One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+One method per rule of ross.lark, as in `build`, which describes their arguments and guarantees.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class TestBuilder(EffectBuilder):
         return ast.Expectation(rule, is_active, at, stretch, self._span(parts))
 
     def _command_expectation(self, parts: list[Any], middle: int) -> ast.CommandExpectation:
-        """A field may be called as any word is, `in` as well."""
+        """A field may have any word as its name, including `in`."""
         while isinstance(parts[middle + 1], Token):
             middle += 1
         topic, path = self.name(parts[1]), self.field_path(parts[3:middle])

@@ -10,7 +10,7 @@ from rossmarie.syntax.scan import Token
 
 
 class ZoneBuilder(TestBuilder):
-    """Builds zones, and what tests are made of."""
+    """Builds zones, and the parts of tests."""
 
     def zone(self, parts: list[Any]) -> ast.Zone:
         """`zone NAME in FRAME { SHAPE; ... }`."""

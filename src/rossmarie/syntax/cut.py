@@ -1,8 +1,7 @@
-"""Tokens -> stretches that are one item each, so that an error costs its own item only.
+"""Tokens -> ranges of one item each, so that an error costs only its own item.
 
-An item ends at a `;` outside of braces, at the `}` of an entity, system or action (behind which
-`latched until reset` may follow), or where a word that begins an item stands first on its line,
-however many braces are open.
+An item ends at a `;` outside braces, at the `}` of an entity, system or action (which `latched
+until reset` may follow), or at an item word at the start of a line, however many braces are open.
 """
 
 from __future__ import annotations
@@ -28,20 +27,20 @@ _CONTINUATIONS = frozenset(
     | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
 _CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
-_JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
+_JOINING = frozenset({"of", "within"})  # a line may be broken before and after them
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 _BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in")}
-# Words that do not make a declaration of the unknown word in front of them, as `imu` does in
-# `entitty imu`: behind a name they carry on, or begin, something else.
+# Words that do not make a declaration of the unknown word before them, as `imu` does in `entitty
+# imu`: after a name they continue something, or begin something else.
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
 
 
 class Piece(NamedTuple):
     """The tokens from `first` up to, not including, `last`.
 
-    `kind` is the start rule of the grammar, None if nothing begins like this; `head` the word that
-    was meant where the first one is misspelt.
+    `kind` is the start rule of the grammar, None if no item begins like this. `head` is the correct
+    word if the first one is misspelt.
     """
 
     kind: str | None
@@ -142,7 +141,7 @@ class _Cutter:
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
 
     def _behind_name(self, index: int) -> int:
-        """The token behind a name and the dots and words that follow it."""
+        """The token after a name and the dots and words that follow it."""
         index += 1
         while self._text(index) == ".":
             index += 2
@@ -157,7 +156,7 @@ class _Cutter:
         )
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
-        """Say whether a word that begins no item is meant to: a line such as `entitty imu {`."""
+        """Say whether an unknown word is meant to begin an item: a line such as `entitty imu {`."""
         token, before = self._tokens[index], self._tokens[index - 1]
         if token.kind != "word" or not self._source.begins_line(index):
             return False
@@ -175,13 +174,13 @@ class _Cutter:
         return self._names_something(index + 1)
 
     def _names_something(self, index: int) -> bool:
-        """Say whether a token stands behind a word as behind `entitty` or `limit`."""
+        """Say whether the token after a word fits a declaration, as in `entitty` or `limit`."""
         if self._text(index) in (":", "="):
             return True
         return self._is_word(index) and not self._begins_item(index, 0)
 
     def _is_word(self, index: int) -> bool:
-        """Say whether a token is a text, or a word that neither carries on nor begins an item."""
+        """Say whether a token is a text, or a word that neither continues nor begins an item."""
         if index == len(self._tokens):
             return False
         token = self._tokens[index]
@@ -193,7 +192,7 @@ class _Cutter:
         return index < len(self._tokens) and self._tokens[index].kind == kind
 
     def _meant(self, index: int) -> str | None:
-        """The word that begins an item and is nearest to this one."""
+        """The item word nearest to this word."""
         token = self._tokens[index]
         if token.kind != "word" or self._text(index + 1) in (":", "=", ".", ";"):
             return None
@@ -207,7 +206,7 @@ class _Cutter:
         return token.text == "}" or is_value or self._is_field(index)
 
     def _is_field(self, index: int) -> bool:
-        """Say whether a token is a word behind a dot, which means nothing but itself."""
+        """Say whether a token is a word after a dot, which has no other meaning."""
         behind_dot = index > 0 and self._tokens[index - 1].text == "."
         return behind_dot and self._tokens[index].kind == "word"
 

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
-    """More text than anybody writes by hand."""
+    """A file that is too large."""
 
     title = "this file is too large to be a rules file"
     label = "the file has {size} {what}; the limit is {limit}"
@@ -48,7 +48,7 @@ class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-docume
 
 
 class UnknownItem(Error, code="ROSS005", name="unknown-item"):
-    """Something at the outermost level that is none of the things a file is made of."""
+    """A word at the outermost level that begins no item."""
 
     title = "`{found}` does not begin a declaration or a rule"
     label = "expected `import`, `system`, `action`, `const`, `input`, `entity`, `rule` or `if`"
@@ -89,7 +89,7 @@ class MissingSign(Error, code="ROSS006", name="missing-sign"):
 
 
 class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
-    """A bracket that is opened and not closed."""
+    """A bracket that is not closed."""
 
     title = "this `{bracket}` is never closed"
     label = "opened here"
@@ -146,7 +146,7 @@ class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
 
 
 class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
-    """More brackets and prefix operators inside each other than anybody can follow."""
+    """Brackets and prefix operators that are nested too deeply."""
 
     title = "this is nested too deeply"
     label = "more than {limit} levels here"
@@ -156,7 +156,7 @@ class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
 
 
 class ExpressionTooLong(Error, code="ROSS013", name="expression-too-long"):
-    """A longer chain of operators than the compiler promises to handle."""
+    """A chain of operators that is longer than the limit of the compiler."""
 
     title = "this expression is too long"
     label = "it has more than {limit} operators that depend on each other"
@@ -192,7 +192,7 @@ class MissingName(Error, code="ROSS015", name="missing-name"):
 
 
 class MissingValue(Error, code="ROSS016", name="missing-value"):
-    """An operator or sign with nothing behind or before it."""
+    """An operator or sign without an operand after or before it."""
 
     title = "a value is missing {place} `{sign}`"
     label = "expected a value {place} this"
@@ -203,7 +203,7 @@ class MissingValue(Error, code="ROSS016", name="missing-value"):
 
 
 class Unfinished(Error, code="ROSS017", name="unfinished"):
-    """Something that stops in the middle."""
+    """A part that ends in the middle."""
 
     title = "this is incomplete"
     label = "more is expected after this"
@@ -223,7 +223,7 @@ class MisplacedWord(Error, code="ROSS018", name="misplaced-word"):
 
 
 class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
-    """A number that the monitor cannot hold."""
+    """A number that the monitor cannot represent."""
 
     title = "this number is out of range"
     label = "{reason}"
@@ -233,7 +233,7 @@ class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
 
 
 class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
-    """`oscillates` with other parts than it needs, or its parts in another call."""
+    """`oscillates` with wrong parts, or its parts in another call."""
 
     title = "{problem}"
     label = "{reason}"
@@ -243,7 +243,7 @@ class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
 
 
 class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
-    """The point from which on the errors of a file are no longer shown."""
+    """The point at which the errors of a file are cut off."""
 
     title = "this file has more than {limit} errors"
     label = "errors from here on are not shown"
@@ -290,7 +290,7 @@ class BlockComment(Error, code="ROSS025", name="block-comment"):
 
 
 class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
-    """A character that makes a text look other than it is read."""
+    """A character that makes a text look different from its content."""
 
     title = "{character} hides the real text of the file"
     label = "{reason}"
@@ -306,7 +306,7 @@ class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
 
 
 class ForeignForm(Error, code="ROSS027", name="foreign-form"):
-    """Something that is written differently here, out of habit or from another language."""
+    """A notation from another language, or a frequent mistake."""
 
     title = "`{found}` is not valid in this language"
     label = "{problem}"
@@ -322,7 +322,7 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
 
 
 class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
-    """Something in the body of an action that begins like no effect."""
+    """A statement in the body of an action that begins like no effect."""
 
     title = "`{found}` is not an effect of an action"
     label = "no effect begins with this word"

@@ -1,7 +1,8 @@
-"""Why a stretch of tokens does not parse, and what to write instead.
+"""Explanations of syntax errors: the reason why a range of tokens does not parse, and the
+correction.
 
-Comes in: the stretch, what it was meant to be, and where the parser stopped. Goes out: one
-finding, the most specific that fits; for unclosed texts one each.
+The input is the range, its intended kind, and the place at which the parser stopped. The result is
+the most specific finding that fits; for unclosed texts, one finding each.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
-_NAMES_AT_LEAST = 5  # tokens of an input, in front of which no names of elements stand
+_NAMES_AT_LEAST = 5  # tokens of an input before which no names of elements stand
 _ARRIVES_AT = 3  # the place of `topic` in an input
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
@@ -38,7 +39,9 @@ _ADVICE = {
 def explain(
     source: Scan, first: int, last: int, kind: str, failure: Failure
 ) -> tuple[Diagnostic, ...]:
-    """The findings for the tokens from `first` up to, not including, `last`, meant as `kind`."""
+    """The findings for the tokens from `first` up to, but not including, `last`, meant as
+    `kind`.
+    """
     tokens = source.tokens[first:last]
     if any(token.start in source.reported for token in tokens):
         return ()
@@ -50,9 +53,7 @@ def explain(
 
 
 def unterminated_text(source: Scan, token: Token) -> Diagnostic:
-    """A text without closing quotation mark; the fix closes it in front of `then {` or a final
-    `;`.
-    """
+    """A text without closing quotation mark. The fix closes it before `then {` or a final `;`."""
     text = source.file.text
     if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
         finding = errors.UnterminatedString()
@@ -69,7 +70,7 @@ def unterminated_text(source: Scan, token: Token) -> Diagnostic:
 def missing_sign(
     source: Scan, sign: str, behind: Token, kind: str, inserted: str | None = None
 ) -> Diagnostic:
-    """A sign that should stand directly behind a token."""
+    """A missing sign directly after a token."""
     end = Span(source.file, behind.end, behind.end)
     fix = Fix(f"insert `{sign}`", (Edit(end, inserted or sign),))
     finding = errors.MissingSign(sign=sign, place="after", form=FORMS[kind])
@@ -77,7 +78,7 @@ def missing_sign(
 
 
 def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
-    """A sign that should stand in the place of another token."""
+    """A wrong sign in the place of another one."""
     fix = Fix(f"write `{sign}`", (Edit(source.span(found), sign),))
     finding = errors.MissingSign(sign=sign, place="instead of", form=FORMS[kind])
     return finding.at(source.span(found), fix=fix)
@@ -86,7 +87,7 @@ def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
 def unclosed_bracket(
     source: Scan, bracket: Token, behind: Token, *labels: Label, inserted: str | None = None
 ) -> Diagnostic:
-    """A bracket that should have been closed behind a token."""
+    """A bracket that is missing after a token."""
     closing = _PARTNER[bracket.text]
     end = Span(source.file, behind.end, behind.end)
     text = inserted or ("\n}" if closing == "}" else closing)
@@ -96,7 +97,7 @@ def unclosed_bracket(
 
 
 def unopened_bracket(source: Scan, bracket: Token) -> Diagnostic:
-    """A closing bracket too much."""
+    """A superfluous closing bracket."""
     fix = Fix(f"remove `{bracket.text}`", (Edit(source.span(bracket), ""),))
     finding = errors.UnopenedBracket(bracket=bracket.text, opening=_PARTNER[bracket.text])
     return finding.at(source.span(bracket), fix=fix)
@@ -110,12 +111,12 @@ def reserved_word(source: Scan, token: Token) -> Diagnostic:
 
 
 def is_name(token: Token) -> bool:
-    """Say whether a token can be the name of something."""
+    """Say whether a token can be a name."""
     return token.kind == "word" and token.text.isascii() and token.text not in RESERVED
 
 
 def is_part_word(token: Token) -> bool:
-    """Say whether a token is, or looks like, a word that carries on an item."""
+    """Say whether a token is, or resembles, a word that continues an item."""
     return nearest(token.text, PART_WORDS) is not None
 
 
@@ -163,7 +164,7 @@ def _describe(letter: str) -> str:
 
 
 def explain_token(source: Scan, index: int, kind: str) -> Diagnostic:
-    """A single token that does not belong into a part of kind `kind`."""
+    """A single token that is not allowed in a part of kind `kind`."""
     found = source.tokens[index]
     if found.kind == "open_text":
         return unterminated_text(source, found)
@@ -177,7 +178,7 @@ def explain_token(source: Scan, index: int, kind: str) -> Diagnostic:
 
 
 class _Case:
-    """One failure; the methods try explanations from the most specific on."""
+    """One failure. The methods try explanations, the most specific first."""
 
     def __init__(self, source: Scan, first: int, last: int, kind: str, failure: Failure) -> None:
         self._source = source
@@ -208,7 +209,7 @@ class _Case:
         return self._character() or self._bracket() or self._name() or self._value() or self._sign()
 
     def _is_over_time(self) -> bool:
-        """Say whether a `once` or an `after` stands in front of the failure."""
+        """Say whether a `once` or an `after` stands before the failure."""
         tokens = self._tokens
         return any(
             tokens[index].text in PREFIXES and is_operator(tokens, index)
@@ -239,7 +240,7 @@ class _Case:
         return unexpected_character(self._source, found) if is_stray else None
 
     def _bracket(self) -> Diagnostic | None:
-        """A bracket in front of the failure that is never closed, or a closing one too much."""
+        """A bracket before the failure that is never closed, or a superfluous closing bracket."""
         stack: list[Token] = []
         for index in range(self._first, self._last):
             token = self._tokens[index]
@@ -278,7 +279,9 @@ class _Case:
         return finding.at(self._source.span(before), help=self._help_with_unit(before))
 
     def _help_with_unit(self, before: Token) -> Remark | None:
-        """In `at 0 speed = 1 m/s` the name of the input was read as the unit of the instant."""
+        """The help for `at 0 speed = 1 m/s`, where the name of the input was read as the unit of
+        the instant.
+        """
         at, number = self._index - 3, self._index - 2
         if at < self._first or self._tokens[at].text != "at":
             return None
@@ -314,12 +317,12 @@ class _Case:
         return wrong_sign(self._source, sign, found, self._kind)
 
     def _text_behind(self) -> str:
-        """The token behind the one that does not fit."""
+        """The token after the one that does not fit."""
         behind = self._index + 1
         return self._tokens[behind].text if behind < self._last else ""
 
     def _is_only(self, sign: str) -> bool:
-        """Say whether that sign is what has to come, rather than one of many things that may."""
+        """Say whether that sign is the only possible continuation."""
         return sign in self._expected and len(self._expected) <= 3
 
     def _misplaced(self, before: Token) -> Diagnostic:
@@ -339,5 +342,5 @@ class _Case:
 
 
 def _shown(token: Token) -> str:
-    """A token as it may stand in a message: a long one is cut."""
+    """A token for a message; a long one is cut."""
     return token.text if len(token.text) <= 40 else f"{token.text[:37]}..."

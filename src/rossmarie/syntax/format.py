@@ -31,9 +31,9 @@ _EMPTY_LINE = re.compile(r"\n\s*\n")
 
 @dataclass
 class _Entry:
-    """A statement, or a comment between statements, with the stretch of text that it came from.
+    """A statement, or a comment between statements, with its range of the text.
 
-    `group`: neighbours of the same group may stand on neighbouring lines; comments have none.
+    `group`: statements of the same group may stand on adjacent lines; comments have no group.
     """
 
     lines: list[str]
@@ -54,7 +54,7 @@ def format_module(module: ast.Module) -> str:
 
 
 class _Formatter:
-    """Goes over the text once, from start to end."""
+    """Goes through the text once, from start to end."""
 
     def __init__(self, source: Scan, style: Style) -> None:
         self._source = source
@@ -91,8 +91,8 @@ class _Formatter:
         return _EMPTY_LINE.search(between) is not None
 
     def _is_apart(self, entries: list[_Entry], index: int) -> bool:
-        """Say whether an empty line is due behind a statement: in front of its successor's
-        comments, unless the author has set one further down.
+        """Say whether an empty line is needed after a statement, before the comments of the next
+        one, unless the author has put one further down.
         """
         before = entries[index - 1]
         if before.group is None:

@@ -1,7 +1,7 @@
-"""ross.lark at work: an LALR parser, fed one stretch of tokens.
+"""The parser for ross.lark: an LALR parser that reads one range of tokens.
 
-Tokens come from `scan`. What a word is - keyword, name, field, unit, type, topic - is decided by
-what the parser can take at that point. Values come from the methods of a builder, called bottom up.
+Tokens come from `scan`. The parser state decides the kind of a word: keyword, name, field, unit,
+type or topic. The methods of a builder, called bottom up, create the values.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ _LOGIC = {sign: meant for sign, meant in FOREIGN.items() if meant in OPERATOR_WO
 
 @cache
 def load_tables() -> Tables:
-    """The tables of ross.lark; they are made once and kept in the user's cache folder.
+    """The tables of ross.lark. They are made once and stored in the user's cache folder.
 
     Raises lark's `GrammarError` if it is not LALR(1).
     """
@@ -91,7 +91,9 @@ def load_tables() -> Tables:
 
 
 def _name_of_tables(grammar: str) -> str:
-    """Other tables have another name: those of another grammar, or made in another way."""
+    """The name of the tables. Tables of another grammar, or made in another way, have another
+    name.
+    """
     made_by = Path(tables.__file__).read_text(encoding="utf-8")
     makers = (grammar, *START_RULES, made_by)
     return f"{hashlib.sha256(repr(makers).encode()).hexdigest()[:32]}.tables"
@@ -99,8 +101,8 @@ def _name_of_tables(grammar: str) -> str:
 
 @dataclass(frozen=True)
 class Failure:
-    """Where parsing stopped: the token that does not fit, counted from the first of the stretch
-    (its end if something is missing there).
+    """The place at which parsing stopped: the index of the token that does not fit, from the first
+    of the range; the end of the range if a token is missing there.
     """
 
     index: int
@@ -123,7 +125,7 @@ class Recognizer:
 
     def run(self, start: str, first: int, last: int, head: str | None = None) -> Any:
         """The value of the rule `start` for the tokens from `first` up to, not including, `last`;
-        or the `Failure`. `head` stands in for the first token, if that one is misspelt.
+        or the `Failure`. `head` replaces the first token if it is misspelt.
         """
         parser = Parser(self._tables, self._tables.starts[start][:1])
         index = first
@@ -149,8 +151,8 @@ class Recognizer:
         return part
 
     def _fitting(self, parser: Parser, index: int) -> Collection[str]:
-        """The symbols that may fit here; a word that may be a name as well is looked at closely,
-        as the parser's tables know of some words only that they fit somewhere else.
+        """The symbols that may fit here. For a word that may also be a name, the exact set is
+        computed, because the tables only know that some words fit somewhere.
         """
         fitting = parser.fitting
         text = self._tokens[index].text
@@ -159,8 +161,8 @@ class Recognizer:
         return fitting
 
     def _classify(self, index: int, fitting: Collection[str]) -> tuple[str, Token, int]:
-        """The symbol of the token here, the token (several joined, in a unit or topic), and the
-        next.
+        """The symbol of the current token, the token itself (several joined, for a unit or topic),
+        and the next index.
         """
         token = self._tokens[index]
         kind, text = token.kind, token.text
@@ -201,9 +203,9 @@ class Recognizer:
         return ("$NAME" if token.text.isascii() else token.text), token, index + 1
 
     def _join(self, symbol: str, index: int) -> tuple[str, Token, int]:
-        """The unit, type or topic that begins with this token, to its end.
+        """The whole unit, type or topic that begins with this token.
 
-        Ends with a whole token: in `m^2.5` the number is not torn apart.
+        It ends with a whole token: in `m^2.5` the number is not split.
         """
         first = self._tokens[index]
         match = _CLASSES[symbol].match(self._text, first.start)

@@ -1,4 +1,4 @@
-"""The habits that `habits` mends, as data."""
+"""The habits that `habits` corrects, as data."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _ONE_WORD = rf"{_NAME}(?:(?:\s-)?\x20{_NAME})+|\""
 
 
 class Habit(NamedTuple):
-    """A mistake and its remedy.
+    """A frequent mistake and its correction.
 
     `meant` is what to write in the place of the group `x` of `pattern` (of a pair of brackets: of
     both, with a space between), with the groups of the pattern, or None if that is uncertain; what
@@ -50,8 +50,8 @@ class Habit(NamedTuple):
 
 
 class NearMiss(NamedTuple):
-    """A place where one of `words` has to stand; `others` are words that mean one of them. `inside`
-    and `outside` are those of a habit.
+    """A place that needs one of `words`. `others` are words with the same meaning. `inside` and
+    `outside` are as in a habit.
     """
 
     pattern: re.Pattern[str]

@@ -1,9 +1,9 @@
-"""Replace what people write out of habit, and from other languages, by the tokens that were meant.
+"""Replace frequent mistakes, and notations of other languages, by the intended tokens.
 
-Each habit is a pattern over the tokens of a file, written with one space between two tokens (a
-line feed where a line ends between them). Its group `x` is the mistake; what is written instead
-takes its place, so that it costs one finding and nothing around it. Only what does not parse is
-looked at, so nothing that is correct is ever changed.
+Each habit is a pattern over the tokens of a file, written with one space between two tokens (a line
+feed at the end of a line). Its group `x` is the mistake. The correction replaces the group, so a
+mistake costs one finding and nothing around it. Only text that does not parse is searched, so
+correct text is never changed.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _NO_WORD = "this is no word of the language"
 
 
 class _Change(NamedTuple):
-    """The tokens from `first` up to, not including, `last` become `tokens`."""
+    """The replacement of the tokens from `first` up to, but not including, `last` by `tokens`."""
 
     first: int
     last: int
@@ -42,9 +42,9 @@ _Remedy = Callable[[], tuple[tuple[_Change, ...], Diagnostic]]
 
 
 def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
-    """The file as it was meant, as far as its mistakes are habits; each of them is reported.
+    """The file with its habits corrected; each of them is reported.
 
-    `kinds` has the kind of the item that each token stands in; None where that item parses.
+    `kinds` has the kind of the item around each token; None if that item parses.
     """
     changes: dict[int, _Change] = {}
     end = 0
@@ -78,7 +78,7 @@ def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
 
 
 class _Search:
-    """Looks for all habits in one file."""
+    """Searches one file for all habits."""
 
     def __init__(self, source: Scan, kinds: Sequence[str | None]) -> None:
         self._source = source
@@ -98,7 +98,9 @@ class _Search:
         self._text = "".join((*pieces, "\n"))
 
     def all(self) -> Iterator[tuple[int, _Remedy]]:
-        """The first token of each mistake, and what makes its changes and its finding."""
+        """The first token of each mistake, and the remedy that makes its changes and its
+        finding.
+        """
         for habit in HABITS:
             for first, match in self._matches(habit):
                 yield first, partial(self._habit, habit, match)
@@ -117,7 +119,9 @@ class _Search:
                 yield first, partial(self._pair, pair, first)
 
     def _matches(self, mistake: Habit | NearMiss) -> Iterator[tuple[int, re.Match[str]]]:
-        """Where the pattern of a mistake fits in what does not parse, and the first token of it."""
+        """The matches of a mistake's pattern in text that does not parse, with the first token of
+        each.
+        """
         for match in mistake.pattern.finditer(self._text):
             first, _ = self._range(match, "x")
             kind = self._kinds[first]
@@ -172,7 +176,7 @@ class _Search:
 
     @cached_property
     def _partners(self) -> dict[int, int]:
-        """Of each bracket that is closed, where."""
+        """The closing bracket of each closed opening bracket, by index."""
         partners: dict[int, int] = {}
         stack: list[int] = []
         for index, token in enumerate(self._tokens):
@@ -192,8 +196,8 @@ def _nearest(word: str, words: tuple[str, ...]) -> str | None:
 
 
 def _edit(span: Span, meant: str) -> Edit:
-    """Write `meant` there; a space too much around what is removed, or before a colon, goes too,
-    and a word that would touch another gets one.
+    """Write `meant` there. A superfluous space around removed text, or before a colon, is removed
+    too, and a word that would touch another one gets a space.
     """
     text = span.file.text
     before = text[span.start - 1 : span.start]
@@ -211,5 +215,5 @@ def _one_word(text: str) -> str:
 
 
 def _tokens(text: str, span: Span) -> tuple[Token, ...]:
-    """The tokens of a text that stands for what is written at `span`."""
+    """The tokens of a text that replaces the text at `span`."""
     return tuple(Token(token.kind, token.text, span.start, span.end) for token in tokens_of(text))

@@ -1,7 +1,8 @@
-"""Characters that make a file look other than it is read: each is an error, wherever it stands.
+"""Characters that make a file look different from its content: each is an error, wherever it
+stands.
 
-Editors end a line at a lone carriage return, a line separator or a form feed, and turn the
-direction of writing at others; so a rule could seem to take effect and be part of a comment.
+Editors end a line at a lone carriage return, a line separator or a form feed, and change the
+writing direction at others. So a rule could seem to be active although it is part of a comment.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ def hidden_characters(source: Scan) -> Iterator[Diagnostic]:
 
 
 def _hidden(span: Span, *, is_inside: bool) -> Diagnostic:
-    """A finding; `is_inside` tells whether it stands in a comment or string, not between words."""
+    """A finding. `is_inside` is True in a comment or string, False between words."""
     letter = span.text
     is_break = letter in _BREAKS
     name = _NAMES.get(letter) or unicodedata.name(letter).lower()

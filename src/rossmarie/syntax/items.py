@@ -1,7 +1,7 @@
-"""The items of a file, each read by itself: a mistake costs no more than the item it stands in.
+"""The items of a file, each read separately, so that a mistake costs only its item.
 
-Every item is read once. If some fail, `habits` mends the file, and what has changed is read again.
-What still fails goes to `recover`; what begins like no item is reported here.
+Every item is read once. If some fail, `habits` corrects the file, and the changed items are read
+again. Items that still fail go to `recover`. Text that begins like no item is reported here.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rossmarie.syntax.words import EFFECT_WORDS, MEMBER_WORDS
 
 
 class _Reading(NamedTuple):
-    """An item as it was read first: where it stands, its tokens, and what came of it."""
+    """The first reading of an item: its place, its tokens, and the result."""
 
     piece: Piece
     tokens: tuple[Token, ...]
@@ -44,7 +44,7 @@ class _Reading(NamedTuple):
 
 
 def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
-    """All items, in order; what is wrong is reported, and as little as possible is missing."""
+    """All items, in order. Errors are reported, and as little as possible is lost."""
     part = PartParser(source, findings)
     readings, kinds = _first_readings(part)
     pieces: Iterable[Piece] = (reading.piece for reading in readings.values())
@@ -72,10 +72,10 @@ def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
 
 
 def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | None]]:
-    """The reading of each item, by its start; and what each token's item is meant as, None where
+    """The reading of each item, by its start; and the kind of the item around each token, None if
     that item parses.
 
-    Ends at so many broken items that reporting them will not reach any further.
+    Ends after so many broken items that further reports would be cut off.
     """
     tokens = part.source.tokens
     readings: dict[int, _Reading] = {}
@@ -94,7 +94,7 @@ def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | N
 
 
 def _attempt(part: PartParser, piece: Piece) -> Any:
-    """The item; or the `Failure`, or None, as of `PartParser.attempt`."""
+    """The item; or the `Failure` or None of `PartParser.attempt`."""
     if piece.kind is None:
         return None
     return part.attempt(piece.kind, piece.first, piece.last, piece.head)
@@ -120,7 +120,7 @@ def _item(
 
 
 def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
-    """`NAME = VALUE` is meant as a constant."""
+    """Constants for `NAME = VALUE`, which is meant as a constant."""
     tokens = part.source.tokens
     name, value = piece.first, piece.first + 2
     if value >= piece.last or tokens[name + 1].text != "=" or not is_name(tokens[name]):
@@ -135,8 +135,8 @@ def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
 
 
 def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -> Any:
-    """The item, if it is complete in front of the word at which it failed and that word begins a
-    line: then the word, which is reported, has nothing to do with it. Otherwise the failure.
+    """The item, if it is complete before the word at which it failed and that word begins a line:
+    then the word, which is reported, is not part of it. Otherwise the failure.
     """
     source, stray = part.source, piece.first + failure.index
     if not piece.first < stray < piece.last or not source.begins_line(stray):
@@ -158,7 +158,7 @@ def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
 
 
 def _unknown(source: Scan, piece: Piece) -> Diagnostic:
-    """A stretch at the outermost level that is no item."""
+    """A range at the outermost level that is not an item."""
     found = source.tokens[piece.first]
     after = source.tokens[piece.first + 1].text if piece.first + 1 < piece.last else ""
     if found.text in ("}", ")", "]"):

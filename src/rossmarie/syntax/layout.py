@@ -1,8 +1,8 @@
 """The words of one statement -> lines of at most 100 columns.
 
-A statement stays on one line if it fits. Else it is broken in front of its parts (`then`, a resume
-contract, `publishes`); a part that still does not fit is broken in front of each `and`, `or` and
-action. Values that an import gives share lines. A comment inside a statement ends its line.
+A statement stays on one line if it fits. Otherwise it is broken before its parts (`then`, a resume
+contract, `publishes`); a part that still does not fit is broken before each `and`, `or` and action.
+Values of an import share lines. A comment inside a statement ends its line.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ INDENTATION = "    "
 
 @dataclass(frozen=True)
 class Break:
-    """A place where a line may be broken: at `level` 1 first, then 2; how far to indent there. One
-    that `fills` breaks the line only where the next piece does not fit.
+    """A place where a line may be broken, at `level` 1 first, then 2, with the indentation there.
+    With `fills`, the line is broken only if the next piece does not fit.
     """
 
     level: int
@@ -35,7 +35,7 @@ class Comment:
 
 @dataclass(frozen=True)
 class Atom:
-    """A word or sign with what is known about its surroundings."""
+    """A word or sign, with the properties of its surroundings."""
 
     text: str
     is_glued: bool
@@ -62,7 +62,7 @@ def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
 
 
 def _filled(pieces: Sequence[_Piece], indent: int) -> list[_Piece]:
-    """The pieces, of which some join the one before them as long as that fits."""
+    """The pieces, some of them joined to the piece before them while they fit."""
     found: list[_Piece] = []
     for atoms, extra in pieces:
         begin = atoms[0].break_before

@@ -1,6 +1,6 @@
-"""The bounds on what is parsed; they keep every later pass within Python's recursion limit.
+"""Limits of parsing, which keep every later pass within Python's recursion limit.
 
-A pass may spend up to three frames on a level: 250 levels fit into the usual limit of 1000.
+A pass may use up to three frames per level: 250 levels fit into the default limit of 1000.
 """
 
 from __future__ import annotations
@@ -15,19 +15,23 @@ MAXIMUM_FILE_SIZE = 2**20
 """Bytes of UTF-8 in one file."""
 
 MAXIMUM_TOKENS = 300_000
-"""Words and signs in one file; at this many, ordinary text has reached the limit in bytes."""
+"""The most words and signs in one file. Ordinary text of this many tokens has reached the limit in
+bytes.
+"""
 
 MAXIMUM_NESTING = 64
 """Brackets, prefix operators, and `once` and `after` up to their `within`, inside each other."""
 
 MAXIMUM_DEPTH = 250
-"""Levels of an expression, each operator of `a + b + c` being one."""
+"""The most levels of an expression. Each operator of `a + b + c` is one level."""
 
 MAXIMUM_LENGTH = 10_000
 """Tokens of one constant, input, condition or rule."""
 
 MAXIMUM_ERRORS = 100
-"""Errors reported for one file, and as many warnings; behind so many, a file is not read on."""
+"""The most errors, and the most warnings, that are reported for one file. After so many, reading
+stops.
+"""
 
 _CLOSING = frozenset(")]")
 _RESTART = frozenset(";{}:")
@@ -60,7 +64,9 @@ def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
 
 
 def _closed(levels: list[tuple[str, int]], text: str) -> int:
-    """The levels that end with a bracket or a `within`; a bracket also ends what is open in it."""
+    """The number of levels that end with a bracket or a `within`. A bracket also ends the levels
+    inside it.
+    """
     closed = 0
     while levels:
         opening, count = levels.pop()

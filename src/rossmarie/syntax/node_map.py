@@ -1,6 +1,6 @@
-"""Facts about expressions, kept beside the tree: by the node itself, not by what it looks like.
+"""Facts about expressions, stored outside the tree, by the identity of the node.
 
-Two nodes that look alike are not the same: each has facts of its own.
+Two nodes that look alike are different: each has its own facts.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ Fact = TypeVar("Fact")
 
 
 class NodeMap(Generic[Fact]):
-    """A map from nodes to facts of one kind. It keeps its nodes alive, so that no other node can
-    take the place of one. `map[node]` of a node that nothing is known about is a defect of ours.
+    """A map from nodes to facts of one kind. It keeps its nodes alive, so that no other node gets
+    the identity of one. `map[node]` for a node without a fact is a defect of this program.
     """
 
     def __init__(self) -> None:

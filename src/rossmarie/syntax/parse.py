@@ -1,13 +1,13 @@
 """The text of a rules file -> its tree, and a finding for every syntax error.
 
-Accepts any text. Each item, and inside a broken item each part, is parsed by itself: a mistake
-costs no more than the condition it stands in. Time is linear in the length of the text; nesting,
+Accepts any text. Each item, and inside a broken item each part, is parsed separately, so that a
+mistake costs only the condition around it. Time is linear in the length of the text; nesting,
 length and the number of findings are bounded by `limits`.
 
-The order of things: `respell` corrects capitals and numbers, `cut` separates the items, `grammar`
-reads each. If some fail, `habits` mends in them what is written as in other languages, and what has
-changed is read again; of an item that still fails, `recover` and `recover_rule` read the parts, and
-`explain` says what is wrong with the rest.
+The steps: `respell` corrects capitals and numbers, `cut` separates the items, `grammar` reads each.
+If some fail, `habits` corrects notations of other languages in them, and the changed items are read
+again. If an item still fails, `recover` and `recover_rule` read its parts, and `explain` reports
+the errors in the rest.
 """
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ _REST_OF_LINE = re.compile(r"[^\S\n]*(?:\n|\Z)")
 
 
 def parse(file: SourceFile, collector: Collector) -> ast.Module:
-    """The tree of a file. What could not be parsed is reported, and missing or `ast.Broken` there.
+    """The tree of a file. Text that could not be parsed is reported, and is missing in the tree or
+    is an `ast.Broken`.
 
     Spans never include the `;` behind an item or condition. An input that could not be parsed has a
     topic without text, a topic declaration that could not be parsed a type without text. A file

@@ -1,7 +1,7 @@
-"""One stretch of tokens, meant as one part of a file -> its node, or findings why not.
+"""One range of tokens, meant as one part of a file -> its node, or findings.
 
-Keeps the limits of `limits`: what it returns is never nested more deeply than later passes can
-follow.
+The limits of `limits` are checked: a returned node is never nested more deeply than later passes
+can handle.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class PartParser:
     def attempt(self, kind: str, first: int, last: int, head: str | None = None) -> Any:
         """The node for the tokens from `first` up to, not including, `last`; or the `Failure`.
 
-        Says nothing about a failure; None if the part exceeds a limit.
+        A failure is not reported. Returns None if the part exceeds a limit.
         """
         is_long = last - first > MAXIMUM_LENGTH
         if is_long or too_deep(self.source.tokens, first, last) is not None:
@@ -58,7 +58,7 @@ class PartParser:
         return None if is_suspect and _depth(node) > MAXIMUM_DEPTH else node
 
     def parse(self, kind: str, first: int, last: int, head: str | None = None) -> Any:
-        """The node; or None after reporting why there is none."""
+        """The node; None after reporting an error."""
         node = self.attempt(kind, first, last, head)
         if isinstance(node, Failure):
             self.explain(kind, first, last, node)
@@ -68,7 +68,7 @@ class PartParser:
         return node
 
     def explain(self, kind: str, first: int, last: int, failure: Failure) -> None:
-        """Report why the tokens cannot be parsed as `kind`."""
+        """Report the reason why the tokens cannot be parsed as `kind`."""
         for finding in explain(self.source, first, last, kind, failure):
             self.findings.add(finding)
 
@@ -83,7 +83,9 @@ class PartParser:
             self.findings.add(long.at(self.source.span(tokens[first], tokens[last - 1])))
 
     def broken(self, first: int, last: int, behind: Span) -> ast.Broken:
-        """The node that stands for tokens that could not be parsed; `behind` if there are none."""
+        """The node for tokens that could not be parsed; its span is after `behind` if there are
+        none.
+        """
         if first >= last:
             return ast.Broken(behind)
         tokens = self.source.tokens

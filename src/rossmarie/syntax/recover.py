@@ -1,8 +1,8 @@
 """Items that do not parse as a whole: their parts are parsed one by one.
 
-Each error costs its own part only. What has a readable name keeps it, with `ast.Broken` as its
-value, so that later stages do not report the name as undeclared. Every item that fails leaves at
-least one finding.
+Each error costs only its own part. An item with a readable name keeps it, with `ast.Broken` as its
+value, so that later stages do not report the name as undeclared. Every failed item has at least one
+finding.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from rossmarie.syntax.words import FORMS, MEMBER_WORDS
 
 
 def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Item | None:
-    """Save what can be saved of an item that failed; `failure` is None if it exceeds a limit."""
+    """Recover the readable parts of a failed item. `failure` is None if it exceeds a limit."""
     before = part.findings.count
     saved: ast.Item | None
     if item.kind == "rule":
@@ -82,7 +82,7 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
 
 
 def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:
-    """`import husky.ross` and `import "husky.ross` still import."""
+    """Recover `import husky.ross` and `import "husky.ross`, which still import."""
     tokens = part.source.tokens
     if item.last - item.first < 2:
         return None
@@ -92,7 +92,7 @@ def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:
 
 
 def _report_unquoted(part: PartParser, item: Stretch) -> bool:
-    """Report a file name without quotation marks, if that is what is wrong."""
+    """Report a file name without quotation marks, if this is the error."""
     tokens = part.source.tokens[item.first + 1 : item.last]
     if not tokens or any(token.kind in ("text", "open_text") for token in tokens):
         return False
@@ -124,7 +124,7 @@ def _recover_entity(
 
 
 def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Zone | None:
-    """The shapes that can be read; without a frame, the zone is in none."""
+    """A zone with the readable shapes; without a readable frame, the zone has none."""
     tokens = part.source.tokens
     before = part.findings.count
     start = start_of_body(part, item, failure)

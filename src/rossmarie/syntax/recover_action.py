@@ -1,4 +1,4 @@
-"""An action that does not parse as a whole -> its effects, each by itself."""
+"""An action that does not parse as a whole -> its effects, parsed one by one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _BEHIND_FIELD = frozenset({"=", ".", "[", "in"})
 
 
 def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Action | None:
-    """Save what can be saved of an action; `failure` is None if it exceeds a limit."""
+    """Recover the readable effects of an action. `failure` is None if it exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"
@@ -36,8 +36,8 @@ def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> 
 
 
 def _end_of_body(part: PartParser, first: int, last: int) -> int:
-    """The number of the closing brace; `last` if there is none. Where an effect begins on a line of
-    its own, no brace of the one before is open any more.
+    """The index of the closing brace; `last` if there is none. At an effect on a line of its own,
+    all braces of the effect before are closed.
     """
     depth = 0
     for index in range(first, last):
@@ -60,7 +60,7 @@ def _effects(part: PartParser, first: int, last: int) -> Iterator[ast.Effect]:
 
 
 def _effect(part: PartParser, member: Member) -> ast.Effect | None:
-    """The effect of a stretch, also if its first word is misspelt."""
+    """The effect in a range, even if its first word is misspelt."""
     token = part.source.tokens[member.first]
     meant = None
     if token.text not in EFFECT_WORDS:

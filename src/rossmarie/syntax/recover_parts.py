@@ -1,4 +1,4 @@
-"""Common parts of the recoveries of items in braces: the place of the body, and its parts."""
+"""Common code for recovering items in braces: the place of the body, and its parts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _Node = TypeVar("_Node")
 
 
 class Stretch(NamedTuple):
-    """The tokens of an item, and its kind; `head` is the word meant where the first is misspelt."""
+    """The tokens of an item, and its kind. `head` is the correct word if the first is misspelt."""
 
     kind: str
     first: int
@@ -33,7 +33,7 @@ class Member(NamedTuple):
 
 
 def start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> int:
-    """The first token behind the `{`; what is wrong in front of it is reported here."""
+    """The first token after the `{`. Errors before it are reported here."""
     if failure is not None and failure.index <= 2:
         part.explain(item.kind, item.first, item.last, failure)
     for index in range(item.first + 1, min(item.first + 5, item.last)):
@@ -43,7 +43,7 @@ def start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> i
 
 
 def check_closed(part: PartParser, item: Stretch, start: int) -> None:
-    """Report the brace in front of `start` if it is open at the end of the item."""
+    """Report the brace before `start` if it is still open at the end of the item."""
     tokens = part.source.tokens
     inside = tokens[item.first : item.last]
     balance = sum((token.text == "{") - (token.text == "}") for token in inside)

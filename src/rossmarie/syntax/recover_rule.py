@@ -1,4 +1,6 @@
-"""A rule that does not parse as a whole -> its condition, steps and contracts, each by itself."""
+"""A rule that does not parse as a whole -> its condition, steps and contracts, parsed one by
+one.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,9 @@ _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
 def recover_rule(part: PartParser, first: int, last: int, head: str | None) -> ast.Rule:
-    """Save what can be saved of the rule in the tokens from `first` up to, but without, `last`."""
+    """Recover the readable parts of the rule in the tokens from `first` up to, but not including,
+    `last`.
+    """
     return _Recovery(part, first, last).rule(head or part.source.tokens[first].text)
 
 
@@ -86,8 +90,8 @@ class _Recovery:
         return name
 
     def _condition(self) -> tuple[ast.Expression, tuple[ast.Name, ...]]:
-        """Up to `then`, with the rules behind `unless`; without `then` up to the brace. The skills
-        behind `while` are read for what is wrong with them.
+        """The condition up to `then`, or up to the brace, with the rules behind `unless`. The
+        skills behind `while` are read only to report errors.
         """
         first = self._index
         end = self._next(first, ("then", "{"))
@@ -104,7 +108,7 @@ class _Recovery:
         return condition, () if others is None else others.rules
 
     def _next(self, first: int, words: tuple[str, ...]) -> int:
-        """The first place of any of some words, or the end of the rule."""
+        """The first place of one of some words, or the end of the rule."""
         places = range(first, self._last)
         return next((at for at in places if self._tokens[at].text in words), self._last)
 
@@ -119,7 +123,7 @@ class _Recovery:
         return condition or self._part.broken(first, end, before)
 
     def _report_missing_then(self, last: Span) -> None:
-        """`last` is the end of the condition."""
+        """Report a missing `then`. `last` is the end of the condition."""
         place = Span(last.file, last.end, last.end)
         fix = Fix("insert `then`", (Edit(place, " then"),))
         self._part.findings.add(errors.MissingThen().at(last, fix=fix))
@@ -151,7 +155,7 @@ class _Recovery:
         return missing_sign(self._source, "{", self._tokens[self._index - 1], "rule", " {")
 
     def _step(self) -> ast.Step | None:
-        """One `also NAME else NAME ;`; anything else is reported and skipped up to the next `;`."""
+        """One `also NAME else NAME ;`. Other text is reported and skipped up to the next `;`."""
         first = self._index
         if self._text() == ";":
             self._index += 1
@@ -198,7 +202,7 @@ class _Recovery:
         return index < self._last and is_name(self._tokens[index])
 
     def _word(self) -> ast.Name | None:
-        """The name at hand, if there is one."""
+        """The name at the current place, if there is one."""
         if not self._is_name():
             return None
         token = self._tokens[self._index]
@@ -234,7 +238,7 @@ class _Recovery:
         return tuple(found)
 
     def _keeps(self) -> None:
-        """`keeps MOTION below SPEED in CLASS`: read for what is wrong with it."""
+        """Read `keeps MOTION below SPEED in CLASS` to report its errors."""
         if self._text() != "keeps":
             return
         first = self._index
@@ -244,7 +248,7 @@ class _Recovery:
         self._part.parse("keeps", first, self._index)
 
     def _filed(self, word: str) -> ast.Name | None:
-        """`category human`, `task dependent`, up to what ends the rule."""
+        """`category human`, `task dependent`, up to the next part of the rule."""
         if self._text() != word:
             return None
         first = self._index

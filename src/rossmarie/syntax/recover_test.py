@@ -1,4 +1,4 @@
-"""A test that does not parse as a whole -> its statements, each by itself."""
+"""A test that does not parse as a whole -> its statements, parsed one by one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.syntax.words import STATEMENT_WORDS, nearest
 
 
 def recover_test(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Test | None:
-    """Save what can be saved of a test; `failure` is None if it exceeds a limit."""
+    """Recover the readable statements of a test. `failure` is None if it exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"
@@ -55,7 +55,7 @@ def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
 
 
 def _statement(part: PartParser, member: Member) -> ast.Statement | None:
-    """The statement of a stretch, also if its first word is misspelt."""
+    """The statement in a range, even if its first word is misspelt."""
     token = part.source.tokens[member.first]
     meant = None
     if token.text not in STATEMENT_WORDS:

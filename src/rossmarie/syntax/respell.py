@@ -1,9 +1,9 @@
-"""Tokens as they are written -> tokens as they were meant.
+"""Tokens as written -> the intended tokens.
 
-Two habits are understood, so that each costs one finding and nothing around it: keywords in
-capitals (`IF`, `THEN`) and numbers that lack a digit or have a comma (`.5`, `1.`, `1,5`). A token
-is changed only where no correct file can have it; its span stays, so its text then differs from
-the text of the file.
+Two mistakes are corrected, so that each costs one finding and nothing around it: keywords in
+capitals (`IF`, `THEN`), and numbers with a missing digit or a comma (`.5`, `1.`, `1,5`). A token is
+changed only if no correct file can contain it. Its span stays, so its text then differs from the
+text of the file.
 """
 
 from __future__ import annotations
@@ -33,7 +33,9 @@ _THOUSANDS = 3  # digits behind a comma that may separate thousands
 
 
 def respell(source: Scan, findings: Findings) -> Scan:
-    """The file with keywords in small letters and numbers with all their digits, each reported."""
+    """The file with keywords in small letters and numbers with all digits. Each change is
+    reported.
+    """
     text = source.file.text
     tokens = tuple(_respell(source.tokens, text))
     for token in tokens:
@@ -98,7 +100,7 @@ def _number(text: str) -> str:
 
 
 def _is_behind_comma(found: Sequence[Token], token: Token) -> bool:
-    """Say whether digits, a comma and digits follow each other without a space."""
+    """Say whether digits, a comma and digits follow without a space."""
     if len(found) < 2 or not token.text[0].isdigit() or "." in token.text:
         return False
     number, comma = found[-2:]
@@ -111,7 +113,7 @@ def _joined(whole: Token, rest: Token) -> Token:
 
 
 def _is_keyword(before: Sequence[Token], token: Token, after: Token | None, text: str) -> bool:
-    """Say whether a word is a keyword in capitals; never so of a name in a correct file."""
+    """Say whether a word is a keyword in capitals. A name in a correct file never is."""
     word = token.text.lower()
     if word == token.text or word not in _KEYWORDS:
         return False
@@ -143,7 +145,7 @@ def _ends_value(token: Token) -> bool:
 
 
 def _goes_on(after: Token | None) -> bool:
-    """Say whether a text, or a word that is no keyword, follows: no name has that behind it."""
+    """Say whether a text, or a word that is not a keyword, follows. This never follows a name."""
     return after is not None and (
         after.kind == "text" or (after.kind == "word" and after.text not in _KEYWORDS)
     )

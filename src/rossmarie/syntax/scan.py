@@ -1,10 +1,10 @@
 """Text -> words, signs, comments and documentation, in one linear pass.
 
-Any text goes in. What the words mean (keyword, name, unit) depends on their place and is decided
-by `grammar`. A comment `/* ... */` is cut out like any other, for `parse` to report. A `'''` that
-is never closed ends in front of the next line that begins an item, so that it does not swallow the
-rest of the file. A carriage return ends a line, so that it hides nothing in a comment; `hidden`
-reports it unless a line feed follows.
+Any text is accepted. `grammar` decides the meaning of words (keyword, name, unit), which depends on
+their place. A comment `/* ... */` is separated like any other, and `parse` reports it. A `'''` that
+is never closed ends before the next line that begins an item, so that it does not hide the rest of
+the file. A carriage return ends a line, so that it hides nothing in a comment; `hidden` reports it
+unless a line feed follows.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ _TRIVIA = frozenset(
 
 class Token(NamedTuple):
     """A piece of text: `kind` is `word`, `number`, `sign`, `text` (in quotes), `open_text` (the
-    closing quote is missing), `comment`, `documentation`, or one of the mistakes among these:
-    `hash_comment`, `block_comment`, `quoted_documentation` and `open_documentation`.
+    closing quote is missing), `comment`, `documentation`, or one of these mistakes: `hash_comment`,
+    `block_comment`, `quoted_documentation` and `open_documentation`.
     """
 
     kind: str
@@ -70,11 +70,11 @@ class Scan:
     tokens: tuple[Token, ...]
     trivia: tuple[Token, ...]
     reported: frozenset[int] = frozenset()
-    """The starts of tokens that cannot be parsed, and have been reported."""
+    """The starts of tokens that cannot be parsed and are reported already."""
 
     @cached_property
     def documentation(self) -> dict[int, str]:
-        """Of each token right behind a documentation string: its start, and that text."""
+        """The documentation string directly before each token, by the start of the token."""
         found: dict[int, str] = {}
         index = 0
         for trivium in self.trivia:
@@ -86,11 +86,11 @@ class Scan:
         return found
 
     def span(self, first: Token, last: Token | None = None) -> Span:
-        """From the start of one token to the end of another, or of itself."""
+        """The span from the start of one token to the end of another, or of the same token."""
         return Span(self.file, first.start, (last or first).end)
 
     def begins_line(self, index: int) -> bool:
-        """Say whether no other token stands before this one on its line."""
+        """Say whether a token is the first on its line."""
         before = self.tokens[index - 1].end if index else 0
         return index == 0 or ends_line(self.file.text[before : self.tokens[index].start])
 
@@ -104,7 +104,7 @@ def scan(file: SourceFile) -> Scan:
 
 
 def ends_line(text: str) -> bool:
-    """Say whether a line ends in a text between two tokens."""
+    """Say whether a text between two tokens contains the end of a line."""
     return "\n" in text or "\r" in text
 
 
@@ -125,7 +125,7 @@ def _find(text: str) -> Iterator[Token]:
     if unclosed is None:
         yield from found
         return
-    # One ''' is missing, not necessarily the last: more likely in front of an item than inside.
+    # One ''' is missing, not necessarily the last: more likely one before an item than one inside.
     for token in found:
         if token is unclosed or _swallows_item(token):
             end = _end_of_unclosed(text, token.start)
@@ -145,7 +145,9 @@ def _tokens(text: str, position: int) -> Iterator[Token]:
 
 
 def _end_of_block(text: str, position: int, last_closing: int) -> int:
-    """Where a comment `/* ... */` ends that began in front of `position`; an open one is a line."""
+    """The end of a comment `/* ... */` that began before `position`; an open comment is one
+    line.
+    """
     if position <= last_closing:
         return text.index("*/", position) + len("*/")
     end = _LINE_END.search(text, position)

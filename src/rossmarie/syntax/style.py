@@ -1,7 +1,7 @@
-"""A module -> what its tokens alone do not tell the formatter.
+"""A module -> the layout data that its tokens alone do not give the formatter.
 
-Which tokens are one word (a unit, a topic), which stick together, and where a line may be broken;
-all by offsets into the text.
+The data say which tokens form one word (a unit, a topic), which tokens touch, and where a line may
+be broken, all as offsets into the text.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class Style:
     words: dict[int, int] = field(default_factory=dict)
     """Start and end of the units, topics and types."""
     tight_behind: set[int] = field(default_factory=set)
-    """Ends of tokens that stick to the next one: a sign, the name of a function."""
+    """Ends of tokens without a space after them: a sign, the name of a function."""
     spaced: set[int] = field(default_factory=set)
-    """Starts of dots that do not stick to what stands before."""
+    """Starts of dots with a space before them."""
     tight: set[int] = field(default_factory=set)
-    """Starts of colons that do."""
+    """Starts of colons without a space before them."""
     breaks: dict[int, Break] = field(default_factory=dict)
     """Starts of tokens in front of which a line may be broken."""
 
@@ -45,7 +45,7 @@ class Style:
         return bisect_left(self._starts, offset)
 
     def add(self, item: ast.Item) -> None:
-        """Take in one item."""
+        """Process one item."""
         self._item(item)
         for root in expressions(item):
             self._expression(root)
@@ -107,7 +107,7 @@ class Style:
             self.breaks[timeout.start] = _PART
 
     def _zone(self, zone: ast.Zone) -> None:
-        """Polygons are broken in front of their corners."""
+        """Break polygons before their corners."""
         corners = (each for shape in zone.shapes for each in shape.brackets[1:])
         self.breaks.update((each.span.start, _PART) for each in corners)
 
@@ -153,7 +153,7 @@ class Style:
                 pass
 
     def _tree(self, tree: ast.RunTree) -> None:
-        """Its arguments, broken in front of each."""
+        """Break before each argument of a tree."""
         if not tree.arguments:
             return
         self.tight_behind.add(tree.skill.span.end)
@@ -163,7 +163,7 @@ class Style:
         self.breaks[self._start(tree.arguments[-1].span.end)] = Break(1, 0)
 
     def _fields(self, inner: Sequence[ast.FieldBound | ast.FieldAssignment]) -> None:
-        """The lines in the braces of an effect, broken in front of each."""
+        """Break before each line in the braces of an effect."""
         for part in inner:
             self.breaks[part.span.start] = _PART
             self._index_sticks(part.path)
@@ -172,7 +172,7 @@ class Style:
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(1, 0)
 
     def _statement(self, statement: ast.Statement) -> None:
-        """The settings of a message: a line may be broken in front of each."""
+        """Allow a break before each setting of a message."""
         if isinstance(statement, ast.CommandExpectation):
             self._word(statement.topic)
             self._index_sticks(statement.path)
@@ -234,7 +234,7 @@ class Style:
         self._steps(exemption.steps or ())
 
     def _steps(self, steps: Sequence[ast.Step]) -> None:
-        """Break in front of each action, and of the brace behind the last one."""
+        """Break before each action, and before the brace after the last one."""
         for step in steps:
             self.breaks[step.span.start] = _ACTION
         if steps:
@@ -242,8 +242,8 @@ class Style:
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
 
     def _operators(self, root: ast.Expression) -> None:
-        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`, of those
-        between conditions on the elements of a list, and in front of the answer of an `after`.
+        """Break before the outermost `and`s and `or`s, also inside `(...) for 2 sec`, before those
+        between conditions on the elements of a list, and before the answer of an `after`.
         """
         pending = [_peeled(root)]
         while pending:
@@ -304,7 +304,7 @@ class Style:
 
 
 def _peeled(node: ast.Expression) -> ast.Expression:
-    """The expression that stands inside parentheses, `not` and `for`."""
+    """The expression inside parentheses, `not` and `for`."""
     while True:
         match node:
             case ast.Parenthesized(inner=node) | ast.Held(condition=node) | ast.Unary(operand=node):

@@ -1,9 +1,9 @@
-"""The tables of the parser, and a parser that goes through them token by token.
+"""The tables of the parser, and a parser that applies them token by token.
 
-lark makes the tables from ross.lark, and says what is wrong with a grammar that is not LALR(1).
-They are kept as JSON in the user's cache folder, so that a run does without lark.
+lark computes the tables from ross.lark, and reports a grammar that is not LALR(1). They are stored
+as JSON in the user's cache folder, so that a run does not need lark.
 
-A symbol is a literal of the grammar (`:`, `rule`) or a terminal behind a `$` (`$NAME`).
+A symbol is a literal of the grammar (`:`, `rule`) or a terminal with a `$` (`$NAME`).
 """
 
 from __future__ import annotations
@@ -15,19 +15,20 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 END = "$$END"
-"""The symbol behind the last token."""
+"""The symbol after the last token."""
 
 
 class Node(NamedTuple):
-    """A rule of the grammar that was recognised; its parts are tokens and nodes."""
+    """A recognised rule of the grammar. Its parts are tokens and nodes."""
 
     rule: str
     parts: list[Any]
 
 
 class Reduction(NamedTuple):
-    """An expansion of a rule: how many symbols it has, and what is made of them. A rule that
-    `is_spliced` gives its parts to the rule above it, one that `is_transparent` a single part.
+    """An expansion of a rule: its number of symbols, and the node that it makes. A rule that
+    `is_spliced` gives its parts to the rule above it; a rule that `is_transparent` gives a single
+    part.
     """
 
     origin: str
@@ -38,8 +39,8 @@ class Reduction(NamedTuple):
 
 
 State = tuple[Mapping[str, int], Mapping[str, int]]
-"""The action on each symbol - go to a state, or, below zero, reduce by ~N -, and the state to go to
-behind each rule.
+"""The action on each symbol - a state to go to or, if negative, a reduction ~N -, and the state to
+go to after each rule.
 """
 
 
@@ -58,7 +59,7 @@ class Tables:
         return frozenset(last for _, last in self.starts.values())
 
     def accepted(self, stack: tuple[int, ...]) -> frozenset[str]:
-        """The symbols that a parser takes that has gone through these states."""
+        """The symbols that a parser with this stack of states accepts."""
         if stack not in self._accepted:
             known = self.states[stack[-1]][0]
             self._accepted[stack] = frozenset(each for each in known if self._takes(stack, each))
@@ -70,7 +71,7 @@ class Tables:
 
 
 class Parser:
-    """Takes the tokens of one stretch. What it recognises it keeps as nodes, until the end."""
+    """Reads the tokens of one range. The recognised nodes are kept until the end."""
 
     def __init__(self, tables: Tables, stack: tuple[int, ...]) -> None:
         self.tables = tables
@@ -79,16 +80,16 @@ class Parser:
 
     @property
     def stack(self) -> tuple[int, ...]:
-        """The states that it has gone through."""
+        """The stack of states."""
         return tuple(self._stack)
 
     @property
     def fitting(self) -> Collection[str]:
-        """The symbols that it may be able to take; what it has gone through decides."""
+        """The symbols that may be accepted. The stack decides."""
         return self.tables.states[self._stack[-1]][0].keys()
 
     def feed(self, symbol: str, token: object) -> bool:
-        """Say whether the token fits as that symbol; the parser has then taken it."""
+        """Read a token as a symbol. Returns False if it does not fit."""
         states, stack = self.tables.states, self._stack
         while True:
             action = states[stack[-1]][0].get(symbol)
@@ -101,7 +102,7 @@ class Parser:
             self._reduce(self.tables.reductions[~action])
 
     def end(self) -> list[Any] | None:
-        """The value of the whole stretch, alone in a list; None if something is missing."""
+        """The value of the whole range, alone in a list; None if tokens are missing."""
         states, ends = self.tables.states, self.tables.ends
         while True:
             action = states[self._stack[-1]][0].get(END)
@@ -127,11 +128,11 @@ class Parser:
         self._stack.append(self.tables.states[self._stack[-1]][1][reduction.origin])
 
 
-# --- made by lark, and kept --------------------------------------------------------------------
+# --- tables made by lark, and stored -----------------------------------------------------------
 
 
 def make_tables(grammar: str, start_rules: Collection[str]) -> bytes:
-    """The tables of a grammar, to be kept. Raises lark's `GrammarError` if it is not LALR(1)."""
+    """The tables of a grammar, for storing. Raises lark's `GrammarError` if it is not LALR(1)."""
     from lark import Lark
 
     built: Any = Lark(

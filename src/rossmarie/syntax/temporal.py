@@ -1,8 +1,8 @@
-"""The words `once`, `after`, `since`, `within` and `doing`: operators in their places, and names
+"""The words `once`, `after`, `since`, `within` and `doing`: operators in some places, names
 elsewhere.
 
-`once` and `after` stand before an operand, `since` and `within` between two: each is an operator if
-an operand follows it, and the name of something if not. `doing` is one if a name follows it.
+`once` and `after` precede an operand, `since` and `within` stand between two. Each is an operator
+if an operand follows, else a name. `doing` is an operator if a name follows.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ _OPENING = frozenset({"not", "true", "false"})
 
 
 def is_operator(tokens: Sequence[Token], index: int) -> bool:
-    """Say whether `once` or `after` is an operator here: whether an operand begins behind it."""
+    """Say whether `once` or `after` is an operator here: an operand has to follow."""
     behind = index + 1
     while behind < len(tokens) and tokens[behind].text in _BETWEEN:
         behind += 1
-    # Of words that may stand between two operands, every other one is a name.
+    # If words that may stand between two operands follow each other, every second one is a name.
     is_even = (behind - index) % 2 == 1
     return is_even is (behind < len(tokens) and _opens(tokens[behind]))
 
 
 def names_skill(tokens: Sequence[Token], index: int) -> bool:
-    """Say whether `doing` is an operator here: whether the name of a skill stands behind it."""
+    """Say whether `doing` is an operator here: the name of a skill has to follow."""
     behind = index + 1
     if behind == len(tokens) or tokens[behind].kind != "word" or tokens[behind].text in RESERVED:
         return False

@@ -1,4 +1,4 @@
-"""Walking over expressions. Nothing here recurses: any depth is fine."""
+"""Walking over expressions, without recursion, so that any depth is possible."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rossmarie.syntax import ast
 
 
 def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
-    """The expressions directly inside an expression, in the order in which they are written."""
+    """The direct operands of an expression, in source order."""
     found: tuple[ast.Expression | None, ...]
     match expression:
         case ast.Bracket(elements=found) | ast.Call(arguments=found):
@@ -50,7 +50,7 @@ def walk(expression: ast.Expression) -> Iterator[ast.Expression]:
 
 
 def depth(expression: ast.Expression) -> int:
-    """The number of expressions that stand inside each other: 1 for a name, 2 for `-x`."""
+    """The depth of an expression: 1 for a name, 2 for `-x`."""
     deepest = 0
     pending = [(expression, 1)]
     while pending:
@@ -63,9 +63,7 @@ def depth(expression: ast.Expression) -> int:
 def expressions(
     item: ast.Item | ast.Condition | ast.Shape | ast.Effect | ast.Statement,
 ) -> Iterator[ast.Expression]:
-    """The outermost expressions of an item or a part of one, in the order in which they are
-    written.
-    """
+    """The outermost expressions of an item or a part of an item, in source order."""
     if isinstance(item, ast.Effect):
         return _of_effect(item)
     if isinstance(item, ast.Statement):
@@ -116,7 +114,7 @@ def _of_rule(rule: ast.Rule) -> Iterator[ast.Expression]:
 
 
 def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]:
-    """The default of a parameter, or the values that an import gives; topics are none."""
+    """The default of a parameter, or the values of an import, without topics."""
     values: tuple[ast.Expression | ast.Name | None, ...]
     match item:
         case ast.Import(given=given):

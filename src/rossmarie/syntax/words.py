@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-_LIKENESS = 0.7  # the share of letters in common from which on a word is meant as another
+_LIKENESS = 0.7  # the share of common letters from which a word counts as a misspelling of another
 
 ITEM_WORDS = {
     "import": "import_item",
@@ -29,7 +29,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "parameter": "parameter",
     "always": "rule",
 }
-"""Likewise, but free as names elsewhere."""
+"""The same for words that are free as names elsewhere."""
 
 STATEMENT_WORDS = {"at": "at_instant", "every": "repeated", "expect": "expectation"}
 """The words that begin a statement of a test, and the grammar's rule for it."""
@@ -76,15 +76,15 @@ PART_WORDS = frozenset(
     | {"doing", "ahead", "while", "always"}
     | {"with", "as", "tightens"}
 )
-"""The words that are keywords in their places inside other items, and names elsewhere."""
+"""The words that are keywords inside other items, and names elsewhere."""
 
 MEANT = {"when": "if", "whenever": "if", "include": "import"}
-"""Words that people begin an item with, and the word that they mean."""
+"""Words with which users wrongly begin an item, and the correct word."""
 
 OPERATOR_WORDS = frozenset({"and", "or", "not", "in", "for"})
 
 RESERVED = OPERATOR_WORDS | ITEM_WORDS.keys() | {"topic", "then", "true", "false"}
-"""Words that never are the name of a constant, input, entity, condition, action or rule."""
+"""Words that are never the name of a constant, input, entity, condition, action or rule."""
 
 FOREIGN = {
     "&&": "and",
@@ -102,13 +102,15 @@ FOREIGN = {
     "=>": ">=",
     "≥": ">=",
 }
-"""Operators as other languages write them, and the operator that is meant."""
+"""Operators in the spelling of other languages, and the correct operator."""
 
 COMPARISONS = frozenset({"==", "!=", "<", "<=", ">", ">="})
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:
-    """The one of `words` that `word` is, but for a slip of the pen; None if it is none of them."""
+    """The word of `words` that `word` equals, except for a small misspelling; None if there is
+    none.
+    """
     near = difflib.get_close_matches(word, words, n=1, cutoff=_LIKENESS)
     return near[0] if near else None
 

@@ -1,6 +1,6 @@
-"""The interface of a target: a name, what it cannot do, and how it writes files.
+"""The interface of a target: its name, its limits, and its generator.
 
-A target takes a machine that `ir.verify` has passed. What it cannot do it says with ordinary
+A target takes a machine that `ir.verify` has passed. It reports unsupported features with ordinary
 diagnostics, before it writes anything.
 """
 
@@ -16,11 +16,11 @@ from rossmarie.targets.manifest import Placement
 
 @dataclass(frozen=True)
 class Target:
-    """`unsupported` gives a finding for everything in a machine that the target cannot do; only if
-    there is none, `generate` gives the files of the machine by name. Those that are `owned_by_user`
-    are written once: a file that is there is left alone. `next_step` says what comes after
-    `generate`, None if nothing has to be said. Only a target that `is_package` looks at where its
-    node is placed.
+    """`unsupported` gives a finding for every feature of a machine that the target does not
+    support. If there is none, `generate` gives the files of the machine by name. Files that are
+    `owned_by_user` are written once: an existing file is left alone. `next_step` describes the step
+    after `generate`, None if there is none. Only a target that `is_package` uses the placement of
+    the node.
     """
 
     name: str

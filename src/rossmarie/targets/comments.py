@@ -1,4 +1,4 @@
-"""Texts of users inside the comments of generated files, one function for each language."""
+"""Users' texts inside the comments of generated files, with one function for each language."""
 
 from __future__ import annotations
 

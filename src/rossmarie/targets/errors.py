@@ -1,4 +1,4 @@
-"""ROSS5xx: what a target cannot do, or none can."""
+"""ROSS5xx: features that a target, or any target, does not support."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
-    """More conditions, rules and limits than the indexes of the generated code can tell apart."""
+    """More conditions, rules and limits than the generated code can number."""
 
     title = "these rules are too large for one {target} monitor"
     label = "with this rule there are {found} {what}; a monitor holds up to {most}"
@@ -19,7 +19,7 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
 
 
 class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
-    """Timers that can fall due too often, one after the other, before one message."""
+    """Timers that can expire too often, one after another, before one message."""
 
     title = "these rules could need more than {most} evaluations in one call of their monitor"
     label = "with this timer, which can expire {often}, there are {found}"

@@ -1,4 +1,4 @@
-"""Expressions of the core as text: C and Python write them alike but for a few words."""
+"""Expressions of the core as text. C and Python differ only in a few words."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ _INFIX = {
     Primitive.MULTIPLY: ("*", 2),
     Primitive.DIVIDE: ("/", 2),
 }
-"""The operators between numbers, with how strong they bind."""
+"""The operators between numbers, with their precedence."""
 
 
 @dataclass(frozen=True)
 class Dialect:
-    """The spellings of one language, where languages differ.
+    """The notation of one language, where languages differ.
 
-    `calls` are the functions for operations; those between numbers have none where the language has
-    an operator that does as IEEE 754 says. `chosen` is a choice of a condition and two numbers.
+    `calls` are the functions for operations, without operations for which the language has an
+    operator that follows IEEE 754. `chosen` selects one of two numbers by a condition.
     """
 
     number: Callable[[float], str]
@@ -61,7 +61,7 @@ class Formulas:
         return self._strong(expression, 0)
 
     def _strong(self, expression: Expression, least: int) -> str:
-        """An expression, in parentheses unless it binds as strong as this."""
+        """An expression, in parentheses unless its operator has at least this precedence."""
         match expression:
             case Number(value=value):
                 return self._dialect.number(value)
@@ -101,7 +101,7 @@ class Formulas:
 
 @dataclass(frozen=True)
 class Definition:
-    """A function of the core, for languages that define functions: `remark` says what it is."""
+    """A function of the core, for languages that define functions. `remark` describes it."""
 
     name: str
     parameters: tuple[str, ...]
@@ -110,7 +110,9 @@ class Definition:
 
     @property
     def is_inline(self) -> bool:
-        """True if it is one operation on its operands, or one of them: that needs no function."""
+        """True if the definition is one operation on its operands, or one of them, so that it needs
+        no function.
+        """
         operands = tuple(map(Operand, range(len(self.parameters))))
         match self.expression:
             case Operand():
@@ -152,8 +154,8 @@ def definition_of_samples(function: Sampling) -> Definition:
 def definitions(
     machine: ir.Machine, is_called: Callable[[Definition], bool]
 ) -> Iterator[Definition]:
-    """The functions of a machine that need one in a language and are called there, each once and
-    after those that it applies.
+    """The functions of a machine that need a definition and are called there, each once, after the
+    functions that it applies.
     """
     found = [definition_of(*each) for each in ir.functions(machine)]
     found += map(definition_of_samples, ir.samplings(machine))

@@ -1,7 +1,7 @@
-"""Comparisons with fixed limits as places on the line of numbers at which they change.
+"""Comparisons with fixed limits as places on the number line at which their values change.
 
-Takes a leaf proposition; gives the limits at which it flips, or None if it has no fixed ones. A
-limit `at` parts the numbers `x <= at` from those above, so `x >= c` has its limit one number below
+The input is a leaf proposition; the result is its limits, or None if it has no fixed ones. A limit
+`at` separates the numbers `x <= at` from those above, so `x >= c` has its limit one number below
 `c`.
 """
 
@@ -16,7 +16,9 @@ from rossmarie.ir import Comparison
 
 @dataclass(frozen=True)
 class Limit:
-    """Above `at` the proposition is true if it `rises`, else false; below it is the opposite."""
+    """A limit. Above `at`, the proposition is true if it `rises`, else false; below, it has the
+    opposite value.
+    """
 
     at: float
     rises: bool
@@ -55,8 +57,8 @@ def limits_of(machine: ir.Machine, node: ir.PropositionNode) -> Limited | None:
 
 
 def true_below(limits: list[Limit]) -> set[int]:
-    """The propositions that hold below all their limits, which are given from low to high; one
-    without limits never holds.
+    """The propositions that are true below all their limits, which are sorted from low to high. A
+    proposition without limits is never true.
     """
     lowest: dict[int, Limit] = {}
     for limit in limits:
@@ -65,7 +67,9 @@ def true_below(limits: list[Limit]) -> set[int]:
 
 
 def twins(limits: list[Limit]) -> list[int | None]:
-    """For each limit the place of the other limit of the same proposition, if it has two."""
+    """The index of the other limit of the same proposition for each limit; None if there is no
+    other.
+    """
     places: dict[int, list[int]] = {}
     for place, limit in enumerate(limits):
         places.setdefault(limit.leaf, []).append(place)

@@ -1,7 +1,7 @@
-"""The words of a generated package about itself, and about the whole of which it is a part, for
-targets that make one.
+"""The metadata of a generated package, for targets that make packages, and of the package that
+contains a node.
 
-A manifest is taken as it is: whoever makes one uses the functions here, which check its texts.
+The texts of a manifest are used unchanged: use the functions here, which check them, to make one.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Person:
 
 
 class BadFieldError(ValueError):
-    """A licence or a maintainer that is none; the text says how it must look."""
+    """A licence or a maintainer that is not valid. The text describes the valid form."""
 
 
 def parse_license(text: str) -> str:

@@ -1,5 +1,5 @@
-"""The limit of every target: none can keep a call short where timers start each other again and
-again.
+"""The limit of every target: no call may take too long because timers start each other
+repeatedly.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""Tests of rules: run on the interpreter and in C, generated, and what they cover."""
+"""Tests of rules: runs on the interpreter and in C, generation, and coverage."""

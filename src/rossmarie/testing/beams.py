@@ -1,8 +1,8 @@
-"""Points of scans in tests: they are beams at whole degrees, of which the readings are set.
+"""Points of scans in tests: beams at whole degrees, whose readings are set.
 
-A solver would have to go through sines and cosines to find out at which angle a point lies. So
-the points of a proposal are neighbours, straight ahead of the scanner, to its left, behind it, or
-to its right; the solver chooses the side and the distances.
+To find the angle of a point, a solver would have to compute sines and cosines. So the points of a
+proposal are neighbours, ahead of the scanner, to its left, behind it, or to its right; the solver
+chooses the side and the distances.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def coordinate(
 
 
 def list_of_share(machine: ir.Machine, signal: int) -> int | None:
-    """The list of a scan of whose points a signal is the sine or cosine of the angle."""
+    """The list of a scan for whose points a signal is the sine or cosine of the angle."""
     node = machine.signals[signal].node
     if _wave_of(machine, signal) is None or not isinstance(node, ir.Apply):
         return None
@@ -79,7 +79,7 @@ def _by_side(side: z3.ArithRef, terms: Sequence[z3.ArithRef]) -> z3.ArithRef:
 def readings(
     machine: ir.Machine, array: ir.Array, distances: Sequence[float], side: float
 ) -> Iterator[FieldValue]:
-    """The settings after which a scan has points at these distances in m, and no others."""
+    """The settings with which a scan has points at exactly these distances in m."""
     path = scan_path(array.path)
     assert path is not None, "it is of a scan"
     used = machine.inputs[array.input]

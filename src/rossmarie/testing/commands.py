@@ -1,7 +1,7 @@
-"""The commands that the safety filter lets through in a test, on the interpreter: their bounds.
+"""The commands that the safety filter lets pass in a test, on the interpreter: their bounds.
 
-The filter is opened once every input with a timeout has arrived. Nobody answers: services, action
-servers and parameters run out of time.
+The filter opens after every input with a timeout has arrived. There are no answers: services,
+action servers and parameters time out.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ _EVERYTHING = FieldBounds(1.0, -math.inf, math.inf)
 
 
 def command_failures(machine: ir.Machine, script: Script) -> Iterator[Diagnostic]:
-    """A finding for each expectation of a command that is not met, where it is first not met."""
+    """A finding for each unmet expectation of a command, at the first instant at which it is not
+    met.
+    """
     if not script.commands:
         return
     guard = _Guard(machine, script)
@@ -68,7 +70,7 @@ class _Guard:
         self._look(self._script.end_ns + 1)
 
     def _pass_to(self, at_ns: int) -> None:
-        """Do what is due by itself before an instant happens."""
+        """Process everything that is due before an instant."""
         while (wake_ns := self._next_wake()) is not None and wake_ns < at_ns:
             self._monitor.advance(wake_ns)
             self._react(wake_ns)
@@ -86,7 +88,7 @@ class _Guard:
         self._now_ns, self._active = at_ns, self._monitor.active
 
     def _look(self, end_ns: int) -> None:
-        """Compare what has been let through since the last event, up to `end_ns`."""
+        """Compare the commands since the last event with the expectations, up to `end_ns`."""
         for expected in self._script.commands:
             first_ns = max(self._now_ns, expected.first_ns)
             last_ns = min(end_ns - 1, expected.last_ns)

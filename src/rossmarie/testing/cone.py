@@ -1,9 +1,10 @@
-"""The cone of a threshold: what rests on it, run again by itself.
+"""The cone of a threshold: the part of a machine that depends on it, run separately.
 
-A moved threshold leaves most of a machine as it was. What it changes, the propositions above it and
-the rules on them, makes a machine of its own, whose inputs are the propositions that those rest on:
-as they were, but for the moved comparisons, which are made anew. It is run over the few instants at
-which one of its inputs changes. Its verdicts are those of the whole machine.
+A moved threshold leaves most of a machine unchanged. The changed part, the propositions above the
+threshold and the rules on them, is a machine of its own. Its inputs are the propositions at its
+boundary: with their old values, except for the moved comparisons, which are computed again. It runs
+over the few instants at which one of its inputs changes. Its verdicts are those of the whole
+machine.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ from rossmarie.testing.history import Elements, History, backwards
 from rossmarie.testing.margins import Reported
 
 _NEVER_NS = 2 * ir.LATEST_NS
-# A proposition is fed in as two flags, of which one is missing where it is not known: that of an
-# input that may be stale makes it stale.
+# A proposition is fed in as two flags, one of which is missing if the proposition is unknown: a
+# missing flag whose input may be stale makes the proposition stale.
 _FLAGS = {
     TruthValue.FALSE: (0.0, 0.0),
     TruthValue.TRUE: (1.0, 0.0),
@@ -38,8 +39,8 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class Cone:
-    """The part of a machine that rests on moved propositions, by the indexes of the whole machine:
-    the propositions `inside`, the `rules`, and what is fed in, the `boundary`.
+    """The part of a machine that depends on moved propositions, with indices of the whole machine:
+    the propositions `inside`, the `rules`, and the inputs, the `boundary`.
     """
 
     moved: tuple[int, ...]
@@ -49,8 +50,8 @@ class Cone:
 
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
-    """The cone of propositions whose thresholds, or durations, are moved. None where that cannot be
-    distinguished: elements that are counted, or in several conditions.
+    """The cone of propositions whose thresholds, or durations, are moved. None if it cannot be
+    separated: elements that are counted, or used in several conditions.
     """
     if not all(_is_apart(machine, proposition, moved) for proposition in moved):
         return None
@@ -91,8 +92,8 @@ def _is_apart(machine: ir.Machine, proposition: int, moved: Sequence[int]) -> bo
 
 
 def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
-    """Say whether nothing but what is moved rests on the proposition that is quantified, and no
-    numbers stand beside its elements: these are not in the history.
+    """Say whether only moved propositions depend on the quantified proposition, and no numbers
+    stand beside its elements: these are not in the history.
     """
     if ir.element_arrays(machine).propositions[node.element] in ir.beside(machine):
         return False
@@ -181,7 +182,7 @@ def reported_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Rep
 def _with_ages(
     history: History, columns: NDArray[np.int8], place: int, node: ir.AgeReaches
 ) -> tuple[NDArray[np.int64], NDArray[np.int8]]:
-    """The rows with one more wherever an age is reached between two of them."""
+    """The rows, with an additional row whenever an age is reached between two of them."""
     at_ns, ages_ns = history.at_ns, history.ages_ns[node.input]
     due_ns = at_ns[:-1] + (node.age_ns - ages_ns[:-1])
     is_due = (ages_ns[:-1] >= 0) & (ages_ns[:-1] < node.age_ns) & (due_ns < at_ns[1:])
@@ -192,7 +193,7 @@ def _with_ages(
 
 
 def _is_new(columns: NDArray[np.int8], at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """The first row, those in which something changes, and those on both sides of a jump."""
+    """The first row, the rows in which something changes, and the rows on both sides of a jump."""
     jumps = backwards(at_ns)
     found: NDArray[np.bool_] = jumps | np.append(jumps[1:], False)
     found[0] = True
@@ -254,12 +255,12 @@ def _quantified(
     unknown = TruthValue.STALE if may_be_stale else TruthValue.UNKNOWN
     otherwise = np.where(unclear, int(unknown), int(not is_any))
     of_elements = np.where(decided, int(is_any), otherwise)[found.rows]
-    # No threshold matters to what has no elements: an array, a list, or one that is not known.
+    # Without elements, no threshold matters: an empty array, an empty list, or an unknown one.
     is_empty = (found.starts == found.ends)[found.rows]
     return np.where(is_empty, history.propositions[:, proposition], of_elements).astype(np.int8)
 
 
 def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:
-    """Of each sequence, whether one of its elements has a flag."""
+    """A mask of the sequences of which an element has a flag."""
     before = np.append(0, np.cumsum(flags))
     return np.asarray(before[found.ends] > before[found.starts])

@@ -1,6 +1,6 @@
 """Coverage of the rules of a machine by traces: the goals that they reach.
 
-Every evaluation of the interpreter is looked at, also those at wakes between messages.
+Every evaluation of the interpreter counts, also those at timers between messages.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
 
 @dataclass
 class _Timer:
-    """Since when the operand of a `for` has been true; None if it is not, or if it has counted as
-    true since before the start.
+    """The instant from which the operand of a `for` has been true; None if it is not true, or if it
+    has counted as true since before the start.
     """
 
     is_from_start: bool
@@ -60,7 +60,7 @@ class _Timer:
 
 @dataclass
 class Watcher:
-    """Looks at traces, one after the other; their histories hold the signals `kept`."""
+    """Watches traces, one after another. Their histories contain the signals `kept`."""
 
     machine: ir.Machine
     reached: set[Goal] = field(default_factory=set)
@@ -76,7 +76,7 @@ class Watcher:
         ]
 
     def coverage(self) -> Coverage:
-        """The coverage by what was seen so far."""
+        """The coverage by all traces so far."""
         return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
 
     def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> History:
@@ -92,7 +92,7 @@ class Watcher:
 
 
 class _Decision:
-    """The effect of atoms on one decision; it remembers what it has worked out."""
+    """The effect of atoms on one decision. Results are stored."""
 
     def __init__(self, machine: ir.Machine, rule: int, decision: int) -> None:
         self.rule = rule
@@ -103,7 +103,9 @@ class _Decision:
         self._known: dict[tuple[TruthValue, ...], frozenset[int]] = {}
 
     def decisive(self, propositions: Sequence[TruthValue]) -> frozenset[int]:
-        """The atoms on which the decision hangs: turned round, they turn it round."""
+        """The atoms on which the decision depends: if one had the opposite value, so would the
+        decision.
+        """
         key = tuple(propositions[atom] for atom in self.atoms)
         if key not in self._known:
             values = dict(zip(self.atoms, key, strict=True))
@@ -170,7 +172,7 @@ class _Trace:
         if not self._has_begun and at_ns > 0:
             self.advance(0)
         self._has_begun = True
-        if at_ns < self._now_ns:  # time jumped back: every duration starts again
+        if at_ns < self._now_ns:  # time jumped back: all durations start again
             self._timers.clear()
             self._stamps.clear()
         self._now_ns = at_ns
@@ -178,12 +180,12 @@ class _Trace:
             self.advance(wake_ns)
 
     def advance(self, at_ns: int) -> None:
-        """Time passes."""
+        """Let time pass."""
         self._interpreter.advance(at_ns)
         self._look(at_ns)
 
     def step(self, step: Step) -> None:
-        """Messages and resets of one instant."""
+        """Process the messages and resets of one instant."""
         if step.messages:
             self._ages(step)
             self._take_elements(step)

@@ -1,4 +1,4 @@
-"""ROSS76x and ROSS77x: what comes of tests, and what they cover."""
+"""ROSS76x and ROSS77x: the results of tests, and their coverage."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template, Warning
 
 
 class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
-    """A rule that is not as a test expects it."""
+    """A rule that differs from the expectation of a test."""
 
     title = "`{rule}` is {found} at {instant}"
     label = "expected {expected}"
@@ -20,7 +20,7 @@ class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
 
 
 class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
-    """A test in which the compiled C says something else than the interpreter."""
+    """A test with different results of the compiled C and the interpreter."""
 
     title = "the C monitor differs from the interpreter in `{test}`"
     label = "interpreter: {expected}; C: {found}"
@@ -51,7 +51,7 @@ class NoTests(Warning, code="ROSS763", name="no-tests"):
 
 
 class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
-    """A field that a test sets and that nothing in the rules reads."""
+    """A field that a test sets but no rule reads."""
 
     title = "no rule reads the field that the test sets here"
     label = "setting this field has no effect"
@@ -63,7 +63,7 @@ class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
 
 
 class CommandNotWithin(Error, code="ROSS765", name="command-not-within"):
-    """A command of which more is let through than a test expects."""
+    """A command that exceeds the limits that a test expects."""
 
     title = "`{field}` of {topic} may be {found} at {instant}"
     label = "expected within {expected}"

@@ -1,4 +1,4 @@
-"""Turn what went wrong in a test into findings at its lines."""
+"""The failures of a test as findings at its lines."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def seconds(at_ns: int) -> str:
 
 
 def failures(machine: Machine, script: Script, verdicts: Sequence[Verdict]) -> Iterator[Diagnostic]:
-    """A finding for each expectation that is not met, with what happened instead, and why."""
+    """A finding for each unmet expectation, with the actual events and their causes."""
     for failure in judge(script, verdicts):
         span = failure.expectation.span
         assert span is not None
@@ -53,7 +53,7 @@ def reported(machine: Machine, verdict: Verdict) -> str:
 def differences(
     machine: Machine, script: Script, expected: Sequence[Verdict], found: Sequence[Verdict]
 ) -> Iterator[Diagnostic]:
-    """A finding for the first verdict in which two engines differ, bit for bit."""
+    """A finding for the first verdict in which two engines are not exactly equal."""
     if [repr(one) for one in expected] == [repr(one) for one in found]:
         return
     pairs = zip([*expected, None], [*found, None], strict=False)

@@ -1,4 +1,4 @@
-"""The frames that rules ask for: where a test says nothing else, a message is in that frame."""
+"""The frames that rules use: by default, a message in a test has this frame."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from rossmarie.ir import Apply, Constant, Element, Kind, Machine, Path, Read
 
 
 def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
-    """The frame in which a position is asked for first, by the topic and the path of the field that
-    tells its frame: one of the message, or one of each element of a list.
+    """The first frame in which a position is used, by the topic and the path of the field with its
+    frame: a field of the message, or of each element of a list.
     """
     found: dict[tuple[str, Path], str] = {}
     for signal in machine.signals:

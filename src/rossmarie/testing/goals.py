@@ -1,11 +1,11 @@
 """Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, stale inputs.
 
-A rule has *decisions*: its condition, what clears it, and what `for`, `since`, `once` and `after`
-look at. A decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other
-leaves, and what these four give as a whole. An atom counts as covered when it was seen true and
-seen false while the decision hung on it alone: had it been the other way round, the decision would
-have been so, too (masking MC/DC; an atom that stands in a decision twice is turned round in both
-places).
+A rule has *decisions*: its condition, its release, and the operands of `for`, `since`, `once` and
+`after`. A decision consists of *atoms*, joined by `and`, `or` and `not`: comparisons and other
+leaves, and whole expressions of these four operators. An atom is covered when it was seen true and
+seen false while the decision depended on it alone: with the opposite value of the atom, the
+decision would have had the opposite value (masking MC/DC; an atom that occurs twice in a decision
+is inverted in both places).
 """
 
 from __future__ import annotations
@@ -25,16 +25,18 @@ from rossmarie.ir.support import (
 from rossmarie.testing.whole import whole_step
 
 LONGEST_SILENCE_NS = 10**16
-"""A silence that no test plays: what outlasts it is stale only until it has come."""
+"""A silence that is too long for a test. An input with a longer timeout is stale only until it
+arrives.
+"""
 
 
 def stays(used: ir.Input) -> bool:
-    """Say whether an input is stale only until it has come, as a frame that stays where it is."""
+    """Say whether an input is stale only until it arrives, as a static frame is."""
     return used.timeout_ns is not None and used.timeout_ns > LONGEST_SILENCE_NS
 
 
 class Aspect(enum.Enum):
-    """The aspect of a rule, an atom or an input that is to be seen."""
+    """The aspect of a rule, an atom or an input that has to be seen."""
 
     ACTIVE = "active"
     CLEARED = "cleared"
@@ -48,8 +50,9 @@ class Aspect(enum.Enum):
 
 @dataclass(frozen=True)
 class Goal:
-    """Something to be seen. `subject` is a proposition, or with STALE an input, or -1 for the rule
-    itself; `decision` the proposition it decides; `edge` tells the two ends of a range apart.
+    """A goal to be seen. `subject` is a proposition, or with STALE an input, or -1 for the rule
+    itself. `decision` is the proposition that it decides. `edge` distinguishes the two ends of a
+    range.
     """
 
     rule: int
@@ -74,7 +77,7 @@ class Edge:
 
 
 def goals(machine: ir.Machine) -> Iterator[Goal]:
-    """Everything to be covered, rule by rule."""
+    """All goals, rule by rule."""
     for index, rule in enumerate(machine.rules):
         yield Goal(index, Aspect.ACTIVE)
         yield Goal(index, Aspect.CLEARED)
@@ -123,7 +126,7 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
 
 
 def _judged_over_time(machine: ir.Machine, atom: int) -> tuple[int, ...]:
-    """The conditions that an atom is a matter of over time; none of a leaf."""
+    """The operands of an atom over time; none for a leaf."""
     whole = ir.defined(machine, atom)
     if whole is not None:
         return whole.operands
@@ -160,7 +163,7 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
 
 
 def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
-    """The thresholds of an atom: constants that something that changes is compared with."""
+    """The thresholds of an atom: constants that are compared with something that changes."""
     node = machine.propositions[proposition].node
     if isinstance(node, ir.Quantified):
         node = machine.propositions[node.element].node
@@ -213,8 +216,8 @@ def visible_step(number: float) -> float:
 
 
 def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
-    """The time that an atom takes to become true, or of `once` and `after` false, if it is a matter
-    of time.
+    """The time in nanoseconds after which an atom becomes true, or `once` and `after` false; None
+    if it does not depend on time.
     """
     held = ir.held_of(machine, atom)
     match machine.propositions[atom if held is None else held].node:

@@ -17,8 +17,8 @@ from rossmarie.interpreter import Interpreter
 
 @dataclass(frozen=True)
 class Elements:
-    """The values of an elementwise signal, one sequence behind the other: that of a row begins at
-    `starts` and ends at `ends` of its entry in `rows`.
+    """The values of an elementwise signal, concatenated. The sequence of entry i belongs to row
+    `rows[i]`, and reaches from `starts[i]` to `ends[i]`.
     """
 
     values: NDArray[np.float64]
@@ -42,7 +42,7 @@ class History:
 
 
 def backwards(at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Before which rows the clock was set back."""
+    """A mask of the rows before which the clock was set back."""
     return np.append(False, np.diff(at_ns) < 0)
 
 
@@ -65,7 +65,7 @@ class Recorder:
         self._propositions = bytearray()
 
     def keep(self, at_ns: int, interpreter: Interpreter) -> None:
-        """Keep what the interpreter holds after an evaluation at an instant."""
+        """Store the state of the interpreter after an evaluation at an instant."""
         self._at_ns.append(at_ns)
         self._propositions.extend(interpreter.watches)
         signals = interpreter.signals

@@ -10,7 +10,9 @@ from rossmarie.testing.goals import Aspect, Goal, goals
 
 
 def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
-    """Say of each condition on points of a scan that it was not made true, or false, and why."""
+    """The values that no generated test gives to a condition on points of a scan, and the
+    reason.
+    """
     rests_on = supports(machine).propositions
     missing: dict[tuple[int, int], list[str]] = {}
     for goal in goals(machine):

@@ -1,8 +1,8 @@
-"""Margins of thresholds and durations: how far one can move before what the rules say of traces
-changes.
+"""Margins of thresholds and durations: how far one can be moved before the verdicts on traces
+change.
 
-A comparison changes only where its threshold passes a value that was seen, a duration only where
-it passes a length that was seen. So there are finitely many places to look at, on each side of it.
+A comparison changes only if its threshold passes an observed value, a duration only if it passes an
+observed length. So there are finitely many candidates on each side.
 """
 
 from __future__ import annotations
@@ -16,22 +16,23 @@ from rossmarie import ir
 from rossmarie.testing.goals import edges
 
 NEAREST_PLACES = 64
-"""On each side of a threshold so many places are tried one by one."""
+"""The number of nearest candidates on each side that are tried one by one."""
 
 Reported = tuple[int, int, int]
 """A verdict: rule, change, instant in nanoseconds."""
 
 Verdicts = tuple[tuple[Reported, ...], ...]
-"""Of each trace what the rules that rest on the threshold say, in the order of the trace."""
+"""For each trace, the verdicts of the rules that depend on the threshold, in the order of the
+trace.
+"""
 
 Replay = Callable[[ir.Machine], Verdicts]
 
 
 @dataclass(frozen=True)
 class Threshold:
-    """Something that can be moved: the constant of one leaf (`constant` is a signal; a named one
-    moves wherever it stands), or the duration of a proposition. `propositions` are those that it
-    belongs to.
+    """A value that can be moved: the constant of a leaf (`constant` is a signal; a named constant
+    moves everywhere), or the duration of a proposition. `propositions` are those that use it.
     """
 
     propositions: tuple[int, ...]
@@ -42,7 +43,7 @@ class Threshold:
 
 @dataclass(frozen=True)
 class Reach:
-    """Two values in SI between which something stays as it is; None: it does so all the way."""
+    """Two values in SI between which the result is unchanged; None means no limit."""
 
     low: float | None
     high: float | None
@@ -50,8 +51,8 @@ class Reach:
 
 @dataclass(frozen=True)
 class Margin:
-    """The margin of a threshold. Within `same`, every verdict stays as it is, to the instant;
-    within `as_often`, every rule becomes active and is cleared as often, earlier or later.
+    """The margin of a threshold. Within `same`, every verdict is unchanged, to the instant. Within
+    `as_often`, every rule becomes active and is cleared equally often, earlier or later.
     """
 
     threshold: Threshold
@@ -60,7 +61,7 @@ class Margin:
 
 
 def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
-    """All thresholds and durations that rules rest on, in the order of the machine."""
+    """All thresholds and durations that rules depend on, in the order of the machine."""
     named: dict[int, list[int]] = {}
     reached = {
         proposition
@@ -149,7 +150,7 @@ def _with_constant(node: ir.PropositionNode, old: int, new: int) -> ir.Propositi
 def margin(
     machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
 ) -> Margin:
-    """The margin of a threshold; `seen` are the values, or lengths, that it could pass."""
+    """The margin of a threshold. `seen` are the values, or lengths, that it could pass."""
     usual = replay(machine)
 
     @cache
@@ -180,7 +181,7 @@ def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
 
 
 class _Side:
-    """The places on one side of a threshold, from the nearest on."""
+    """The candidates on one side of a threshold, the nearest first."""
 
     def __init__(self, threshold: Threshold, seen: Sequence[float], way: float) -> None:
         self._threshold = threshold
@@ -189,15 +190,15 @@ class _Side:
         self._places = sorted(places, reverse=way < 0)
 
     def next(self) -> float:
-        """A duration that is a nanosecond longer or shorter: with it, whatever waits for it comes
-        at another instant. A comparison is as it was until its threshold passes a place.
+        """The next value. A duration becomes a nanosecond longer or shorter, which changes the
+        instant of its end. A comparison is unchanged until its threshold passes a candidate.
         """
         step = 1e-9 if self._threshold.constant is None else 0.0
         return self._threshold.value + self._way * step
 
     def first(self, differs: Callable[[float], bool]) -> float | None:
-        """The first place past which something differs: the nearest ones are tried one by one;
-        of the others it is found by bisection, as if what differs did so from there on.
+        """The first candidate beyond which the result differs. The nearest are tried one by one;
+        the others by bisection, which assumes that the result differs from there on.
         """
         near = self._places[:NEAREST_PLACES]
         for index, place in enumerate(near):

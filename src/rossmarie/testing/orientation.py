@@ -1,5 +1,5 @@
-"""Orientations with a wanted angle: what the rules compute of them is that angle, bit for bit
-wherever an orientation of doubles has it.
+"""Orientations with a given angle: the angle that rules compute from them is exact if an
+orientation of doubles with this angle exists.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ Orientation = tuple[float, float, float, float]
 
 UPRIGHT: Orientation = (0.0, 0.0, 0.0, 1.0)
 ANGLES = {"roll": Function.ROLL, "pitch": Function.PITCH, "yaw": Function.YAW}
-_REACH = 24  # ulps that a component is moved, at most
+_REACH = 24  # the most ulps by which a component is moved
 
 
 @lru_cache(maxsize=4096)
 def with_angle(current: Orientation, angle: str, value: float) -> Orientation:
-    """An orientation whose `angle` (roll, pitch or yaw, in rad) is `value`, while the others stay
-    as they are in `current`; a current angle that is unknown counts as zero.
+    """An orientation whose `angle` (roll, pitch or yaw, in rad) is `value`; the other angles are
+    those of `current`. An unknown current angle counts as zero.
     """
     angles = {name: _known(arithmetic.apply(of, current)) for name, of in ANGLES.items()}
     angles[angle] = value

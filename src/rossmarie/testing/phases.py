@@ -1,8 +1,8 @@
 """A trace in phases: values that stay for a while, one after the other -> the events of a script.
 
-All inputs of the rule are sent again and again, with one period, except on channels that are
-silent in a phase. A rate or a previous sample takes two messages at the beginning of its phase, an
-oscillation several.
+All inputs of the rule are sent repeatedly, with one period, except on channels that are silent in a
+phase. A rate or a previous sample takes two messages at the beginning of its phase, an oscillation
+several.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ class Stage:
     ramp: Ramp
 
     def script(self, name: str, phases: Sequence[Phase]) -> Script:
-        """The events of phases; nothing is expected yet. There are none if no skills give the
-        answers that phases want.
+        """The events of phases, without expectations. There are none if no skills give the required
+        answers.
         """
         ends = list(itertools.accumulate(phase.length_ns for phase in phases))
         starts = [0, *ends[:-1]]

@@ -1,5 +1,5 @@
-"""Places of thresholds in traces: the values that they were compared with, and the times that what
-durations wait for has lasted.
+"""Candidates for thresholds in traces: the values that they were compared with, and the lengths of
+time that durations were compared with.
 """
 
 from __future__ import annotations
@@ -33,9 +33,7 @@ def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
 
 
 def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list[float]:
-    """The values in SI, or the lengths in seconds, that a threshold would change something by
-    passing.
-    """
+    """The values in SI, or the lengths in seconds, at which a threshold would change a result."""
     found: set[float] = set()
     for proposition in threshold.propositions:
         node = machine.propositions[proposition].node

@@ -1,7 +1,7 @@
 """A script and a machine -> the messages of each instant, as engines take them.
 
-Fields that were never set hold what a new ROS message holds: 0, false, an empty string, no
-elements; an orientation is upright. What was set stays until it is set again. A list has the
+Fields that were never set have the value of a new ROS message: 0, false, an empty string, no
+elements; an orientation is upright. A set value stays until it is set again. A list has the
 elements of which fields were set, and all before them.
 """
 
@@ -79,8 +79,8 @@ def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
 
 @dataclass
 class _Sender:
-    """Knows what was set last. `values` are in SI, `running` are the skills that run
-    and that can start next, by topic.
+    """Stores the last values. `values` are in SI; `running` are the skills that run and that can
+    start next, by topic.
     """
 
     machine: Machine
@@ -119,8 +119,8 @@ class _Sender:
             self.values[setting.topic, setting.path] = setting.value
 
     def _begin_list(self, setting: FieldValue) -> None:
-        """Without elements, or not known, a list forgets those that it had; with an element it is
-        known.
+        """A list without elements, or an unknown list, forgets its elements. A list with an element
+        is known.
         """
         for topic, path in self._lists:
             inside = setting.path[: len(path)] == path and topic == setting.topic
@@ -240,12 +240,15 @@ class _Sender:
             elements = whole if isinstance(whole, tuple) else ()
             place = last if isinstance(last, int) else last.place_among(len(elements))
             return elements[place] if place is not None and place < len(elements) else None
-        # A message without a name has no element of that name; without skills, no quantity.
+        # A message without a name has no element of that name. Without skills, there is no
+        # quantity.
         is_lacking = isinstance(last, ByName | Quantity)
         return self.values.get((topic, path), None if is_lacking else _UNSET)
 
     def _is_of_one_skill(self, topic: str, asked: Quantity) -> bool:
-        """Say whether there can be a quantity: one skill runs that has it, or nobody says which."""
+        """Say whether a quantity is possible: exactly one running skill has it, or the running
+        skills are unknown.
+        """
         if topic not in self.running:
             return True
         running = [each for each in self.running[topic] if not each.is_ahead]

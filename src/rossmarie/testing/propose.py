@@ -1,8 +1,8 @@
-"""Traces that ought to reach the goals of a rule: proposals, which the interpreter judges.
+"""Proposed traces for the goals of a rule, which the interpreter judges.
 
-For each leaf: values at, just under and just over its threshold on which the whole condition
-hangs. For each `for` and each age: held for a step less, then for as long as it takes. For each
-input with a timeout: silence. Where a `since` goes on, what it begins with comes before.
+For each leaf: values at, just under and just over its threshold, while the whole condition depends
+on it. For each `for` and each age: a hold for a step less, then for the full time. For each input
+with a timeout: silence. If a `since` is true, the trace that begins it comes first.
 """
 
 from __future__ import annotations
@@ -101,8 +101,8 @@ class _Proposer:
         return self._world.solve([over, *release]) or self._world.solve([over])
 
     def _hangs_on(self, proposition: int, decision: int | None = None) -> z3.BoolRef:
-        """A formula: what a proposition is makes the difference to what clears or activates the
-        rule.
+        """A formula: the value of a proposition makes the difference to the clearing or activation
+        of the rule.
         """
         roots = (*self._roots, *self._counted) if decision is None else (decision,)
         ways = []

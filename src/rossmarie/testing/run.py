@@ -1,4 +1,4 @@
-"""A script played on an engine, and what came of its expectations."""
+"""A script played on an engine, and the results of its expectations."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ class Engine(Protocol):
     """The common interface of the interpreter and a monitor in C."""
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
-        """Messages arrive."""
+        """Process arriving messages."""
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes."""
+        """Let time pass."""
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """An operator resets one rule or all."""
+        """Reset one rule or all, for an operator."""
 
 
 @dataclass(frozen=True)

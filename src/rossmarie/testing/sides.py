@@ -1,4 +1,4 @@
-"""Beside a threshold, as formulas for z3."""
+"""Values beside a threshold, as formulas for z3."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _BETWEEN = 1e-3  # of a step: what is nearer to a whole number is that number, r
 
 
 def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iterator[z3.BoolRef]:
-    """That a term is at a threshold (`way` is 0), just under it (-1) or just over it (1); the first
-    formula that can be satisfied is the best.
+    """Formulas that a term is at a threshold (`way` is 0), just under it (-1) or just over it (1).
+    The first satisfiable formula is the best.
     """
     threshold = constant(edge.threshold)
     if way == 0:
@@ -32,7 +32,7 @@ def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iter
 
 
 def is_apart(edge: Edge, distance: z3.ArithRef) -> z3.BoolRef:
-    """That a value on one side of a threshold is not the threshold itself."""
+    """The formula that a value on one side of a threshold is not the threshold itself."""
     return distance >= constant(edge.step * _BETWEEN) if edge.is_whole else distance > 0
 
 

@@ -12,7 +12,7 @@ from rossmarie.ir.script import FieldValue, Running, ScriptedArrival, ScriptedRe
 Event = ScriptedArrival | ScriptedReset
 
 DOING = "doing"
-"""The word that stands for the input that tells which skills run; alone it sends that once more."""
+"""The word for the input about running skills. Alone, it sends the running skills once more."""
 
 
 def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:

@@ -1,8 +1,7 @@
-"""Why goals cannot be reached, as far as that is known.
+"""The reasons why goals cannot be reached, as far as they are known.
 
-Proved with z3 in a world that allows for more than can be (`World.is_free`), so that "no values"
-is no guess; for doubles and for reals alike, since nothing is computed there but signs and
-extremes.
+z3 proves them in a world that allows more than is possible (`World.is_free`), so "no values" is
+certain. The proofs hold for doubles and for reals, since only signs and extremes are computed.
 """
 
 from __future__ import annotations

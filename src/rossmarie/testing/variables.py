@@ -20,7 +20,7 @@ class Variable:
 
 
 Values = Mapping[Variable, float]
-"""In SI; propositions and texts by their numbers."""
+"""Values in SI; propositions and texts by their numbers."""
 
 
 @dataclass(frozen=True)

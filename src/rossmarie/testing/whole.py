@@ -107,7 +107,7 @@ class _Steps:
         return _representable(step * abs(factor)) if step and factor else None
 
     def _together(self, parts: tuple[Expression, ...]) -> float | None:
-        """Of a sum, or of one of several numbers; constants only move it."""
+        """The step of a sum, or of one of several numbers. Constants only shift it."""
         steps = [self.of(part) for part in parts if self._constant(part) is None]
         known = [step for step in steps if step is not None]
         is_whole = known and len(known) == len(steps) and _is_one(known)

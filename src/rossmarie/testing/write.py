@@ -1,7 +1,7 @@
-"""Scripts as text in the rules language. Not in the one layout: that is for the formatter.
+"""Scripts as text in the rules language, not in canonical layout, which is the formatter's task.
 
-Every number is written so that it is read as the same double in SI again; the shortest such
-number in its unit, if there is one.
+Every number is written so that it is read as the same double in SI; the shortest such number in its
+unit, if there is one.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rossmarie.testing.findings import seconds
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 Bases = Mapping[str, ir.Path]
-"""Of each input, by its name, the path that its declaration chooses."""
+"""The path that the declaration of each input selects, by the name of the input."""
 
 
 def own_name(name: str, seen: Counter[str]) -> str:

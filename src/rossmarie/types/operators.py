@@ -1,8 +1,8 @@
-"""The one table of operators and built-in functions: what types they take, and what they give.
+"""The one table of operators and built-in functions, with their operand and result types.
 
-Operands of type `Unknown` make the result `Unknown` and are no fault. Operators that work on
-numbers or booleans work on arrays of them element by element. Whether arguments are constant, or
-inputs, or of the same array, is not a matter of types and left to the checker.
+Operands of type `Unknown` make the result `Unknown` and are not errors. Operators on numbers or
+booleans work on arrays element by element. Types do not tell whether arguments are constants,
+inputs, or of the same array; the checker tests this.
 """
 
 from __future__ import annotations

@@ -58,8 +58,8 @@ _LIMITS = {
     # The generations of ROS disagree on the sign of these.
     **dict.fromkeys(("byte", "char", "octet"), (-128.0, 255.0)),
 }
-"""Of fields of whole numbers, as doubles: the greatest of 64 bits is rounded upwards, as it is when
-it arrives.
+"""The limits of fields of whole numbers, as doubles. The greatest 64-bit number is rounded upwards,
+as it is on arrival.
 """
 _TEXTS = frozenset(("string", "wstring"))
 _LISTS_OF_NAMES = ("name", "names", "joint_names")
@@ -77,8 +77,8 @@ class MessageCatalog:
     """All messages that are known: those on the search paths, then the common ones of ROS.
 
     A folder of the search paths has files `PACKAGE/msg/NAME.msg` or `PACKAGE/NAME.msg`. Overrides
-    are keyed by the message, `my_msgs/Wheel`, and the path of the field in it; they beat the
-    built-in table wherever that message is part of another one.
+    are keyed by the message, `my_msgs/Wheel`, and the path of the field in it; they take precedence
+    over the built-in table, also if that message is part of another one.
     """
 
     def __init__(
@@ -199,7 +199,7 @@ class MessageCatalog:
         return definitions.package_among(self._search_paths, definitions.normalized(name) or name)
 
     def places_of(self, name: str) -> list[Path]:
-        """Where the file of a message would be, in the folders that are searched."""
+        """The possible paths of the file of a message, in the folders that are searched."""
         short = definitions.normalized(name)
         return definitions.places(short, self._search_paths) if short is not None else []
 

@@ -1,7 +1,7 @@
 """The types that operators and functions take and give, a rule for each.
 
-A rule goes from the types of the operands, of which none is `Unknown`, to the type of the result
-and what is wrong with the operands.
+A rule maps the types of the operands, none of which is `Unknown`, to the type of the result and the
+errors in the operands.
 """
 
 from __future__ import annotations
@@ -48,14 +48,14 @@ class Fault(enum.Enum):
 
 @dataclass(frozen=True)
 class OperatorType:
-    """The type of the result, and what is wrong with the operands; with faults it is `Unknown`."""
+    """The type of the result, and the errors in the operands. With errors the type is `Unknown`."""
 
     type: Type
     faults: tuple[Fault, ...] = ()
 
 
 Rule = Callable[..., OperatorType]
-"""From the types of the operands, of which none is `Unknown`."""
+"""A function of the types of the operands, none of which is `Unknown`."""
 
 
 def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
@@ -69,12 +69,12 @@ def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
 
 
 def fault(*faults: Fault) -> OperatorType:
-    """Nothing, with what is wrong."""
+    """The result of an operation with these errors."""
     return OperatorType(Unknown(), faults)
 
 
 def _unfit(*operands: Type) -> OperatorType:
-    """The finding on operands of which at least one is no number."""
+    """The error for operands of which at least one is not a number."""
     if any(isinstance(operand, (Interval, Box)) for operand in operands):
         return fault(Fault.RANGE)
     numbers = all(isinstance(operand, (Vector, Quantity)) for operand in operands)
@@ -258,7 +258,7 @@ def distance(left: Type, right: Type) -> OperatorType:
 
 
 def stopping(motion: Type, *speed: Type) -> OperatorType:
-    """The way on which a motion slows down to a speed, or stops."""
+    """The distance in which a motion slows down to a speed, or stops."""
     if not isinstance(motion, Motion):
         return fault(Fault.OPERANDS)
     faults = (fault for each in speed for fault in ordered(each, _SPEED).faults)
@@ -266,7 +266,7 @@ def stopping(motion: Type, *speed: Type) -> OperatorType:
 
 
 def braking_distance(speed: Type, deceleration: Type, latency: Type) -> OperatorType:
-    """The way of a speed: of one in m/s in m, of one in rad/s in rad."""
+    """The distance of a speed: in m for a speed in m/s, in rad for a speed in rad/s."""
     if not (
         isinstance(speed, Quantity)
         and isinstance(deceleration, Quantity)
@@ -284,7 +284,7 @@ def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Operator
 
 
 def way_of(speed: Quantity) -> Unit | None:
-    """The unit of what a speed runs through, m or rad; None if it is no speed."""
+    """The unit of the distance of a speed, m or rad; None if it is not a speed."""
     ways = (parse_unit("m"), parse_unit("rad"))
     return next((way for way in ways if not unit_faults(speed, Quantity(speed_of(way)))), None)
 
@@ -295,7 +295,7 @@ def speed_of(way: Unit) -> Unit:
 
 
 def time_to(left: Type, closing_speed: Type) -> OperatorType:
-    """The time in which what is left is run through."""
+    """The time in which a remaining distance is covered."""
     if not (isinstance(left, Quantity) and isinstance(closing_speed, Quantity)):
         return _unfit(left, closing_speed)
     if left.unit is None or closing_speed.unit is None:
@@ -351,7 +351,7 @@ def filtered(value: Type, window: Type) -> OperatorType:
 
 
 def changed(value: Type) -> OperatorType:
-    """Say whether something is not as it was."""
+    """Say whether a value has changed."""
     if isinstance(value, (Quantity, Vector, Boolean)):
         return OperatorType(Boolean())
     return _unfit(value)

@@ -1,4 +1,4 @@
-"""The messages of sensors of which rules see more than their definitions say: clouds and scans."""
+"""Messages of sensors that have more fields for rules than their definitions: clouds and scans."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ POINTS = "points"
 """The name of the points of a cloud, which its definition does not have: there they are bytes."""
 SCAN = "sensor_msgs/LaserScan"
 RETURNS, INVALID = POINTS, "invalid"
-"""The names of the points of a scan, and of the beams that tell nothing."""
+"""The names of the points of a scan, and of the beams without a reading."""
 
 LAYOUT_OF_POINTS = {
     "height": Field("uint32", is_array=False),

@@ -1,4 +1,4 @@
-"""Units of measurement: what a unit's symbol means, and what becomes of units in products.
+"""Units of measurement: the meaning of symbols, and the units of products.
 
 An angle is a dimension of its own (`deg` and `rad` convert; a plain number is not an angle).
 """

@@ -1,8 +1,8 @@
 """Text to units, and products of units.
 
 Every unit is a product of powers of the symbols of `table`. Scales are multiplied as ratios of
-integers and rounded once, so `km/h`, `deg/s` and the like are the doubles nearest to the
-proposition.
+integers and rounded once, so `km/h`, `deg/s` and the like are the nearest doubles to the exact
+values.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ def suggest(text: str, is_unit: Callable[[str], bool]) -> tuple[str, ...]:
 
 
 def factor_of(text: str) -> str | None:
-    """The value, in units that there are, of a unit that there is not: `1 inch is 2.54 cm`."""
+    """The value of an unsupported unit in supported units: `1 inch is 2.54 cm`."""
     return FACTORS.get(text.lower())
 
 

@@ -1,1 +1,1 @@
-"""Proofs that the generated C is what the rules mean."""
+"""Proofs that the generated C implements the rules."""

@@ -1,4 +1,4 @@
-"""C on which all definitions stand: the numbers that it calls by names, and the logic of S2."""
+"""C that all definitions use: the named numbers, and the logic of S2."""
 
 from __future__ import annotations
 
@@ -35,6 +35,4 @@ _Static_assert(UNKNOWN == {name}_UNKNOWN && STALE == {name}_STALE, "what is not 
 _Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
 _Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
 """
-"""The numbers that the C calls by names of its own. CBMC takes no program in which one of these is
-wrong.
-"""
+"""The numbers that the C names. CBMC rejects a program in which one of these is wrong."""

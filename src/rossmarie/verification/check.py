@@ -5,19 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 Parts = tuple[tuple[str, str], ...]
-"""Functions, each with what is called instead of it."""
+"""Functions, each with its replacement."""
 
 Passes = tuple[tuple[str, int], ...]
-"""Loops, each by its function and its number there, with how often they are passed through."""
+"""Loops, each by its function and its number there, with their numbers of passes."""
 
 
 @dataclass(frozen=True)
 class Check:
-    """A function of the program without parameters, `check_NAME`; `about` says what it shows.
+    """A function of the program without parameters, `check_NAME`. `about` describes its obligation.
 
-    Calls go where `replaced` says. No loop is passed through more often than `loops` says of it, or
-    else the program; that is shown as well, but for those in `unwound`, of which so many passes
-    stand for all. About what `is_arithmetic` no SAT solver is asked as a whole: it would not end.
+    `replaced` redirects calls. No loop has more passes than `loops` states for it, or else than the
+    program does. The bounds are proved, too, except for loops in `unwound`, where so many passes
+    stand for all. A check that is `is_arithmetic` is never given to a SAT solver as a whole,
+    because the solver would not finish.
     """
 
     name: str

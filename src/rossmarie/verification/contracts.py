@@ -1,7 +1,8 @@
-"""Contracts: each stands in for a part of the generated code that has a check of its own.
+"""Contracts: each replaces a part of the generated code that has its own check.
 
-A contract asserts what its part needs, forgets all that the part may change, and assumes what the
-check of the part has shown. The text is the same for every machine, but for a few numbers.
+A contract asserts the preconditions of its part, forgets everything that the part may change, and
+assumes the facts that the check of the part has proved. The text is the same for every machine,
+except for a few numbers.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The semantics of every number and every proposition, as C over the memory of a monitor.
 
-Takes a layout, which tells where things are kept; what they mean is read off the machine, by the
-rules of `docs/explanation/semantics.md`, and not off anything that the generator made of it. These
-definitions are written to be read beside the rules: no tables, no state of their own.
+The input is a layout, which gives the places in memory. The meaning comes from the machine, by the
+rules of `docs/explanation/semantics.md`, and from nothing that the generator made. These
+definitions are written for comparison with the rules: no tables, no state.
 """
 
 from __future__ import annotations
@@ -292,11 +292,11 @@ class Definitions:
         return f"spec_or({begun}, spec_and({held}, {before}))"
 
     def since(self, proposition: int) -> str:
-        """Since when a proposition has its value."""
+        """The instant from which a proposition has had its value."""
         return f"m->since_ns[{self._layout.node_of_proposition[proposition]}]"
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> Iterator[str]:
-        """S30: whether an unknown leaf is stale or just unknown."""
+        """S30: say whether an unknown leaf is stale or merely unknown."""
         match node:
             case (
                 ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()

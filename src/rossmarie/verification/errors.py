@@ -1,4 +1,4 @@
-"""ROSS79x: what comes of proofs about the generated C."""
+"""ROSS79x: the results of proofs about the generated C."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class PartRefuted(Error, code="ROSS790", name="part-refuted"):
-    """A part of the generated C that does not do what the rules mean."""
+    """A part of the generated C that does not implement the rules."""
 
     title = "refuted: {part}"
     label = "does not hold: {sentence}"
@@ -25,7 +25,7 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
 
 
 class NoProver(Error, code="ROSS791", name="no-prover"):
-    """A system on which nothing can be proved."""
+    """A system without a usable prover."""
 
     title = "cannot prove anything: CBMC 6 or one of its solvers is missing"
     label = "{reason}"

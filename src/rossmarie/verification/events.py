@@ -1,7 +1,7 @@
 """The reports of a monitor when a rule changes, or when time goes backwards.
 
-Takes a layout and its definitions; gives C that compares what was reported with what a monitor
-knows. What is reported is kept by `observe` of the contracts.
+The input is a layout and its definitions; the result is C that compares the reports with the state
+of a monitor. `observe` of the contracts stores the reports.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ class Events:
         self._rules = layout.machine.rules
 
     def text(self) -> str:
-        """For each rule a function: it is reported if it changed since `old` and somebody listens,
-        once, and with what S41 says.
+        """A function for each rule: if the rule changed since `old` and there is a listener, it is
+        reported once, with the content of S41.
         """
         return "\n".join(map(self._reported, range(len(self._rules))))
 
@@ -58,11 +58,13 @@ class Events:
             yield f"said->inputs[{place}] == m->state[{used}]"
 
     def changed(self, rule: int) -> str:
-        """State that a rule is not what it was in `old`."""
+        """The condition that a rule differs from its state in `old`."""
         return f"({_bit('m->', rule)} != {_bit('old.', rule)})"
 
     def reported(self, rules: set[int]) -> Iterator[str]:
-        """Of some rules it is reported what they do, of others nothing."""
+        """The obligations that changes of some rules are reported, and that nothing is reported of
+        the others.
+        """
         for rule in range(len(self._rules)):
             if rule in rules:
                 yield f"    must_report_{rule}(m, old, t_ns);"

@@ -1,7 +1,7 @@
 """Expressions of the core as C, written to be read beside the semantics: each operation in its own
 parentheses, each number to the last bit.
 
-The generator of the C that is proved has a writer of its own; nothing is shared with it.
+The generator of the proved C has its own writer and shares no code with this module.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
-"""Frames: the part that a function leaves alone, and the changes of inputs that a message makes.
+"""Frames: the members that a function leaves unchanged, and the changes of inputs by a message.
 
-Takes a layout; gives C that compares a monitor with what it has to be, member by member.
+The input is a layout; the result is C that compares a monitor with its expected state, member by
+member.
 """
 
 from __future__ import annotations
@@ -94,16 +95,16 @@ class Frames:
     # --- functions ---------------------------------------------------------------------------
 
     def kept(self, lines: Iterable[str] = ()) -> str:
-        """Nothing has changed since `old`, but for what the lines make of `expected`."""
+        """Nothing has changed since `old`, except as the lines change `expected`."""
         inside = ["monitor expected = old;", *lines, "must_be_same(m, &expected);"]
         return "\n".join(["    {", *(f"        {line}" for line in inside), "    }"])
 
     def any_marks(self) -> Iterator[str]:
-        """Whatever is marked."""
+        """Any marks."""
         yield from self._any(*_MARKS)
 
     def _any(self, *names: str) -> Iterator[str]:
-        """Whatever members hold, where there are such."""
+        """Any values of these members, if they exist."""
         for name in names:
             yield from (f"expected.{place} = m->{place};" for place in self._places.get(name, ()))
 
@@ -118,22 +119,22 @@ class Frames:
             yield f"expected.proposition[{node}] = m->truth_value[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
-        """Numbers that change where something is the case."""
+        """Numbers that change under some conditions."""
         for value, where in changed:
             yield f"if (({where}) || spec_same({self._seen(value, 'old.')}, m->value[{value}]))"
             yield f"    expected.value[{value}] = m->value[{value}];"
 
     def _seen(self, value: int, memory: str) -> str:
-        """A number as somebody who looks sees it: some are kept as they arrive until then (S4)."""
+        """A number as a reader sees it: some are stored as they arrive until they are read (S4)."""
         kept = f"{memory}value[{value}]"
         return f"spec_finite({kept})" if value in self._covered else kept
 
     def evaluated(self) -> str:
-        """Of `evaluate`, where visits do nothing but mark."""
+        """The frame of `evaluate`, in which visits only mark."""
         return self.kept(["expected.now_ns = t_ns;", *self.any_marks()])
 
     def visited(self, node: int) -> str:
-        """Of `visit`; what becomes of rules has to be proved apart."""
+        """The frame of `visit`. The changes of rules have a separate proof."""
         held = [
             k
             for k, t in enumerate(self._layout.held)
@@ -175,7 +176,7 @@ class Frames:
         yield "}"
 
     def ticked(self) -> str:
-        """Of `tick`: what expired is forgotten (S9)."""
+        """The frame of `tick`: expired inputs are forgotten (S9)."""
         expired: dict[int, str] = {}
         lines: list[str] = []
         for index, used in enumerate(self._machine.inputs):
@@ -207,7 +208,7 @@ class Frames:
                     yield obligation(f"!({expired[used]}) || isnan(m->value[{value}])", about)
 
     def restarted(self) -> str:
-        """Of `restart`: inputs stay as old as they are, what was before is forgotten (S17)."""
+        """The frame of `restart`: inputs keep their ages, the past is forgotten (S17)."""
         lines: list[str] = []
         for index in range(len(self._machine.inputs)):
             age = f"old.now_ns - old.stamp_ns[{index}]"
@@ -243,7 +244,7 @@ class Frames:
         return bool(self._layout.values[value].support.sampled)
 
     def received(self, channel: int) -> str:
-        """Of `receive_X`: numbers of a message, and what is computed from them."""
+        """The frame of `receive_X`: the numbers of a message, and the values computed from them."""
         stamped = [
             index
             for index, used in enumerate(self._machine.inputs)
@@ -266,7 +267,7 @@ class Frames:
         )
 
     def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
-        """Whatever becomes of them; that has to be proved apart."""
+        """Any changes of turning points, which have a separate proof."""
         for k in oscillations:
             first = first_recent(self._layout, k)
             instants = range(first, first + recent(self._layout, k).count)
@@ -275,14 +276,14 @@ class Frames:
                 yield from self._some(name, [k])
 
     def woken(self) -> str:
-        """Of `set_wake`."""
+        """The frame of `set_wake`."""
         return self.kept(self._any("wake_ns"))
 
     # --- rules that are latched --------------------------------------------------------------
 
     def latched(self, which: str, becomes: str) -> str:
-        """Of what latches or resets the rules for which `which` is -1 or their number; `becomes`
-        is what becomes of them, given what a rule `was` and its `condition`.
+        """The frame of latching or resetting the rules for which `which` is -1 or their number.
+        `becomes` gives the new state of a rule from its old state `was` and its `condition`.
         """
         lines = []
         for index, rule in enumerate(self._machine.rules):

@@ -1,9 +1,9 @@
-"""Checks of a look at a number that is watched, and the contract that stands in for it elsewhere.
+"""Checks of tests of guarded numbers, and the contract that replaces such a test elsewhere.
 
-Takes the invariants of a machine; gives for each guard a check of `cross` and one of `is_inside`,
-and the contract that all other checks call instead, which covers both. What a guard and its
-propositions remember of the number before is called *kept*: they are those of some number, though
-not of the one that is there now.
+The input is the invariants of a machine. The result is, for each guard, a check of `cross` and one
+of `is_inside`, and the contract that all other checks call instead, which covers both. The values
+that a guard and its propositions keep of an earlier number are called *kept*: they belong to some
+number, not necessarily to the present one.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
-"""The program that CBMC is given: the generated C as it is, what it has to mean, and the checks.
+"""The program for CBMC: the unchanged generated C, its meaning, and the checks.
 
-Takes a machine; gives C text and the list of its checks. Each check begins in any state that fits
-the invariants, calls one part of the generated code, and obligations that the invariants hold
-again: one inductive step, so that what is proved holds without bound. Where a part calls another
-that has a check of its own, that one is replaced by what its check has shown (its contract).
+The input is a machine; the result is C text and the list of its checks. Each check begins in any
+state that fits the invariants, calls one part of the generated code, and has the obligations that
+the invariants are true again: one inductive step, so the proofs are unbounded. If a part calls
+another part with its own check, the called part is replaced by its contract, the facts that its
+check has proved.
 """
 
 from __future__ import annotations
@@ -56,8 +57,8 @@ _MOMENTS = {
 
 @dataclass(frozen=True)
 class Harness:
-    """The text of the program, beside the generated C, and what to check in it; no loop is passed
-    through more often than `passes`. `name` is that of its file.
+    """The text of the program beside the generated C, and its checks. No loop has more passes than
+    `passes`. `name` is the name of its file.
     """
 
     text: str
@@ -67,7 +68,7 @@ class Harness:
 
 
 def harness(machine: ir.Machine) -> Harness:
-    """Everything that is to be shown of the monitor of a machine."""
+    """All obligations about the monitor of a machine."""
     return _Writer(machine).harness()
 
 
@@ -119,7 +120,9 @@ class _Writer:
         )
 
     def _pending(self) -> str:
-        """Where marks are many, a flag says that there are some, until all are evaluated."""
+        """The obligation that a flag is set while marks exist, if there are too many marks for one
+        word.
+        """
         if self._layout.is_small:
             return ""
         return obligation("m->pending", "where something is evaluated, something is pending") + "\n"
@@ -134,7 +137,7 @@ class _Writer:
     # --- predicates --------------------------------------------------------------------------
 
     def _predicates(self) -> Iterator[str]:
-        """Each predicate twice: as what is assumed, and as what has to be shown."""
+        """Each predicate twice: as an assumption, and as an obligation."""
         for word, write in (("suppose", assumptions), ("must_be", assertions)):
             for name, sentences in self._groups.items():
                 yield predicate(f"static void {word}_{name}", write(sentences))

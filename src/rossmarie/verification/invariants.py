@@ -1,9 +1,9 @@
 """Invariants of the memory of a monitor between its functions, as C.
 
-Takes a layout and its definitions; gives predicates. Three moments matter: a monitor *at rest*
-between two calls; one that has *caught up* with an instant, so that no timer is due before it; and
-one that has *looked* at its numbers and timers at that instant, so that what is wrong is marked.
-Each predicate is a list of sentences, so that a proof can say which of them fails.
+The input is a layout and its definitions; the result is predicates. Three moments matter: a monitor
+is *at rest* between two calls; it has *caught up* with an instant if no timer is due before it; and
+it has *looked* at its numbers and timers at that instant if every wrong proposition is marked. Each
+predicate is a list of sentences, so that a proof can name the failing one.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _OLDEST = "(-LATEST)"
 
 @dataclass(frozen=True)
 class Sentence:
-    """Something that is true, as C over `m` and `t_ns`; `about` names it for people."""
+    """A true statement, as C over `m` and `t_ns`. `about` is its name for readers."""
 
     about: str
     holds: str

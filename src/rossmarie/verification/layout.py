@@ -1,8 +1,8 @@
-"""The parts of a monitor, sorted by what they mean, each with its place in the generated C.
+"""The parts of a monitor, sorted by their meaning, each with its place in the generated C.
 
-Takes a machine. What a part is, and what it rests on, is read off the machine; where it is kept is
-what the generator says (`places.py`). Each part has to have a place of its own, so that nothing is
-left out of what is asked: else there are no queries, and nothing is proved.
+The input is a machine, which determines the parts and their operands. The generator (`places.py`)
+determines the places. Each part needs its own place, so that no part is missing in the queries;
+otherwise there are no queries, and nothing is proved.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ _WORD = 64
 
 
 class MisplacedError(Exception):
-    """The generator has no place for a part, or one for two: a fault of this tool."""
+    """The generator has no place for a part, or one place for two parts: a defect of this
+    program.
+    """
 
 
 @dataclass(frozen=True)
@@ -205,7 +207,7 @@ class _Sorted:
     # --- what has to have a place ------------------------------------------------------------
 
     def _check(self, moving: list[int]) -> None:
-        """Nothing is forgotten, and nothing has the place of another."""
+        """Check that no part is missing, and that no two parts share a place."""
         places, machine = self._places, self._machine
         nodes = places.node_of_proposition
         _same(nodes, self._propositions, "propositions")

@@ -1,7 +1,7 @@
-"""Checks of the functions that take messages in.
+"""Checks of the functions that process messages.
 
-Takes the definitions of a machine; gives C functions. For each channel there are two checks: that
-its numbers are what they mean, and that the monitor is right about them once the function is done.
+The input is the definitions of a machine; the result is C functions. For each channel there are two
+checks: its numbers have the right values, and the state of the monitor is right after the function.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from rossmarie.verification.stages import (
 )
 
 ELEMENTS = 3
-"""Up to how many elements of an array are looked at."""
+"""The largest number of array elements in a check."""
 
 _ANY_OF_KIND = {
     ir.Kind.REAL: "nondet_double()",
@@ -137,9 +137,9 @@ class MessageChecks:
         idle: Parts,
         guards: Sequence[int] = (),
     ) -> Iterator[Written]:
-        """A message before any timer is due may take a short way; the long one is always right.
-        The short way ends at the first of its guards that is left. What is `idle` does not matter
-        once propositions are evaluated.
+        """The checks of the paths of a message. A message before any timer is due may take a short
+        path; the long path is always right. The short path ends at the first guard that a number
+        has left. Parts in `idle` do not matter after propositions are evaluated.
         """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))

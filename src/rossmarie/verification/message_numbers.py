@@ -1,6 +1,6 @@
-"""Obligations about the numbers of a monitor after a message: they are what they mean.
+"""Obligations about the numbers of a monitor after a message: they have the right values.
 
-Takes the definitions of a machine; gives C obligations.
+The input is the definitions of a machine; the result is C obligations.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""Functions with roots and angles, and functions of samples: a proof need not know their numbers.
+"""Functions with roots and angles, and functions of samples, whose values most proofs do not need.
 
-Each has one check of what is known of its result, and a contract that says the same elsewhere. What
-functions apply has one more, which shows that the C computes it by the formula of the core.
+Each has one check of the known facts about its result, and a contract with the same facts for other
+checks. The subfunctions have one more check, which proves that the C computes them by the formula
+of the core.
 """
 
 from __future__ import annotations
@@ -45,8 +46,8 @@ def name(function: AnyFunction, count: int) -> str:
 
 
 def _is_possible(function: AnyFunction, count: int) -> str:
-    """The facts that are known of a result: of an unknown function there are none, and some results
-    are never infinite.
+    """The known facts about a result: none for an unknown function; some results are never
+    infinite.
     """
     known = _known(parameters(count))
     is_finite = not may_be_infinite(function, count, of_infinite=True)
@@ -58,7 +59,7 @@ def _known(names: Iterable[str]) -> str:
 
 
 def contract(function: AnyFunction, count: int) -> str:
-    """The contract of a function where it does not matter which number it gives."""
+    """The contract of a function, for checks in which its value does not matter."""
     names = parameters(count)
     head = ", ".join(f"double {each}" for each in names)
     return (
@@ -70,7 +71,7 @@ def contract(function: AnyFunction, count: int) -> str:
 
 
 def kept(function: AnyFunction, count: int) -> str:
-    """That a function keeps its contract."""
+    """The obligation that a function keeps its contract."""
     names = parameters(count)
     lines = [f"const double {each} = nondet_double();" for each in names]
     lines.append(f"const double found = {name(function, count)}({', '.join(names)});")

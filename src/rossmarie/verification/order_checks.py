@@ -1,8 +1,9 @@
-"""Checks of the orders of a reactor: which it gives, and that it knows what follows.
+"""Checks of the orders of a reactor, and of its state after them.
 
-Takes the reactions of a machine; gives C functions. Each part of a call has a check of its own, and
-stands in the others as what its check has shown (its contract). What a call decides on is counted
-beside it, task by task; that the list of these has room for as many is shown of `decide`.
+The input is the reactions of a machine; the result is C functions. Each part of a call has its own
+check, and is replaced in other checks by its contract, the facts that its check has proved. The
+decisions of a call are counted beside it, task by task. The check of `decide` proves that the list
+has enough space for them.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Invariants of the orders of one call of a reactor, as sentences.
 
-Takes the reactions of a machine. `r` is the memory of the reactor; `reported` counts the orders
-that the call has decided on so far, and knows what was in force when it began. `old` and `was` are
-both as they were before a part of the call.
+The input is the reactions of a machine. `r` is the memory of the reactor. `reported` counts the
+orders that the call has decided on so far, and stores the tasks in force at its beginning. `old`
+and `was` are both in the state before a part of the call.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class OrderInvariants:
     # --- what holds within a call ------------------------------------------------------------
 
     def reported(self) -> Iterator[Sentence]:
-        """The decisions so far fit where the tasks stand."""
+        """The decisions so far fit the states of the tasks."""
         for task in self._tasks:
             yield from self._counted(task)
             yield from self._silent(task)
@@ -65,7 +65,7 @@ class OrderInvariants:
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
 
     def _silent(self, task: int) -> Iterator[Sentence]:
-        """Nothing comes into force, or goes, without an order."""
+        """Nothing comes into force, or ends, without an order."""
         last = f"reported.last[{task}]"
         yield Sentence(
             "orders are counted", f"({last} == NO_ORDER) == (reported.count[{task}] == 0)"
@@ -81,7 +81,7 @@ class OrderInvariants:
         yield Sentence("what holds does not end without an order", " || ".join(fine))
 
     def listed(self) -> Iterator[Sentence]:
-        """The failures from which nothing has followed yet."""
+        """The failures whose escalations have not started yet."""
         most = len(self._can_fail)
         yield Sentence("no more tasks fail than can", f"r->failed_count <= {most}")
         for place in range(most):
@@ -101,7 +101,7 @@ class OrderInvariants:
     # --- what parts of a call leave as it was ------------------------------------------------
 
     def kept(self) -> Iterator[Sentence]:
-        """By each part that follows releases."""
+        """The sentences that each part after releases keeps."""
         for rule in range(len(self._found.plans)):
             same = f"r->engaged[{rule}] == old->engaged[{rule}]"
             yield Sentence("which rules are engaged is known",
@@ -117,12 +117,12 @@ class OrderInvariants:
                                f"!({begins}) || {has_failed(task)}")  # fmt: skip
 
     def notable(self) -> Iterator[Sentence]:
-        """Before `task` is noted as started."""
+        """The sentences before `task` is recorded as started."""
         for rule, own in self._own():
             yield Sentence("a task of an engaged rule starts", f"!{own} || r->engaged[{rule}]")
 
     def noted(self) -> Iterator[Sentence]:
-        """When `task` is noted as the last that its rule has started."""
+        """The sentences while `task` is recorded as the last task that its rule has started."""
         for rule, own in self._own():
             tasks = self._found.plans[rule].tasks
             first, count = self._invariants.first_started(rule), f"started_count[{rule}]"
@@ -144,12 +144,12 @@ class OrderInvariants:
                                f"{now} == ({before} || task == {each})")  # fmt: skip
 
     def _own(self) -> Iterator[tuple[int, str]]:
-        """For each rule: whether `task` is one of its own."""
+        """The condition that `task` belongs to a rule, for each rule."""
         for rule, plan in enumerate(self._found.plans):
             yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks) or '0'})"
 
     def escalated(self) -> Iterator[Sentence]:
-        """By what follows from failures: but what follows them, and what is told of them."""
+        """The sentences that escalations keep, except for the started tasks and their reports."""
         for task in self._tasks:
             begins = f"(old->state[{task}] == IDLE && r->state[{task}] != IDLE)"
             may_begin = begins if task in self._follows else "false"
@@ -168,7 +168,9 @@ class OrderInvariants:
                                f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
 
     def passed_on(self) -> Iterator[Sentence]:
-        """When resources change hands: a rule that has not started yet."""
+        """The sentences that the passing of resources keeps: a rule that has not started does not
+        start.
+        """
         for plan in self._found.plans:
             idle = " && ".join(f"old->state[{task}] == IDLE" for task in plan.tasks)
             for task in plan.tasks:
@@ -176,26 +178,28 @@ class OrderInvariants:
                                f"!({idle}) || r->state[{task}] == IDLE")  # fmt: skip
 
     def untold(self) -> Iterator[Sentence]:
-        """Before resources change hands."""
+        """The sentences before resources are passed on."""
         for task in self._tasks:
             engaged = f"r->engaged[{self._rules[task]}]"
             yield Sentence("releases come first (R1)", f"!{engaged} || reported.count[{task}] == 0")
 
     def unbegun(self) -> Iterator[Sentence]:
-        """Before `rule` starts."""
+        """The sentences before `rule` starts."""
         for task in self._tasks:
             yield Sentence("a rule that starts begins anew (R3)",
                            f"rule != {self._rules[task]} || r->state[{task}] == IDLE")  # fmt: skip
 
     def stage_started(self) -> Iterator[Sentence]:
-        """When the stage of `rule` starts: all but what begins of it."""
+        """The sentences that the start of a stage of `rule` keeps, except for the tasks that
+        start.
+        """
         for task in self._tasks:
             begins = f"(rule == {self._rules[task]} && old->state[{task}] == IDLE)"
             same = f"{_same(task)} && {_untold(task)}"
             yield Sentence("other tasks stay as they are", f"{begins} || ({same})")
 
     def startable(self) -> Iterator[Sentence]:
-        """Before the stage of `rule` starts."""
+        """The sentences before the stage of `rule` starts."""
         for rule, plan in enumerate(self._found.plans):
             yield Sentence("a stage of an engaged rule starts",
                            f"rule != {rule} || r->engaged[{rule}]")  # fmt: skip
@@ -206,7 +210,7 @@ class OrderInvariants:
                                    f"!({here}) || r->state[{task}] == IDLE")  # fmt: skip
 
     def releasable(self) -> Iterator[Sentence]:
-        """Before `rule` is released."""
+        """The sentences before `rule` is released."""
         yield Sentence("nothing has failed yet", "r->failed_count == 0")
         for rule, plan in enumerate(self._found.plans):
             yield Sentence("an engaged rule is released",
@@ -220,7 +224,7 @@ class OrderInvariants:
     # --- what a call has to reach ------------------------------------------------------------
 
     def ended(self) -> Iterator[Sentence]:
-        """R4, R15: by the end of tasks."""
+        """R4, R15: the sentences after the ends of tasks."""
         for task, declared in enumerate(self._found.tasks):
             timeout = reactions.timeout_ns(declared.effect)
             if timeout:

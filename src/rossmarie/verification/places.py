@@ -1,8 +1,8 @@
-"""Where the generated C keeps what a machine is about: names and numbers of parts, no meanings.
+"""The places of the parts of a machine in the generated C: names and numbers, without meanings.
 
-Takes a machine. This is all that the proofs read of the generator. What is here says which member
-of memory stands for which part; what that member has to hold is said elsewhere, from the machine.
-`layout.py` refuses places in which a part has none, or two parts have the same.
+The input is a machine. The proofs read nothing else from the generator. This module states which
+member of memory belongs to which part; the required content of that member comes from the machine,
+elsewhere. `layout.py` rejects places if a part has none, or if two parts share one.
 """
 
 from __future__ import annotations
@@ -22,9 +22,7 @@ from rossmarie.targets.c99.types import fields_of
 
 @dataclass(frozen=True)
 class Watched:
-    """A guard: the number that it watches, the propositions that it tells, how many limits it
-    has.
-    """
+    """A guard: its number, its propositions, and its number of limits."""
 
     value: int
     leaves: tuple[int, ...]
@@ -61,7 +59,7 @@ class Places:
 
 
 def places_of(machine: ir.Machine) -> Places:
-    """Read them off what the generator has laid out."""
+    """Read the places from the layout of the generator."""
     found = generated.lay_out(machine)
     fields = [
         each for channel in range(len(machine.channels)) for each in fields_of(machine, channel)

@@ -48,7 +48,7 @@ class _Memory:
         return self.first + self.memory.most * len(self.memory.readings)
 
     def pose(self, reactor: str, place: str) -> str:
-        """Where the numbers of the pose at a place begin; that of the oldest is 0."""
+        """The index of the first number of the pose at a place. The oldest pose has place 0."""
         turned = f"({reactor}poses_oldest[{self.index}] + {place}) % {self.memory.most}u"
         return f"{self.first}u + {turned} * {len(self.numbers)}u"
 
@@ -171,7 +171,7 @@ class PoseChecks:
         )
 
     def _apart(self, each: _Memory) -> str:
-        """R16: how far a pose has to be from the one before it."""
+        """R16: the required distance of a pose from the one before it."""
         any_pose = ", ".join("nondet_double()" for _ in each.numbers)
         differs = " || ".join(f"pose[{n}] != last[{n}]" for n in each.numbers)
         square = " + ".join(f"(pose[{n}] - last[{n}]) * (pose[{n}] - last[{n}])" for n in range(3))
@@ -208,7 +208,7 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _record(self, each: _Memory) -> str:
-        """R16: what is kept, wherever a pose is new."""
+        """R16: the stored poses, if a pose is new."""
         index, most = each.index, each.memory.most
         reading = [f"read[{place}]" for place in each.memory.readings]
         used = " || ".join(f"old.engaged[{rule}]" for rule in each.rules)
@@ -246,7 +246,7 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
-        """R17: when a task sends, if its memory has so many poses."""
+        """R17: the instant at which a task sends, if its memory has so many poses."""
         task, effect = self._retraces[index]
         kept = kept or f"{reactor}poses_kept[{effect.memory}]"
         holds = f"{reactor}state[{task}] == HOLDING"

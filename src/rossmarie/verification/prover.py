@@ -1,8 +1,8 @@
-"""CBMC, as a program beside us: where it is, and what it says of one check.
+"""CBMC, as a separate program: its path, and its answer to one check.
 
-CBMC 6 and its solvers are looked for on the PATH; they are packages of Debian 13. A z3 that the
-Python package `z3-solver` has installed comes first: it is the one that is asked about rules, and
-often newer, which halves the time of some proofs.
+CBMC 6 and its solvers are searched on the PATH; they are packages of Debian 13. A z3 that the
+Python package `z3-solver` has installed comes first: it also answers the queries about rules, and
+is often newer, which halves the time of some proofs.
 """
 
 from __future__ import annotations
@@ -40,29 +40,29 @@ _OWN_SAT: tuple[str, ...] = ()
 """CBMC's own SAT solver, which goes on from one obligation that does not hold to the next."""
 
 _SMT = ("--smt2", "--fpa")
-"""z3, which sees floating-point arithmetic as such: two sums of the same numbers are the same to it
-without a look at their bits.
+"""z3, which understands floating-point arithmetic: two sums of the same numbers are equal to it
+without a comparison of their bits.
 """
 
 _ENDING = (*_SMT, "--no-unwinding-assertions")
-"""The same where loops end, on which it would spend its time: that is asked apart."""
+"""The same for queries without loops' ends, on which z3 would spend too much time: they are queried
+separately.
+"""
 
 _ANY_ARITHMETIC = ("--smt2", "--no-unwinding-assertions")
-"""The same, to which sums, products and quotients are any functions of their operands."""
+"""The same, with sums, products and quotients as uninterpreted functions of their operands."""
 
 _LISTING = 10
-"""For how many seconds obligations that do not hold are looked for, once it is known that some
-do.
+"""The time limit in seconds of the search for all failing obligations, after the first failing one
+is known.
 """
 
 _MOST = 600
-"""The most seconds that anything may take that answers no query."""
+"""The time limit in seconds of all steps that are not queries."""
 
 
 class _Step(NamedTuple):
-    """Solvers that are asked about so many obligations together, each for so many seconds at
-    most.
-    """
+    """Solvers for so many obligations at a time, each with a time limit in seconds."""
 
     size: int
     seconds: int
@@ -91,7 +91,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class ProofOutcome:
-    """The verdict on a check, and the sentences that do not hold, or why there is no verdict."""
+    """The verdict on a check, with the failing sentences, or the reason why there is no verdict."""
 
     check: Check
     verdict: Verdict
@@ -103,7 +103,7 @@ _Answer = tuple[Verdict, tuple[str, ...]]
 
 
 class ProverError(Exception):
-    """The prover does not accept the program; the message is what it says."""
+    """The prover rejects the program. The message is its output."""
 
 
 @dataclass(frozen=True)
@@ -139,13 +139,15 @@ class Prover:
             yield Path(folder)
 
     def compile(self, folder: Path, harness: Harness) -> None:
-        """Write the program of a harness, beside the sources that it includes, and try it."""
+        """Write the program of a harness, beside the sources that it includes, and translate it
+        once.
+        """
         (folder / f"{harness.name}.c").write_text(harness.text, encoding="utf-8")
         self._must(["goto-cc", "-c", "-o", f"{harness.name}.goto", f"{harness.name}.c"], folder)
 
     def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> ProofOutcome:
-        """Ask about a check in a folder with its program. No single query is given more than so
-        many seconds of a processor.
+        """Ask about a check in a folder with its program. Each query has a limit of CPU time, in
+        seconds.
         """
         command = ["cbmc", self._compile(harness, check, folder), "--json-ui"]
         command += ["--unwind", str(harness.passes), *_unwound(check)]
@@ -157,7 +159,7 @@ class Prover:
         return ProofOutcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
     def _compile(self, harness: Harness, check: Check, folder: Path) -> str:
-        """Translate what a check calls; gives the name of the file."""
+        """Translate the functions that a check calls. Returns the name of the file."""
         program = f"{check.name}.goto"
         function = f"check_{check.name}"
         whole = f"{harness.name}.goto"
@@ -173,8 +175,8 @@ class Prover:
     def _answers(
         self, query: _Query, names: Sequence[str], *, is_arithmetic: bool
     ) -> Sequence[_Answer]:
-        """Ask for everything at once; where that is too hard, for fewer and fewer obligations, and
-        once whether loops end.
+        """Ask about everything at once; if that is too hard, about fewer and fewer obligations, and
+        once about the ends of loops.
         """
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
@@ -194,13 +196,13 @@ class Prover:
     def _narrowed(
         self, query: _Query, names: Sequence[str], steps: Sequence[_Step]
     ) -> Iterator[_Answer]:
-        """Ask for so many obligations at a time; what is too hard is left to finer steps."""
+        """Ask about some obligations at a time. Those that are too hard are left to finer steps."""
         step, *finer = steps
         for first in range(0, max(len(names), 1), step.size):
             group = names[first : first + step.size]
             answer = self._ask(query.within(step.seconds), group, step.solvers)
             if answer[0] is Verdict.REFUTED and not answer[1]:
-                yield answer  # whatever other solvers say: where they disagree, nothing is proved
+                yield answer  # whatever other solvers answer: if they disagree, nothing is proved
                 answer = self._ask(query.within(_LISTING), group, [_OWN_SAT])
             others = [each for each in finer if each.size < len(group) or each[1:] != step[1:]]
             if answer[0] is Verdict.UNDECIDED and others:
@@ -242,8 +244,8 @@ class Prover:
             return started.text()
 
     def _start(self, command: Sequence[str], folder: Path, seconds: int) -> _Started:
-        # Seconds of a processor, so that a busy machine does not change the answer. The workshop's
-        # own scripts of solvers come first.
+        # CPU seconds, so that a busy machine does not change the answer. The workshop's own solver
+        # scripts come first.
         script = f'ulimit -t {seconds} && cd "$0" && PATH=.:$PATH exec "$@"'
         return _Started(["/bin/sh", "-c", script, str(folder), *command], folder)
 
@@ -262,17 +264,19 @@ class _Query:
 
 
 class _Started:
-    """A program that runs, and what it has said; ended with all that it started when left."""
+    """A running program, and its output so far. On exit, the program and all its children are
+    ended.
+    """
 
     def __init__(self, command: Sequence[str], folder: Path) -> None:
-        # A file, as a pipe that nobody reads would hold the program up.
+        # A file, because a pipe without a reader would block the program.
         self._said = tempfile.TemporaryFile(  # noqa: SIM115  (closed when left)
             mode="w+", encoding="utf-8", errors="replace"
         )
         self.process = subprocess.Popen(
             command,
             cwd=folder,
-            # TMPDIR: what it leaves when it is killed goes with the folder.
+            # TMPDIR: files that remain after a kill disappear with the folder.
             env={**os.environ, "PATH": _path(), "TMPDIR": "."},
             stdout=self._said,
             stderr=subprocess.STDOUT,

@@ -1,8 +1,8 @@
-"""The meaning of reactions, as C: who has what a task needs, what releases undo, when a stage is
-over.
+"""The meaning of reactions, as C: the owner of a task's resource, the effects of releases, the end
+of a stage.
 
-Takes the reactions of a machine; by the rules of `docs/explanation/reactions.md`, and not by the
-tables that the generator makes of them.
+The input is the reactions of a machine. The definitions follow the rules of
+`docs/explanation/reactions.md`, and not the tables that the generator makes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The program that CBMC is given about a reactor: the generated C as it is, and the checks.
+"""The program for CBMC about a reactor: the unchanged generated C, and the checks.
 
-Takes a machine; gives C text and the list of its checks. What the reactor is told of the monitor
-(which rules are active, which conditions are true) is anything.
+The input is a machine; the result is C text and the list of its checks. The reactor's inputs from
+the monitor (active rules, true conditions) are arbitrary.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rossmarie.verification.reactor_invariants import ReactorInvariants
 
 
 def reactor_harness(machine: ir.Machine) -> Harness:
-    """Everything that is to be shown of the reactor of a machine."""
+    """All obligations about the reactor of a machine."""
     return _Writer(machine).harness()
 
 

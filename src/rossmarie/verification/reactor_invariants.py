@@ -1,7 +1,7 @@
 """Invariants of a reactor, between two calls and within one, as sentences over its memory.
 
-Takes the reactions of a machine; what has to be proved is read off them, by the rules of
-`docs/explanation/reactions.md`, and not off the tables that the generator makes of them.
+The input is the reactions of a machine. The obligations follow the rules of
+`docs/explanation/reactions.md`, and not the tables that the generator makes.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class ReactorInvariants:
         return f"({' || '.join(noted)})"
 
     def first_started(self, rule: int) -> int:
-        """Where the list of what a rule has started begins."""
+        """The index at which the list of a rule's started tasks begins."""
         return sum(len(plan.tasks) for plan in self._found.plans[:rule])
 
     def always(self) -> list[Sentence]:
@@ -87,7 +87,7 @@ class ReactorInvariants:
             yield Sentence("what has begun began in the past", f"{since} == NEVER || {past}")
 
     def owned(self) -> Iterator[Sentence]:
-        """R7, R8: who has what is needed by what is in force, or waits."""
+        """R7, R8: the owners of the resources of tasks that are in force, or wait."""
         for task, declared in enumerate(self._found.tasks):
             if declared.resource is None:
                 continue

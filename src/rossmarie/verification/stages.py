@@ -1,6 +1,6 @@
-"""A function that takes an instant, looked at in stages, each with no more than it rests on.
+"""A function with an instant, checked in stages, each with only its own dependencies.
 
-Takes a call of it; gives the checks of its stages. Contracts stand in for its parts.
+The input is a call of it; the result is the checks of its stages. Contracts replace its parts.
 """
 
 from __future__ import annotations

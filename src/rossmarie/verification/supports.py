@@ -1,7 +1,8 @@
-"""The support of a number, a proposition or a rule, read off the nodes of a machine.
+"""The support of a number, a proposition or a rule, computed from the nodes of a machine.
 
-`docs/explanation/semantics.md` says its use: a message computes it anew (S7), an input that
-is gone takes it away (S9), it makes a proposition stale (S30), and a verdict reports it (S41).
+`docs/explanation/semantics.md` uses it in four rules: a message computes it anew (S7), an input
+that is missing makes it unknown (S9), it makes a proposition stale (S30), and a verdict reports it
+(S41).
 """
 
 from __future__ import annotations
@@ -210,8 +211,8 @@ def _waits(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Elements:
-    """For every signal and proposition the array of which it takes one element; None if it has one
-    value for the whole machine (S22). Of a list (S52) it is the first of its columns.
+    """The array of which each signal and proposition uses one element; None if it has one value for
+    the whole machine (S22). For a list (S52), the array is its first column.
     """
 
     signals: tuple[int | None, ...]

@@ -1,1 +1,1 @@
-"""Actions: each effect checked by itself, with its target, numbers and resource."""
+"""Actions: each effect is checked separately, with its target, numbers and resource."""

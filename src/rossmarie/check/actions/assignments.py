@@ -33,7 +33,7 @@ _INTEGERS: Mapping[str, tuple[int, int]] = {
 def assignments_of(
     written: tuple[ast.FieldAssignment, ...], sent: Sent | None, targets: Targets
 ) -> tuple[reactions.Assignment, ...] | None:
-    """Give the assigned values, in the units of the message; None after reporting what is wrong."""
+    """The assigned values, in the units of the message; None after reporting an error."""
     found: list[reactions.Assignment] = []
     first: dict[reactions.FieldPath, ast.FieldAssignment] = {}
     is_right = sent is not None
@@ -58,7 +58,7 @@ def assignments_of(
 
 
 def _infer_parts(value: ast.Expression, context: Context) -> None:
-    """Find the names that a value uses, where nobody knows what it should be."""
+    """Infer the types of the names in a value whose expected type is unknown."""
     for part in _elements(value):
         infer(part, context)
 
@@ -113,8 +113,8 @@ def _value(
 def scalar(
     node: ast.Expression, unit: Unit | None, field: Field, context: Context
 ) -> reactions.Scalar | None:
-    """A value in the unit of its field; `unit` is that of the list around it. None after reporting
-    what is wrong with it.
+    """A value in the unit of its field. `unit` is the unit of the list around the value. Returns
+    None after reporting an error.
     """
     type_ = infer(node, context)
     if isinstance(type_, Unknown) or not require_constant(node, f"`{field.text}`", context):

@@ -1,4 +1,6 @@
-"""Limits, scales and blocks: what lies on a command topic that passes through the safety filter."""
+"""Limits, scales and blocks: the effects on a command topic that passes through the safety
+filter.
+"""
 
 from __future__ import annotations
 
@@ -37,11 +39,11 @@ _FLOATS = frozenset({"float32", "float64"})
 _POSES = (parse_unit("m").dimension, parse_unit("rad").dimension)
 
 Ramps = list[tuple[ast.Expression, Unit, float]]
-"""Ramps, with the unit of what they lift and their value in SI."""
+"""Ramps, each with the unit of the quantity that it lifts and its value in SI."""
 
 
 def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
-    """The topic as the safety filter sees it. Headers have no floating-point numbers."""
+    """The topic as the safety filter handles it, without the numbers of headers."""
     fields = tuple(
         reactions.CommandField(leaf.path, leaf.is_array, symbol_of(leaf_unit(leaf, sent, targets)))
         for leaf in targets.model.messages.leaves(sent.message)
@@ -51,7 +53,7 @@ def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTop
 
 
 class CommandChecker:
-    """Checks the effects on command topics; `commands` are the topics found so far."""
+    """Checks the effects on command topics. `commands` are the topics found so far."""
 
     def __init__(self, targets: Targets, commands: dict[str, reactions.CommandTopic]) -> None:
         self._targets = targets
@@ -59,7 +61,7 @@ class CommandChecker:
         self._commands = commands
 
     def check(self, effect: ast.Limit | ast.Scale | ast.Block) -> CheckedEffect | None:
-        """The effect; None if something is wrong with it, which is reported."""
+        """The checked effect; None after reporting an error."""
         sent = self._targets.topic(effect.target)
         command = self._command(sent, effect.target)
         found: CheckedLimit | CheckedScale | None = None
@@ -91,8 +93,8 @@ class CommandChecker:
     def expected(
         self, topic: ast.Name, path: ast.FieldPath, range_: ast.Expression
     ) -> tuple[reactions.CommandTopic, int, float, float] | None:
-        """Give the field that a test expects something of, by number, and the ends in the unit of
-        the message. None after reporting what is wrong.
+        """The field that a test has an expectation about, by number, and the limits in the unit of
+        the message. None after reporting an error.
         """
         infer(range_, self._context)
         if not self._targets.is_commanded(topic):
@@ -142,7 +144,7 @@ class CommandChecker:
     def _index(
         self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
     ) -> int | None:
-        """The number of a field among those of the command; None after reporting."""
+        """The number of a field among the fields of the command; None after reporting an error."""
         paths = [one.path for one in command.fields]
         if field.leaf is not None and field.leaf.path in paths and not field.is_element:
             return paths.index(field.leaf.path)
@@ -158,7 +160,7 @@ class CommandChecker:
         return None
 
     def _ends(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
-        """As `_interval`, of a bound, which has to leave room for zero."""
+        """The result of `_interval` for a bound, which has to contain zero."""
         ends = self._interval(bound, field)
         if ends is not None and not ends[0] <= 0 <= ends[1]:
             self._add(BoundWithoutZero().at(bound.range.span))
@@ -166,7 +168,7 @@ class CommandChecker:
         return ends
 
     def _interval(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
-        """The two ends in the unit of the message; None after reporting what is wrong with them."""
+        """The two ends in the unit of the message; None after reporting an error."""
         type_ = self._context.type_of(bound.range)
         if isinstance(type_, Unknown):
             return None
@@ -248,7 +250,7 @@ class CommandChecker:
         ramps: Ramps,
         effect: ast.Limit | ast.Scale | ast.Block,
     ) -> list[float | None] | None:
-        """The ramp of each field in its unit; None after reporting ramps that belong to none."""
+        """The ramp of each field in its unit; None after reporting ramps without a field."""
         if len(ramps) < len(effect.ramps):
             return None
         is_right = True

@@ -1,7 +1,7 @@
-"""The bodies of actions: each effect checked by itself.
+"""The bodies of actions: each effect is checked separately.
 
-Comes out: the effects of each action, with all that lowering needs. Names of actions behind `else`
-are looked up here; what follows from which action refers to which is looked at in `rules/plans.py`.
+The result is the effects of each action, with everything that lowering needs. Names of actions
+behind `else` are looked up here. `rules/plans.py` checks the chains of actions that `else` forms.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ from rossmarie.units import DIMENSIONLESS
 
 class EffectChecker:
     """Checks the bodies of all actions. `commands` are the topics that may pass through the safety
-    filter; `confirmations` where each confirmation stands, and what it rests on.
+    filter; `confirmations` holds the place and the uses of each confirmation.
     """
 
     def __init__(self, targets: Targets) -> None:
@@ -75,7 +75,7 @@ class EffectChecker:
         }
 
     def check(self, action: ast.Action) -> tuple[CheckedEffect, ...]:
-        """The effects of an action; those with something wrong are reported, and missing."""
+        """The effects of an action. Effects with errors are reported and left out."""
         uses = self._context.enter(None)
         found = [self._effect(effect, uses) for effect in action.effects]
         return tuple(effect for effect in found if effect is not None)
@@ -300,7 +300,7 @@ class EffectChecker:
         return CheckedEffect(found, effect.span, None, self._resource(target), otherwise)
 
     def _resource(self, target: reactions.Target) -> str:
-        """Name the resource that an effect needs for itself, as the system model names it."""
+        """The resource that an effect needs exclusively, with its name in the system model."""
         declared = self._resources.get(target.name)
         return str(target) if declared is None else f"resource {declared}"
 

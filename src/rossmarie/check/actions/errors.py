@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
-    """The type of a service or of an action server of which there is no definition."""
+    """A service or action server whose type has no definition."""
 
     title = "there is no {kind} type `{identifier}`"
     label = "no definition of this type is known"
@@ -16,7 +16,7 @@ class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
 
 
 class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
-    """A topic, service or action server of which nobody says what is sent to it."""
+    """A topic, service or action server whose type is not declared."""
 
     title = "the type of {kind} `{identifier}` is not known"
     label = "no declaration gives the type"
@@ -58,7 +58,7 @@ class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
 
 
 class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
-    """A hook that cannot be the name of a function."""
+    """A hook name that cannot be the name of a function."""
 
     title = "`{identifier}` cannot be the name of a C++ function"
     label = "a C++ keyword"
@@ -67,7 +67,7 @@ class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
 
 
 class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
-    """A test that expects something of commands that nothing holds back."""
+    """A test with an expectation about commands that nothing limits."""
 
     title = "no action commands {topic}"
     label = "every message on this topic passes unchanged"
@@ -80,7 +80,7 @@ class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
 
 
 class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
-    """A resource to which something belongs that nothing else speaks of."""
+    """A member of a resource that occurs nowhere else."""
 
     title = "nothing is sent to `{identifier}`"
     label = "no system model declares it, and no action names it"
@@ -89,7 +89,7 @@ class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
 
 
 class SharedTarget(Error, code="ROSS141", name="shared-target"):
-    """A topic or the like that belongs to two resources, or to one twice."""
+    """A topic or the like that belongs to two resources, or to one resource twice."""
 
     title = "`{target}` already belongs to resource `{resource}`"
     label = "named again"
@@ -135,7 +135,7 @@ class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
 
 
 class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
-    """Something else than an interval behind the `in` of a limit."""
+    """An expression behind the `in` of a limit that is not an interval."""
 
     title = "a limit needs an interval, and this is {found}"
     label = "expected a lower and an upper bound"
@@ -144,7 +144,7 @@ class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
 
 
 class ValueMismatch(Error, code="ROSS228", name="value-mismatch"):
-    """A value of another type than the field that it is for."""
+    """A value whose type differs from the type of its field."""
 
     title = "`{field}` is {expected}, and this is {found}"
     label = "{found}"
@@ -194,7 +194,7 @@ class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
 
 
 class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
-    """A number whose unit is not that of the field that it is for."""
+    """A number whose unit differs from the unit of its field."""
 
     title = "{found} does not fit `{field}`"
     label = "`{field}` is {expected}"
@@ -222,7 +222,7 @@ class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
 
 
 class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
-    """A ramp that is the rate of change of nothing that the effect bounds."""
+    """A ramp that fits no field that the effect bounds."""
 
     title = "this ramp fits none of the fields that are bounded here"
     label = "{found}"
@@ -246,7 +246,7 @@ class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
 
 
 class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
-    """A limit under which a robot could not stand still."""
+    """A limit that excludes zero, so that the robot could not stand still."""
 
     title = "a limit must let the robot stand still"
     label = "zero is outside this interval"
@@ -255,7 +255,7 @@ class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
 
 
 class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
-    """A command of positions that is to be scaled or held at zero."""
+    """A position command that a rule scales or holds at zero."""
 
     title = "for `{field}`, zero is a position, not standstill"
     label = "this would move the robot to zero"
@@ -266,7 +266,7 @@ class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
 
 
 class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
-    """A factor of a command that is no share."""
+    """A factor of a command that is not between 0 and 1."""
 
     title = "a command can be scaled by 0 to 100 %"
     label = "this is {found}"
@@ -275,7 +275,7 @@ class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
 
 
 class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
-    """A bound that is lifted at once, where others are lifted gently."""
+    """A bound that is lifted at once while others are lifted along a ramp."""
 
     title = "the bound of `{field}` is lifted without a ramp"
     label = "no ramp applies to this field"
@@ -310,7 +310,7 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
 
 
 class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
-    """A goal that may take for ever."""
+    """A goal without a time limit."""
 
     title = "this goal needs a time limit"
     label = "nothing defines when this goal has failed"
@@ -320,7 +320,7 @@ class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
 
 
 class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):
-    """A confirmation that may fail, with nothing that follows."""
+    """A confirmation that may fail without an escalation."""
 
     title = "nothing happens if this confirmation fails"
     label = "the goal is cancelled, but the robot may not have stopped"
@@ -329,7 +329,7 @@ class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmatio
 
 
 class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
-    """A controller that is to be started and stopped at once."""
+    """A controller that is started and stopped by the same effect."""
 
     title = "controller `{identifier}` is both started and stopped"
     label = "named again here"

@@ -1,4 +1,4 @@
-"""The numbers of effects: whether they fit the field that they are for, ramps, rates and times."""
+"""The numbers of effects: their fit to their fields, ramps, rates and times."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _USUAL_TIMEOUT_NS = 2_000_000_000
 
 
 def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) -> bool:
-    """Say whether numbers have the dimension of a field; report it if not."""
+    """Say whether numbers have the dimension of a field. Report an error if they do not."""
     if found.unit is None:
         return True
     expected = field.unit or DIMENSIONLESS
@@ -45,7 +45,9 @@ def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) 
 
 
 def period_ns(rate: ast.Expression, context: Context) -> int | None:
-    """The time between two messages; None, after reporting, if `rate` is no possible frequency."""
+    """The time between two messages in nanoseconds; None, after reporting, if `rate` is not a
+    possible frequency.
+    """
     type_ = infer(rate, context)
     if not is_frequency(rate, type_, type_, context):
         return None
@@ -61,8 +63,8 @@ def period_ns(rate: ast.Expression, context: Context) -> int | None:
 
 
 def timeout_ns(timeout: ast.Expression | None, context: Context) -> int | None:
-    """The time within which something has to be done, 2 s if nothing is said; None, after
-    reporting, if it is no time.
+    """The time limit in nanoseconds, 2 s if none is given; None, after reporting, if it is not a
+    time.
     """
     if timeout is None:
         return _USUAL_TIMEOUT_NS

@@ -1,4 +1,4 @@
-"""Fields of messages that effects name: the way to them, and what they are."""
+"""Fields of messages that effects name: the path to each, and its type."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 @dataclass(frozen=True)
 class Field:
-    """A field that an effect names. `leaf` is None if it is a message itself; `is_element` tells
-    that the path chooses an element of an array.
+    """A field that an effect names. `leaf` is None if the field is a message itself. `is_element`
+    is True if the path selects an element of an array.
     """
 
     text: str
@@ -37,7 +37,7 @@ class Field:
 
 
 def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> Field | None:
-    """The field that a path leads to; None after reporting that there is none."""
+    """The field that a path leads to; None after reporting that there is no such field."""
     type_: Type = message_value(sent.message)
     text, before = sent.type, path.span
     names: list[str] = []
@@ -81,7 +81,7 @@ def _stated_unit(sent: Sent, targets: Targets) -> Unit | None:
 
 
 def symbol_of(unit: Unit | None) -> str:
-    """The symbol of a unit; nothing for plain numbers and unknown units."""
+    """The symbol of a unit; empty for plain numbers and unknown units."""
     return "" if unit is None or unit == DIMENSIONLESS else unit.symbol
 
 

@@ -1,4 +1,4 @@
-"""The words of C++ (up to C++17), which no function can be called."""
+"""The reserved words of C++ (up to C++17), which cannot be names of functions."""
 
 CPLUSPLUS_WORDS = frozenset((
     "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break",

@@ -1,4 +1,6 @@
-"""The resources that system models declare: names for what several topics and so on command."""
+"""The resources that system models declare: names for groups of topics, services and the like that
+command the same thing.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +16,8 @@ from rossmarie.types import Kind
 
 
 def declared_resources(targets: Targets) -> Mapping[str, str]:
-    """The names of topics, services, action servers, nodes and controller managers that commands
-    go to, each with the resource that it belongs to. Reports what is wrong with these.
+    """The names of topics, services, action servers, nodes and controller managers that receive
+    commands, each with the resource that it belongs to. Reports errors in the declarations.
     """
     found: dict[str, tuple[str, ast.Name]] = {}
     first: dict[str, ast.Name] = {}
@@ -43,7 +45,7 @@ def _declarations(targets: Targets) -> Iterator[ast.ResourceDeclaration]:
 
 
 def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
-    """Names that nothing else speaks of are misspelt, most likely."""
+    """Report names that occur nowhere else: most likely they are misspelt."""
     if not targets.is_parsed:
         return
     known = set(_known(targets))

@@ -1,4 +1,4 @@
-"""Mistakes in what `retrace` says."""
+"""Mistakes in `retrace` effects."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class NotAPose(Error, code="ROSS253", name="not-a-pose"):
-    """A `retrace` of what is no pose that arrives with messages."""
+    """A `retrace` of an expression that is not a pose from messages."""
 
     title = "`{identifier}` is not a pose that can be retraced"
     label = "this is {found}"
@@ -19,7 +19,7 @@ class NotAPose(Error, code="ROSS253", name="not-a-pose"):
 
 
 class MessageWithoutPose(Error, code="ROSS254", name="message-without-pose"):
-    """A topic to retrace on whose messages do not hold such a pose."""
+    """A topic to retrace on whose messages have no such pose."""
 
     title = "a message of type {type} does not hold exactly one {pose}"
     label = "the poses would be published here"
@@ -30,7 +30,7 @@ class MessageWithoutPose(Error, code="ROSS254", name="message-without-pose"):
 
 
 class OddDistance(Error, code="ROSS255", name="odd-distance"):
-    """An `apart` that is no distance and no time, or is said twice."""
+    """An `apart` that is neither a distance nor a time, or is given twice."""
 
     title = "`apart` needs a distance or a time"
     label = "{found}"
@@ -40,7 +40,7 @@ class OddDistance(Error, code="ROSS255", name="odd-distance"):
 
 
 class PoseCount(Error, code="ROSS428", name="pose-count"):
-    """A memory for no number of poses."""
+    """A number of poses that a memory cannot have."""
 
     title = "`up to` needs a whole number of poses, from 1 to {most}"
     label = "this is {found}"
@@ -50,7 +50,7 @@ class PoseCount(Error, code="ROSS428", name="pose-count"):
 
 
 class RetracedCommand(Error, code="ROSS429", name="retraced-command"):
-    """A topic to retrace on which somebody else commands the robot."""
+    """A topic to retrace on that another node uses to command the robot."""
 
     title = "the poses would be mixed with other commands on {topic}"
     label = "a node publishes on this topic, or an action bounds it"
@@ -63,7 +63,7 @@ class RetracedCommand(Error, code="ROSS429", name="retraced-command"):
 
 
 class PosesInAll(Error, code="ROSS430", name="poses-in-all"):
-    """Memories of poses that are more together than a monitor can hold."""
+    """Memories of poses that together exceed the capacity of a monitor."""
 
     title = "all memories together hold more than {most} poses"
     label = "with this memory there are {found}"

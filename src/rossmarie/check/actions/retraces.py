@@ -1,4 +1,4 @@
-"""Poses that are sent back: what is remembered, how much of it, and where it is sent."""
+"""Poses that a rule sends back: the remembered pose, the size of the memory, and the target."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ _NUMBERS = tuple(("position", axis) for axis in "xyz") + tuple(
 def checked_retrace(
     effect: ast.Retrace, targets: Targets, published: Collection[str]
 ) -> CheckedRetrace | None:
-    """The effect; None after reporting what is wrong. `published` are the topics on which nodes of
-    the system model publish.
+    """The checked effect; None after reporting an error. `published` are the topics on which nodes
+    of the system model publish.
     """
     context = targets.context
     type_ = _pose(effect, context)
@@ -93,7 +93,7 @@ def _is_position(type_: Type) -> bool:
 def _numbers(
     effect: ast.Retrace, sent: Sent, type_: Type, context: Context
 ) -> tuple[reactions.FieldPath, ...] | None:
-    """The fields of the message that the numbers of a pose go into."""
+    """The fields of the message that take the numbers of a pose."""
     is_pose = isinstance(type_, Message)
     found = list(_places(message_value(sent.message), is_pose))
     if len(found) == 1:
@@ -106,7 +106,7 @@ def _numbers(
 
 
 def _places(type_: Type, is_pose: bool) -> Iterator[tuple[str, ...]]:
-    """The ways to such a pose in a message: the message itself, or one of its fields."""
+    """The paths to such a pose in a message: the message itself, or one of its fields."""
     for path, each in (((), type_), *(((name,), field) for name, field in members(type_).items())):
         if is_pose and isinstance(each, Message) and each.name == POSE:
             yield path
@@ -116,7 +116,7 @@ def _places(type_: Type, is_pose: bool) -> Iterator[tuple[str, ...]]:
 
 
 def _apart(effect: ast.Retrace, context: Context) -> tuple[float, int] | None:
-    """The least distance and the least time between two poses, 0 for what is not said."""
+    """The least distance and the least time between two poses; 0 if not given."""
     distance, time_ns = 0.0, 0
     is_right = True
     for node in effect.apart:

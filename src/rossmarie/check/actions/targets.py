@@ -26,7 +26,9 @@ _WORDS: Mapping[Kind, str] = {Kind.SERVICE: "service", Kind.ACTION: "action serv
 
 @dataclass(frozen=True)
 class Sent:
-    """Where something is sent: the full name, the name of the type, and the definition."""
+    """The target of a message: its full name, the name of its type, and the definition of the
+    type.
+    """
 
     name: str
     type: str
@@ -36,8 +38,8 @@ class Sent:
 @dataclass
 class Targets:
     """Resolves targets. `stated` are the types that inputs, effects and system models state, with
-    the place; `commanded` the topics that effects limit, scale or block, and what those are called
-    there. If not `is_parsed`, something that could not be read may state more.
+    their places. `commanded` are the topics that effects limit, scale or block, with the names used
+    there. If `is_parsed` is False, a file that could not be read may state more types.
     """
 
     model: SystemModel
@@ -51,7 +53,7 @@ class Targets:
         return self.context.collector
 
     def gather(self) -> None:
-        """Take in what inputs, system models and effects say of types."""
+        """Collect the types that inputs, system models and effects state."""
         for found in self.context.inputs.values():
             written = found.declaration.message_type
             if written is not None:
@@ -106,14 +108,16 @@ class Targets:
             self._collector.add(finding.at(written.span, place))
 
     def full_name(self, kind: Kind, name: ast.Name) -> str:
-        """`/cmd_vel` for `cmd_vel`, and for an alias of it."""
+        """`/cmd_vel` for `cmd_vel` and for an alias of it."""
         topic = self.model.find(name.text) if kind is Kind.MESSAGE else None
         return full_name(name.text) if topic is None else topic.name
 
     # --- types -------------------------------------------------------------------------------
 
     def topic(self, target: ast.Target, example: str = "geometry_msgs/Twist") -> Sent | None:
-        """The topic; None after reporting that its type is not known, with one that it may have."""
+        """The topic; None after reporting that its type is unknown. `example` is a type that it may
+        have.
+        """
         name = self.full_name(Kind.MESSAGE, target.name)
         topic = self.model.topics.get(name)
         written = self.stated.get((Kind.MESSAGE, name))
@@ -124,12 +128,12 @@ class Targets:
             return None
         if _contradicts(target, written):
             return None
-        # A mistake in a type is reported once, however many effects go by it.
+        # A mistake in a type is reported once, however many effects use the type.
         message = find_message(written, self.model, self._collector)
         return None if message is None else Sent(name, type_name(written.text), message)
 
     def is_commanded(self, name: ast.Name) -> bool:
-        """Say whether an action commands the topic; report it if not."""
+        """Say whether an action commands the topic. Report an error if none does."""
         if self.full_name(Kind.MESSAGE, name) in self.commanded:
             return True
         if self.model.is_whole and self.is_parsed:
@@ -149,7 +153,7 @@ class Targets:
         self._collector.add(finding.at(name.span, notes=(commanded,) if self.commanded else ()))
 
     def sent(self, target: ast.Target, kind: Kind) -> Sent | None:
-        """The service or action server; None after reporting that its type is not known."""
+        """The service or action server; None after reporting that its type is unknown."""
         name = full_name(target.name.text)
         written = self.stated.get((kind, name))
         if written is None:
@@ -199,7 +203,9 @@ def insertion(behind: Span, text: str) -> Fix:
 
 
 def _contradicts(target: ast.Target, known: ast.Name) -> bool:
-    """Say whether a target states another type than is known, which is reported at its place."""
+    """Say whether a target states a type other than the known one. The contradiction is reported at
+    its place.
+    """
     return target.type is not None and _short(target.type) != _short(known)
 
 

@@ -1,7 +1,8 @@
-"""Behavior trees as answers of rules: `tree Reroute(Target: "kitchen") within 20 sec`.
+"""Behavior trees as reactions of rules: `tree Reroute(Target: "kitchen") within 20 sec`.
 
-A tree is a skill of the file of skills. The action server `/recovery` of whoever runs the skills
-runs it while the task waits. So a tree is a goal, as any other that a rule sends.
+A tree is a skill in the file of skills. The program that runs the skills offers the action server
+`/recovery`, which runs the tree while the task waits. So a tree is a goal like any other that a
+rule sends.
 """
 
 from __future__ import annotations
@@ -30,16 +31,16 @@ from rossmarie.units import DIMENSIONLESS
 SERVER = "/recovery"
 ACTION = "skill_context_msgs/Recover"
 PASSED = "@"
-"""Begins a value that is the parameter of a skill that runs: `@Drive.Target`."""
+"""The prefix of a value that is a parameter of a running skill: `@Drive.Target`."""
 AFTERWARDS = "afterwards"
-"""The field of a goal that says how the task goes on."""
+"""The field of a goal that says how the task continues."""
 _USUALLY = "resume"
 _NUMBERS = frozenset({"float", "int"})
 _TEXTS = frozenset({"str", "enum"})
 
 
 def checked_tree(effect: ast.RunTree, timeout_ns: int, context: Context) -> CheckedGoal | None:
-    """The goal that a tree is; None after reporting what is wrong with it."""
+    """The goal for a tree; None after reporting an error."""
     skills = known_skills(effect, context)
     skill = None if skills is None else find_skill(effect.skill, skills, context)
     if skills is None or skill is None:
@@ -72,7 +73,7 @@ def checked_tree(effect: ast.RunTree, timeout_ns: int, context: Context) -> Chec
 def _argument(
     argument: ast.TreeArgument, skill: Skill, skills: CheckedSkills, context: Context
 ) -> str | None:
-    """A value as text; None after reporting what is wrong with it."""
+    """A value as text; None after reporting an error."""
     parameter = find_parameter(argument.parameter, skill, skills, context)
     if isinstance(argument.value, ast.Passed):
         return _passed(argument.value, parameter, skill, skills, context)
@@ -111,7 +112,9 @@ def _passed(
     skills: CheckedSkills,
     context: Context,
 ) -> str | None:
-    """`@Drive.Target`: whoever runs the tree knows what `Drive` runs with."""
+    """`@Drive.Target`: the program that runs the tree replaces it by the parameter of the running
+    `Drive`.
+    """
     running = find_skill(value.skill, skills, context)
     theirs = None if running is None else find_parameter(value.parameter, running, skills, context)
     if parameter is None or theirs is None:
@@ -143,7 +146,7 @@ def _report(
 
 
 def _has_all(effect: ast.RunTree, skill: Skill, given: dict[str, str], context: Context) -> bool:
-    """Say whether all that a tree needs is given; what the world knows is inferred, and a number
+    """Say whether a tree has all values that it needs. The world model infers some, and a number
     may have a default.
     """
     missing = [

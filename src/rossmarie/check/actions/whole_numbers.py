@@ -13,8 +13,8 @@ from rossmarie.units import DIMENSIONLESS, Unit
 def is_whole(
     node: ast.Expression, si: float, field: str, held: tuple[Unit | None, Limits], context: Context
 ) -> bool:
-    """Say whether a field that holds whole numbers of a unit, within limits, can hold a number,
-    which is in SI; report it if not.
+    """Say whether a field of whole numbers can hold a number. The field has a unit and limits; the
+    number is in SI. Report an error if the field cannot hold it.
     """
     unit, limits = held[0] or DIMENSIONLESS, held[1]
     number = unit.from_si(si) + 0.0

@@ -1,1 +1,1 @@
-"""Expressions: the type of each, and the value of those that are constant."""
+"""Expressions: the type of each, and the value of constant ones."""

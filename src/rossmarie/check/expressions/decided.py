@@ -1,7 +1,7 @@
 """Conditions that are always true or always false, whatever arrives.
 
-They are legal: constants are there to switch things on and off. But where nothing can change the
-outcome, a monitor watches nothing.
+Such conditions are legal: constants can switch rules on and off. But if no input can change the
+value, a monitor watches nothing.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from rossmarie.types import Boolean, Unknown
 
 
 def warn_of_decided(expression: ast.Expression, context: Context) -> None:
-    """Warn of the condition, or of those parts of it, that no input has any influence on.
+    """Warn of a condition, or of its parts, that no input influences.
 
-    A mere `true`, or the name of a constant, is a switch where it is only a part.
+    A mere `true`, or the name of a constant, is a switch if it is only a part of the condition.
     """
     parts = list(walk(expression))
     if any(isinstance(context.types.get(part), Unknown) for part in parts):
@@ -35,7 +35,7 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
         node, is_whole = pending.pop()
         outcome = outcomes.get(node)
         if outcome is not None and rests_on_parameter(node, context):
-            continue  # with another value of the parameter it may come out otherwise
+            continue  # another value of the parameter may change the result
         if outcome is not None and (is_whole or not _is_switch(node, context)):
             _report(node, "true" if outcome else "false", context)
         elif is_whole and _is_apart(node, context):
@@ -45,8 +45,9 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
 
 
 def warn_of_never_cleared(rule: ast.Rule, contract: ast.ClearWhen, context: Context) -> None:
-    """Warn of a condition behind `clear when` that cannot be true while that of the rule is false:
-    they are the same, or it needs all that alone makes the rule hold.
+    """Warn of a condition behind `clear when` that cannot be true while the condition of the rule
+    is false: both conditions are the same, or the first requires everything that makes the second
+    true.
     """
     needed = _spellings(contract.condition, ast.BinaryOperator.AND)
     for part in (rule.condition, *_joined(rule.condition, ast.BinaryOperator.OR)):
@@ -62,7 +63,7 @@ def _spellings(node: ast.Expression, operator: ast.BinaryOperator) -> set[str]:
 
 
 def _joined(node: ast.Expression, operator: ast.BinaryOperator) -> Iterator[ast.Expression]:
-    """The parts that one operator joins, without the parentheses around them."""
+    """The operands of a chain of one operator, without the parentheses around them."""
     pending = [node]
     while pending:
         part = stripped(pending.pop())
@@ -77,7 +78,7 @@ def _spelling(node: ast.Expression) -> str:
 
 
 def _parts(node: ast.Expression, is_whole: bool) -> Iterator[tuple[ast.Expression, bool]]:
-    """The nodes inside a node; each tells whether it still stands for the whole condition."""
+    """The nodes inside a node, each with a flag: True if it still decides the whole condition."""
     if isinstance(node, ast.Held):
         yield node.condition, True
         return
@@ -98,7 +99,7 @@ def _is_switch(node: ast.Expression, context: Context) -> bool:
 
 
 def _is_apart(node: ast.Expression, context: Context) -> bool:
-    """Say whether a condition names no input, no skill and no other one, and looks at no time."""
+    """Say whether a condition names no input, no skill and no other condition, and uses no time."""
     return isinstance(context.type_of(node), Boolean) and not any(
         isinstance(part, Temporal | ast.Doing)
         or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)
@@ -107,7 +108,7 @@ def _is_apart(node: ast.Expression, context: Context) -> bool:
 
 
 def _outcomes(parts: list[ast.Expression], context: Context) -> NodeMap[bool]:
-    """The booleans among `parts`, each before what is inside it, that constants alone decide."""
+    """The booleans among `parts` that constants alone decide, each before the parts inside it."""
     outcomes: NodeMap[bool] = NodeMap()
     for node in reversed(parts):
         if isinstance(context.type_of(node), Boolean):

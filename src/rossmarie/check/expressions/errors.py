@@ -1,4 +1,4 @@
-"""Mistakes in whole expressions: frequencies, and conditions that are decided."""
+"""Mistakes in whole expressions: frequencies, and decided conditions."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class NotPositive(Error, code="ROSS318", name="not-positive"):
 
 
 class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
-    """Something else than a frequency behind `at`."""
+    """A value behind `at` that is not a frequency."""
 
     title = "`at` needs a frequency, and this is {found}"
     label = "expected a frequency"
@@ -37,7 +37,7 @@ class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
 
 
 class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
-    """A condition that nothing can change."""
+    """A condition that no input can change."""
 
     title = "this condition is always {outcome}"
     label = "no input influences this condition"
@@ -47,7 +47,7 @@ class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
 
 
 class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
-    """A rule that is to be cleared by what keeps it active."""
+    """A rule that its own condition is supposed to clear."""
 
     title = "this rule can never be cleared"
     label = "while this condition is true, the condition of the rule is true too"

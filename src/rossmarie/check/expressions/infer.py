@@ -1,8 +1,8 @@
-"""The type of every expression, and the value of those that are constant.
+"""The type of every expression, and the value of constant ones.
 
-Goes through a tree from the leaves up, without recursion. Each node is looked at once, when its
-operands have their types; what does not fit is reported there and has the type `Unknown`, which
-nothing is reported about again.
+The pass visits a tree from the leaves up, without recursion, and each node once, after its operands
+have types. A type error is reported at its node, which gets the type `Unknown`; nothing more is
+reported about an `Unknown`.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _Operation = (
 
 
 def infer(expression: ast.Expression, context: Context) -> Type:
-    """The type of an expression; `context` gets the types and values of all its parts."""
+    """The type of an expression. `context` receives the types and values of all its parts."""
     pending = [(expression, False)]
     while pending:
         node, is_ready = pending.pop()

@@ -1,4 +1,6 @@
-"""The values that imports give to parameters: of the type and the dimension that is declared."""
+"""The values that imports give to parameters: their types and dimensions must be the declared
+ones.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from rossmarie.types import Box, Interval, Quantity, Type, Unknown, unit_faults
 
 
 def fits_parameter(constant: ast.Constant, found: Type, context: Context) -> bool:
-    """Say whether the value of a constant is as the parameter that it stands for demands; report it
+    """Say whether the value of a constant has the type that its parameter requires. Report an error
     if not.
     """
     parameter = constant.parameter
@@ -33,7 +35,7 @@ def fits_parameter(constant: ast.Constant, found: Type, context: Context) -> boo
 
 
 def values_of(constant: ast.Constant) -> tuple[ast.Expression, ...]:
-    """The value of a constant, and the default of the parameter that it stands for."""
+    """The value of a constant, and the default of the parameter that the constant stands for."""
     default = None if constant.parameter is None else constant.parameter.default
     if default is None or isinstance(default, ast.Name):
         return (constant.value,)
@@ -41,13 +43,13 @@ def values_of(constant: ast.Constant) -> tuple[ast.Expression, ...]:
 
 
 def rests_on_parameter(node: ast.Expression, context: Context) -> bool:
-    """Say whether an expression names a parameter."""
+    """Say whether an expression depends on a parameter."""
     constants = (constant_of(part, context.declarations) for part in walk(node))
     return any(each is not None and each.parameter is not None for each in constants)
 
 
 def _declared(parameter: ast.Parameter, context: Context) -> Type | None:
-    """The type of the default, or a number in the unit; None if nothing is known of it."""
+    """The type of the default, or a number in the unit; None if unknown."""
     if parameter.unit is not None:
         unit = read_unit(parameter.unit, context.collector)
         return None if unit is None else Quantity(unit)

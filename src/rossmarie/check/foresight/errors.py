@@ -1,4 +1,4 @@
-"""Mistakes about motions, and about what rules keep."""
+"""Mistakes about motions, and about the requirements of rules."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class UnknownMotionPart(Error, code="ROSS263", name="unknown-motion-part"):
 
 
 class IncompleteMotion(Error, code="ROSS264", name="incomplete-motion"):
-    """A motion of which something is not said."""
+    """A motion with a missing part."""
 
     title = "motion `{motion}` has no {missing}"
     label = "the stopping distance cannot be computed"
@@ -26,7 +26,7 @@ class IncompleteMotion(Error, code="ROSS264", name="incomplete-motion"):
 
 
 class UnlimitedReaction(Error, code="ROSS266", name="unlimited-reaction"):
-    """A motion that is seen by an input whose loss nobody notices."""
+    """A motion that depends on an input whose loss is not noticed."""
 
     title = "motion `{motion}` is measured by `{input}`, which has no timeout"
     label = "missing messages would go unnoticed, so no stopping distance is long enough"
@@ -49,7 +49,7 @@ class UndeclaredMotion(Error, code="ROSS267", name="undeclared-motion"):
 
 
 class KeptGivesWay(Error, code="ROSS270", name="kept-gives-way"):
-    """A rule that keeps something, and that another rule switches off."""
+    """A rule with a requirement that another rule switches off."""
 
     title = "rule `{rule}` keeps `{motion}` below a speed, but gives way to `{other}`"
     label = "while `{other}` is active, no rule keeps `{motion}` below the speed"

@@ -1,4 +1,6 @@
-"""Requirements of rules: each keeps a motion below a speed in the places of a class, or a zone."""
+"""Requirements of rules: each keeps a motion below a speed, in a zone or in the places of a
+class.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,9 @@ from rossmarie.types import Region
 
 
 def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
-    """The speed that a rule keeps, and where; None if it keeps none, or after reporting."""
+    """The speed limit of a rule, and its places; None if the rule has no requirement, or after
+    reporting.
+    """
     written = rule.keeps
     if written is None:
         return None

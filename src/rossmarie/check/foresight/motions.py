@@ -1,4 +1,4 @@
-"""Motions: where one is, how fast, and how it brakes."""
+"""Motions: position, speed and brakes."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _NS = 1e-9
 
 
 def check_motions(context: Context) -> None:
-    """Check every motion of the program, and record those that are right in `context.motions`."""
+    """Check every motion of the program, and record the correct ones in `context.motions`."""
     for item in context.declarations.items:
         if isinstance(item, ast.Motion):
             found = _checked(item, context)
@@ -85,7 +85,9 @@ def _checked(motion: ast.Motion, context: Context) -> CheckedMotion | None:
 
 
 def _moving_frames(used: CheckedInput, context: Context) -> list[CheckedFrame]:
-    """The moving frames on the way of an input: each may be elsewhere until its timeout."""
+    """The moving frames on the path of an input. Each may have moved by any amount until its
+    timeout.
+    """
     if used.source is None or used.target is None:
         return []
     legs = context.frames.way(used.source, used.target) or ()
@@ -93,7 +95,7 @@ def _moving_frames(used: CheckedInput, context: Context) -> list[CheckedFrame]:
 
 
 def _parts(motion: ast.Motion, context: Context) -> dict[str, ast.Condition]:
-    """The parts by name, after reporting those that are none and second ones."""
+    """The parts by name, after reporting unknown and repeated parts."""
     found: dict[str, ast.Condition] = {}
     for part in motion.parts:
         if part.name.text not in _FORMS:
@@ -120,7 +122,7 @@ def _is_whole(motion: ast.Motion, parts: Mapping[str, ast.Condition], context: C
 
 
 def _part(name: str, node: ast.Expression, context: Context) -> float | None:
-    """The number of a part, 0 of one that changes; None, after reporting, if it is wrong."""
+    """The number of a part, 0 if the part changes; None, after reporting, if the part is wrong."""
     type_ = context.type_of(node)
     if isinstance(type_, Unknown):
         return None
@@ -155,7 +157,7 @@ def _position(node: ast.Expression, context: Context) -> float | None:
 
 
 def _is_limited(motion: ast.Motion, uses: Uses, context: Context) -> bool:
-    """Say whether all that a motion is seen by has a timeout; what has none is reported."""
+    """Say whether all inputs of a motion have a timeout. Report the inputs that have none."""
     unlimited = [name for name in sorted(uses.inputs) if context.inputs[name].timeout_ns is None]
     for name in unlimited:
         finding = UnlimitedReaction(motion=motion.name.text, input=name)

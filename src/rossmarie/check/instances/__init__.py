@@ -1,1 +1,1 @@
-"""Files that are imported with values for their parameters, or under a name: instances of them."""
+"""Instances: files that are imported with values for their parameters, or under a name."""

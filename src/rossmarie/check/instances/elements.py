@@ -1,4 +1,4 @@
-"""Elements by the names of constants: `joints[elbow]` -> `joints["elbow_joint"]`."""
+"""Elements chosen by the name of a constant: `joints[elbow]` -> `joints["elbow_joint"]`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.syntax.walk import expressions
 
 
 def with_elements(modules: Sequence[ast.Module], collector: Collector) -> list[ast.Module]:
-    """The modules, in which each element that a constant names has that name. A constant that is no
+    """The modules, with each constant in an index replaced by its text. A constant that is not a
     string is reported.
     """
     asking = {id(item) for each in modules for item in each.items if _asks(item)}
@@ -43,8 +43,8 @@ class _Lookup:
         self._collector = collector
 
     def in_(self, value: Any) -> Any:
-        """A node with everything inside it. Recurses along the tree, which the limits of the syntax
-        allow.
+        """A node with everything inside it. The recursion follows the tree, whose depth the syntax
+        limits.
         """
         if isinstance(value, tuple):
             return tuple([self.in_(each) for each in value])
@@ -59,7 +59,7 @@ class _Lookup:
         return type(value)(**parts)
 
     def _text(self, name: ast.Name) -> str | None:
-        """The text of a constant; None after reporting that it has none."""
+        """The text of a constant; None after reporting that it is not a text."""
         seen: set[str] = set()
         at = name.text
         while at in self._constants and at not in seen:
@@ -96,8 +96,8 @@ def _inside(value: ast.Expression) -> ast.Expression:
 
 
 def _is_reported(constant: ast.Constant) -> bool:
-    """Say whether another finding is about the value: it is no value at all, or not the string that
-    a parameter is.
+    """Say whether another finding reports the value: it is no value at all, or not the string that
+    a parameter requires.
     """
     default = None if constant.parameter is None else constant.parameter.default
     return isinstance(constant.value, ast.Broken) or isinstance(default, ast.Text)

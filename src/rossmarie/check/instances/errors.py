@@ -13,7 +13,7 @@ class ImportedAs(Remark):
 
 
 class ImportedWith(Remark):
-    """Likewise, without a name."""
+    """The label of an import without a name that leads to the place of a finding."""
 
     says = "imported here with these values"
 
@@ -53,7 +53,7 @@ class MissingParameter(Error, code="ROSS154", name="missing-parameter"):
 
 
 class ParameterMismatch(Error, code="ROSS155", name="parameter-mismatch"):
-    """A value of another kind or unit than the parameter has."""
+    """A value whose kind or unit differs from that of its parameter."""
 
     title = "parameter `{identifier}` is {expected}, not {found}"
     label = "this is {found}"
@@ -80,7 +80,7 @@ class ValuesTwice(Error, code="ROSS156", name="values-twice"):
 
 
 class EndlessImport(Error, code="ROSS157", name="endless-import"):
-    """Imports under names that lead back to themselves, or to more files than a robot has rules."""
+    """Named imports that lead back to themselves, or create too many files."""
 
     title = "{problem}"
     label = "{reason}"
@@ -91,7 +91,7 @@ class EndlessImport(Error, code="ROSS157", name="endless-import"):
 
 
 class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
-    """A parameter of the running node, with which a rule could be less strict."""
+    """A parameter of the running node that could make a rule less strict."""
 
     title = "a parameter with `tightens` could loosen this rule"
     label = "{reason}"
@@ -104,7 +104,7 @@ class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
 
 
 class NoElementName(Error, code="ROSS159", name="no-element-name"):
-    """A name in brackets behind a list that stands for no text."""
+    """A name in brackets behind a list that is not a text."""
 
     title = "`{identifier}` is not the name of an element"
     label = "{reason}"

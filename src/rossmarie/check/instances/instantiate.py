@@ -1,6 +1,6 @@
-"""The files of a program, as they were parsed -> its modules, in which each name stands for one
-thing: files that are imported under a name have their names in a space of their own, and each
-parameter is a constant, or the topic that it stands for.
+"""The parsed files of a program -> its modules, in which each name has one meaning. Files that are
+imported under a name get a name space of their own, and each parameter becomes a constant, or the
+topic that it stands for.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rossmarie.syntax import ast
 def instantiate(
     files: Sequence[Imported], collector: Collector
 ) -> tuple[list[ast.Module], Instances]:
-    """The modules of `files`, in their order; the main one is the last."""
+    """The modules of `files`, in their order. The main module is last."""
     if any(_concerns(item) for each in files for item in each.module.items):
         modules, instances = _Program(files, collector).modules()
     else:
@@ -70,7 +70,9 @@ class _Program:
         return modules, self._instances
 
     def _open_rewriters(self) -> None:
-        """Each file of an instance has a source of its own: its places tell which one it is."""
+        """Give each file of an instance a source of its own, so that its places tell which file it
+        is.
+        """
         seen: set[SourceFile] = set()
         for each in self._files:
             source = each.module.file
@@ -86,7 +88,7 @@ class _Program:
             self._instances.files[rewriter.file] = each.space, imports
 
     def _take_imports(self, imported: Imported) -> None:
-        """Note the names behind `as`; a second one, or one that stands for something else, is
+        """Record the names behind `as`. A second use of a name, or a name with another meaning, is
         reported.
         """
         space, rewriter = self._spaces[imported.space], self._rewriters[imported]
@@ -111,14 +113,14 @@ class _Program:
                 self._collector.add(finding.at(alias.span, place))
 
     def _importers_first(self) -> list[Imported]:
-        """The files in an order in which topics are known before they are handed on."""
+        """The files in an order in which topics are known before they are passed on."""
         return sorted(self._files, key=lambda each: sum(1 for _ in each.chain()))
 
     # --- parameters --------------------------------------------------------------------------
 
     def _parameters(self, imported: Imported) -> Iterator[tuple[str, ast.Constant]]:
-        """The constants that stand for the parameters of a file, by their names; what topics stand
-        for is noted.
+        """The constants for the parameters of a file, with their names. Topics for parameters are
+        recorded.
         """
         declared = self._declared(imported)
         given = self._given(imported, declared)
@@ -153,7 +155,7 @@ class _Program:
     def _given(
         self, imported: Imported, declared: dict[str, ast.Parameter]
     ) -> dict[str, ast.Expression | ast.Name]:
-        """The values of an import by the names of their parameters, as they are in the program."""
+        """The values of an import by parameter name, as the program contains them."""
         found: dict[str, ast.Expression | ast.Name] = {}
         first: dict[str, ast.Given] = {}
         if imported.written is None or imported.importer is None:
@@ -182,7 +184,7 @@ class _Program:
         written: ast.Given,
         importing: Rewriter,
     ) -> ast.Expression | ast.Name | None:
-        """A value that is of the kind of its parameter; None after reporting another one."""
+        """A value of the kind that its parameter requires; None after reporting another kind."""
         value, meaning = written.value, parameter.meaning
         meant = _meant(meaning, value, importing)
         if meant is not None:
@@ -235,9 +237,9 @@ class _Program:
     # --- items -------------------------------------------------------------------------------
 
     def _items(self, imported: Imported, constants: dict[str, ast.Constant]) -> Iterator[ast.Item]:
-        """The items of a module. Tests of a file are about its defaults: they stay with the file
-        where it is imported with other values, or under a name. Hazards are of the whole program:
-        those of a file that is there several times count once.
+        """The items of a module. Tests of a file assume its default values, so instances with other
+        values or with a name have no tests. Hazards concern the whole program: hazards of a file
+        with several instances count once.
         """
         rewriter = self._rewriters[imported]
         for item in imported.module.items:
@@ -258,7 +260,9 @@ class _Program:
 def _meant(
     meaning: ast.Meaning, value: ast.Expression | ast.Name, importing: Rewriter
 ) -> ast.Expression | ast.Name | None:
-    """A value of an import as a parameter of this kind takes it; None if it is of another kind."""
+    """A value of an import in the form that a parameter of this kind takes; None if the value is of
+    another kind.
+    """
     if meaning is ast.Meaning.VALUE:
         return None if isinstance(value, ast.Name) else importing.node(value)
     if meaning is ast.Meaning.FRAME and isinstance(value, ast.Text):
@@ -272,7 +276,7 @@ def _meant(
 
 
 def _frames(item: ast.Item) -> Iterator[str]:
-    """All names that an item declares frames by."""
+    """All names that an item declares for frames."""
     for each in item.members if isinstance(item, ast.System) else ():
         if isinstance(each, ast.FrameDeclaration):
             names = (each.alias, each.frame, each.parent)
@@ -280,7 +284,7 @@ def _frames(item: ast.Item) -> Iterator[str]:
 
 
 def _setting(constant: ast.Constant) -> ast.Input:
-    """A parameter that the running node may set: a number that comes in."""
+    """A parameter that the running node may set: a number that arrives like an input."""
     name, documentation, span = constant.name, constant.documentation, constant.span
     behind = None, None, None, documentation, span
     return ast.Input(name, name, None, (), *behind, setting=constant)

@@ -1,6 +1,7 @@
-"""The tree of a file -> the same tree with the names that it has in the whole program.
+"""The tree of a file -> the same tree with the names of the whole program.
 
-Recurses along the tree, with two or three frames a level, as the limits of the syntax allow.
+The recursion follows the tree, with two or three Python frames per level; the syntax limits its
+depth.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ _Node = TypeVar("_Node")
 
 
 class Kind(enum.Enum):
-    """The set that a name belongs to; names of no set stay as they are."""
+    """The set that a name belongs to. Names of no set stay unchanged."""
 
     NAME = enum.auto()
     RULE = enum.auto()
@@ -65,11 +66,11 @@ KINDS: Mapping[type[object], Mapping[str, Kind]] = {
     ast.Target: {"name": Kind.TOPIC},
     ast.CommandExpectation: {"topic": Kind.TOPIC},
 }
-"""The fields that hold names of a set, by the node; all other names mean the same everywhere."""
+"""The fields that hold names of a set, by node type. All other names mean the same everywhere."""
 
 
 class Rewriter:
-    """Rewrites the nodes of one file of a space, whose places are then in `file`."""
+    """Rewrites the nodes of one file of a name space. The places of the new nodes are in `file`."""
 
     def __init__(
         self, file: SourceFile, space: Space, spaces: Spaces, instances: Instances
@@ -87,11 +88,11 @@ class Rewriter:
         return self._rebuilt(node)  # type: ignore[no-any-return]
 
     def span(self, span: Span) -> Span:
-        """The same place, in the file of this space."""
+        """The same place, in the file of this name space."""
         return Span(self.file, span.start, span.end)
 
     def topic(self, name: ast.Name) -> ast.Name:
-        """The topic that a name means, or its alias."""
+        """The topic that a name stands for, or its alias."""
         text = name.text
         for space in (self._space, self._whole):
             if text in space.topics:
@@ -103,7 +104,7 @@ class Rewriter:
         return ast.Name(text, self.span(name.span))
 
     def frame(self, name: ast.Name) -> ast.Name:
-        """The frame that a name means, as headers or the system model call it."""
+        """The frame that a name stands for, as headers or the system model name it."""
         spaces = (self._space, self._whole)
         found = next((each.frames[name.text] for each in spaces if name.text in each.frames), name)
         return ast.Name(found.text, self.span(name.span))
@@ -160,7 +161,9 @@ class Rewriter:
                 return ast.Name(".".join((text, *rest)), self.span(value.span))
 
     def _entity(self, node: ast.Entity) -> ast.Entity:
-        """Inside of an entity, its conditions come before what the file declares."""
+        """Inside an entity, the conditions of the entity take precedence over declarations of the
+        file.
+        """
         self._conditions = frozenset(each.name.text for each in node.conditions)
         found: ast.Entity = self._parts(node)
         self._conditions = frozenset()
@@ -177,7 +180,7 @@ class Rewriter:
         return name in self._conditions and name not in self._space.values
 
     def _member(self, node: ast.Member) -> ast.Expression:
-        """`front.near` is one name; of other chains the first name is looked up."""
+        """`front.near` is one name. In other chains, the first name is looked up."""
         chain: list[ast.Member] = []
         root: ast.Expression = node
         while isinstance(root, ast.Member):
@@ -198,7 +201,7 @@ class Rewriter:
         return found  # type: ignore[no-any-return]
 
     def _setting(self, node: ast.Setting) -> ast.Setting:
-        """The input that a setting begins with."""
+        """The input at the beginning of a setting."""
         steps = node.path.steps
         names = [each for each in steps if isinstance(each, ast.Name)]
         words = tuple(each.text for each in names) if len(names) == len(steps) else ()
@@ -216,9 +219,9 @@ class Rewriter:
     # --- names -------------------------------------------------------------------------------
 
     def _resolved(self, words: tuple[str, ...], kind: Kind | None) -> tuple[str, tuple[str, ...]]:
-        """The name that words between dots mean, and those that are left. Without a kind, the first
-        may be an element of a list, or a message. What the file declares comes before what other
-        files are called in the whole program.
+        """The name that words between dots stand for, and the remaining words. Without a kind, the
+        first word may be an element of a list, or a message. Declarations of the file take
+        precedence over names of the whole program.
         """
         first, *_ = words
         is_declared = kind is not Kind.RULE and first in self._space.names
@@ -235,19 +238,21 @@ class Rewriter:
         return self._made(self._space.path, first) if is_own else first, words[1:]
 
     def _is_frame(self, name: str) -> bool:
-        """Say whether a parameter that stands for a frame has this name."""
+        """Say whether a parameter for a frame has this name."""
         return name in self._space.frames or name in self._whole.frames
 
     def _leads_on(self, path: Path, name: str) -> bool:
-        """Say whether a space has another one in it; a file that cannot be read has no space."""
+        """Say whether a name space contains another name space of this name. A file that cannot be
+        read has no name space.
+        """
         return path in self._spaces and name in self._spaces[path].inner
 
     def _known(self, space: Space, kind: Kind | None) -> Collection[str]:
         return space.rules if kind is Kind.RULE else space.names
 
     def _is_meant(self, name: str, own: Collection[str]) -> bool:
-        """Say whether a name that nobody declares is a name of this space, misspelt: then it is
-        reported as one of this space. Where there are skills, it may be a class of things.
+        """Say whether an undeclared name is a misspelt name of this name space, and is therefore
+        reported as such. With skills, the name may be a class of things.
         """
         is_other = name in self._conditions or name in self._variables
         if not self._space.path or is_other or not self._instances.guesses.take(len(own)):

@@ -1,7 +1,7 @@
-"""Spaces of names: one for the whole program, and one for each name behind `as`.
+"""Name spaces: one for the whole program, and one for each name behind `as`.
 
-A file that is imported as `front` has its names in the space `front`: outside, `front.near` is the
-name that it calls `near`. After this stage such a name is `front_near`.
+A file that is imported as `front` has the name space `front`: outside, `front.near` is the name
+that the file calls `near`. After this stage, the name is `front_near`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rossmarie.check.wording.suggestions import Suggestions
 from rossmarie.syntax import ast
 
 Path = tuple[str, ...]
-"""The names behind `as` that lead to a space; none to that of the whole program."""
+"""The names behind `as` that lead to a name space; empty for the whole program."""
 
 _DECLARING = (
     ast.Action | ast.Constant | ast.Parameter | ast.Input | ast.Entity | ast.Motion | ast.Zone
@@ -23,8 +23,8 @@ _DECLARING = (
 
 @dataclass(eq=False)
 class Imported:
-    """One file as one import brings it. `written` is the import in the file of `importer`; both are
-    None for a file that is imported as it is, which may be done in several places.
+    """One file as one import creates it. `written` is the import in the file of `importer`. Both
+    are None for a file that is imported as it is, because several files may import it.
     """
 
     module: ast.Module
@@ -45,10 +45,10 @@ class Imported:
 
 @dataclass
 class Space:
-    """The names that the files of a space declare: `names` of constants, inputs, entities, motions,
-    zones and actions (`values` are those of the first two), `rules`, `aliases` and parameters
-    (`topics`) of topics, and parameters of `frames`. `inner` are the spaces in it, by the names
-    behind `as`.
+    """The names that the files of a name space declare: `names` of constants, inputs, entities,
+    motions, zones and actions (`values` are the constants and inputs), `rules`, `aliases` and
+    parameters (`topics`) of topics, and parameters of `frames`. `inner` holds the name spaces
+    inside it, by the names behind `as`.
     """
 
     path: Path
@@ -61,7 +61,7 @@ class Space:
     inner: dict[str, ast.Name] = field(default_factory=dict)
 
     def take(self, item: ast.Item) -> None:
-        """Note what an item declares."""
+        """Record the declarations of an item."""
         if isinstance(item, ast.Parameter) and item.meaning is not ast.Meaning.VALUE:
             return
         if isinstance(item, _DECLARING):
@@ -79,15 +79,16 @@ Spaces = Mapping[Path, Space]
 
 
 def flat(path: Path, name: str) -> str:
-    """The name behind this stage of a name in a space."""
+    """The name, after this stage, of a name in a name space."""
     return "_".join((*path, name))
 
 
 @dataclass
 class Instances:
-    """All that messages need: the `names` that this stage made, each with its space and the name
-    there; and of each file of an instance its space, and the imports that lead to it. `guesses` is
-    the effort that is left to find out which names are misspelt. `frames` are the names of frames.
+    """The data that messages need: `names` that this stage created, each with its name space and
+    the name there; and for each file of an instance its name space, and the imports that lead to
+    it. `guesses` is the remaining effort for suggestions about misspelt names. `frames` are the
+    names of frames.
     """
 
     names: dict[str, tuple[Path, str]] = field(default_factory=dict)

@@ -1,5 +1,5 @@
-"""Findings on a program of instances -> the same findings in the words of the files that they are
-about: `near` inside of the file, `front.near` outside of it, and the imports that lead to it.
+"""Findings on a program of instances -> the same findings with the names that their files use:
+`near` inside the file, `front.near` outside, and the imports that lead to the file.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ _STRING = re.compile(r'((?<!\btest )"[^"\n]*")')
 
 
 def reported(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
-    """Findings as their reader knows the names in them; one that several instances have in common
-    stands there once.
+    """Findings with the names that their reader knows. A finding that several instances share is
+    reported once.
     """
     if not instances.files:
         return tuple(found)
@@ -38,8 +38,8 @@ def reported(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnos
 
 
 def spelled(text: str, instances: Instances) -> str:
-    """Tests that name things of a program, as its main file would write them. Strings are values,
-    and stay as they are; titles of tests are none.
+    """Tests with names of a program, as the main file would write them. Strings are values and stay
+    unchanged. Titles of tests are not strings in this sense.
     """
     pattern = _pattern(instances)
     if pattern is None:
@@ -51,15 +51,15 @@ def spelled(text: str, instances: Instances) -> str:
 
 
 def _pattern(instances: Instances) -> re.Pattern[str] | None:
-    """A pattern of all names that were made; None if there are none. One that is also the name of a
-    frame stays as it is, because nobody could tell which of the two is meant.
+    """A pattern for all names that this stage created; None if there are none. A name that is also
+    the name of a frame stays unchanged, because it would be ambiguous.
     """
     names = sorted(instances.names.keys() - instances.frames, key=len, reverse=True)
     return re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b") if names else None
 
 
 def _likeness(found: Diagnostic) -> tuple[object, ...]:
-    """Equal for findings that say the same of the same text."""
+    """A key that is equal for findings with the same content about the same text."""
     span = found.primary.span
     return (found.code, span.file.path, span.start, span.end, found.title, found.primary.text)
 
@@ -73,7 +73,7 @@ def _imported(imports: tuple[ast.Import, ...]) -> Iterator[Label]:
 
 
 class _Wording:
-    """The names of a program, as a file of one space writes them."""
+    """The names of a program, as a file of one name space writes them."""
 
     def __init__(self, instances: Instances, pattern: re.Pattern[str], space: Path) -> None:
         self._instances = instances
@@ -81,7 +81,7 @@ class _Wording:
         self._space = space
 
     def of(self, found: Diagnostic) -> Diagnostic:
-        """A finding with its names."""
+        """A finding with these names."""
         label = dataclasses.replace(found.primary, text=self.text(found.primary.text))
         labels = tuple(
             dataclasses.replace(each, text=self.text(each.text)) for each in found.labels
@@ -99,7 +99,7 @@ class _Wording:
         return Fix(self.text(fix.title), edits)
 
     def text(self, text: str) -> str:
-        """A text with its names."""
+        """A text with these names."""
         return self._pattern.sub(self._name, text)
 
     def _name(self, match: re.Match[str]) -> str:

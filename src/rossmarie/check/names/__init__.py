@@ -1,1 +1,1 @@
-"""Names and fields: what each stands for, and which are never used."""
+"""Names and fields: the meaning of each, and the unused ones."""

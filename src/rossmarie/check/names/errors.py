@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class Declared(Remark):
-    """The names that there are."""
+    """The known names."""
 
     says = "declared are {known}"
     known: str
@@ -30,7 +30,7 @@ class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
 
 
 class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
-    """Something before a dot that nothing declares."""
+    """An undeclared name before a dot."""
 
     title = "`{identifier}` is not declared"
     label = "neither an entity nor an input has this name"
@@ -58,7 +58,7 @@ class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
 
 
 class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
-    """A rule that names an action that does not exist."""
+    """A rule that names an action that is not declared."""
 
     title = "action `{identifier}` is not declared"
     label = "no action has this name"
@@ -68,7 +68,7 @@ class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
 
 
 class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
-    """A name that stands for something else than what is needed here."""
+    """A name of another kind than is needed here."""
 
     title = "`{identifier}` is {found}, not {expected}"
     label = "expected {expected}"
@@ -137,7 +137,7 @@ class UnknownMessageConstant(Error, code="ROSS134", name="unknown-message-consta
 
 
 class AmbiguousMessage(Error, code="ROSS135", name="ambiguous-message"):
-    """A constant of one of several messages of the same name."""
+    """A constant of several messages with the same name."""
 
     title = "several messages are named `{identifier}`"
     label = "of {messages}"

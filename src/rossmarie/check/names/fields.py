@@ -1,4 +1,4 @@
-"""Fields of messages: which there are, and what they hold."""
+"""Fields of messages: their names and types."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _ANGLES = ("roll", "pitch", "yaw")
 
 
 def members(type_: Type) -> dict[str, Type]:
-    """The names that can be written behind a dot, other than functions."""
+    """The names that can follow a dot, other than functions."""
     if isinstance(type_, Message):
         return dict(type_.fields)
     if isinstance(type_, Entry):
@@ -60,7 +60,7 @@ def lists_in(message: Message) -> list[tuple[str, ...]]:
 
 
 def _entry_of(part: Type) -> Type | None:
-    """The type of a part of a message under one name: elements of arrays, also further inside."""
+    """The type of a part of a message under one name: elements of arrays, including nested ones."""
     if isinstance(part, Array):
         return part.element
     return Entry(part) if isinstance(part, Message) and members(Entry(part)) else None
@@ -69,8 +69,8 @@ def _entry_of(part: Type) -> Type | None:
 def select(
     owner: Type, name: ast.Name, owner_text: str, before: Span, collector: Collector
 ) -> Type:
-    """The type of a member of `owner`; `Unknown` after reporting why there is none. `owner_text` is
-    what to call the owner, and `before` what is written before the dot.
+    """The type of a member of `owner`; `Unknown` after reporting that there is no such member.
+    `owner_text` names the owner in messages, and `before` is the text before the dot.
     """
     if isinstance(owner, Unknown):
         return owner
@@ -87,7 +87,7 @@ def select(
 
 
 def with_unit(type_: Type, unit: Unit) -> Type | None:
-    """The same numbers in another unit; None if there are no numbers that could have one."""
+    """The same numbers in another unit; None if there are no numbers that could have a unit."""
     if isinstance(type_, Quantity):
         return replace(type_, unit=unit)
     if isinstance(type_, Vector):
@@ -109,7 +109,7 @@ def unit_of(type_: Type) -> Unit | None:
 
 
 def has_no_number(type_: Type) -> bool:
-    """Say whether `with_unit` has nothing to work on."""
+    """Say whether `with_unit` has no numbers to change."""
     return not isinstance(type_, Quantity | Vector) and not (
         isinstance(type_, Array) and not isinstance(type_.element, Boolean)
     )

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class UnknownFrame(Error, code="ROSS150", name="unknown-frame"):
-    """A frame that no system model declares, where a way to it is needed."""
+    """A frame that no system model declares, but to which a path is needed."""
 
     title = "no system model declares the frame `{identifier}`"
     label = "the position of this frame is not known"
@@ -15,7 +15,7 @@ class UnknownFrame(Error, code="ROSS150", name="unknown-frame"):
 
 
 class FrameConflict(Error, code="ROSS151", name="frame-conflict"):
-    """Two statements of the frame in which one thing is."""
+    """Two declarations that give one thing different frames."""
 
     title = "{thing} cannot be both in `{found}` and in `{expected}`"
     label = "{words}"
@@ -47,7 +47,7 @@ class Seen(Remark):
 
 
 class MixedFrames(Error, code="ROSS275", name="mixed-frames"):
-    """Two things of different frames where one frame is needed."""
+    """Two things in different frames where one frame is needed."""
 
     title = "`{text}` is in the frame `{found}`, but `{other}` is in `{expected}`"
     label = "`{text}` is in `{found}`"
@@ -73,7 +73,7 @@ class MixedFrames(Error, code="ROSS275", name="mixed-frames"):
 
 
 class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
-    """`in FRAME` at an input that has nothing that is seen from a frame."""
+    """`in FRAME` at an input that does not depend on a frame."""
 
     title = "`{field}` cannot be transformed to `{frame}`"
     label = "{reason}"
@@ -100,7 +100,7 @@ class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
 
 
 class UnknownSource(Error, code="ROSS277", name="unknown-source"):
-    """`in FRAME` at an input of which nobody says the frame that it comes in."""
+    """`in FRAME` at an input whose source frame is unknown."""
 
     title = "the frame in which `{field}` arrives is not known"
     label = "a value in an unknown frame cannot be transformed"
@@ -114,7 +114,7 @@ class UnknownSource(Error, code="ROSS277", name="unknown-source"):
 
 
 class UnfitPlacement(Error, code="ROSS278", name="unfit-placement"):
-    """A frame that is declared in a way in which none can lie."""
+    """A declaration of a frame with a placement that is not possible."""
 
     title = "`{word}` of the frame `{frame}` {reason}"
     label = "this is {found}"

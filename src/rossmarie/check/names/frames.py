@@ -1,4 +1,4 @@
-"""The frame in which an expression is, and expressions that must be in one frame."""
+"""The frame of an expression, and expressions that need a common frame."""
 
 from __future__ import annotations
 
@@ -26,23 +26,23 @@ from rossmarie.types import (
 
 HEADER = ("header", "frame_id")
 CHILD = "child_frame_id"
-"""The field of a nav_msgs/Odometry that says the frame of its twist."""
+"""The field of a nav_msgs/Odometry with the frame of its twist."""
 
 _KEEPING = {"abs", "min", "max", "roll", "pitch", "yaw", *(each.value for each in Sampling)}
-"""Functions whose result is in the frame of what they are called on."""
+"""Functions whose result has the frame of the object that they are called on."""
 
 
 class Framed(NamedTuple):
-    """A frame, and the input that brings what is in it."""
+    """A frame, and the input whose value is in this frame."""
 
     frame: str
     used: CheckedInput
 
 
 def frame_field(whole: Type | None, path: Sequence[object]) -> Path | None:
-    """The field that says the frame of a part of a message; None if no field does. It is that of
-    the innermost header around the part; around elements of a list, that of the message with the
-    list, unless it has none and each element has its own (S77).
+    """The field with the frame of a part of a message; None if there is no such field. It belongs
+    to the innermost header around the part. Around elements of a list, it belongs to the message
+    with the list, unless that message has none and each element has its own (S77).
     """
     found: Path | None = None
     type_ = whole
@@ -72,14 +72,14 @@ def _has_header(message: Message) -> bool:
 
 
 def is_reported(used: CheckedInput, path: Sequence[object]) -> bool:
-    """Say whether what an input says of its frame holds for the part at a path: it is the same
-    field of the message that would say so.
+    """Say whether the frame of an input also applies to the part at a path: the same field of the
+    message holds the frame of both.
     """
     return frame_field(used.whole, path) == frame_field(used.whole, used.path)
 
 
 def has_frame(type_: Type) -> bool:
-    """Say whether values of a type are seen from a frame, or hold some that are."""
+    """Say whether values of a type have a frame, or contain values that have one."""
     match type_:
         case Vector() | Quaternion():
             return True
@@ -87,12 +87,12 @@ def has_frame(type_: Type) -> bool:
             return has_frame(element)
         case Message(fields=fields):
             return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
-        case _:  # open: numbers, booleans and texts alone have no frame
+        case _:  # open: numbers, booleans and texts have no frame
             return False
 
 
 def frame_of(node: ast.Expression, context: Context) -> Framed | None:
-    """The frame in which an expression is; None if nobody says one, or it is in none."""
+    """The frame of an expression; None if it is unknown, or if the expression has no frame."""
     node = stripped(node)
     match node:
         case ast.Reference() | ast.Member() | ast.Index():
@@ -110,12 +110,12 @@ def frame_of(node: ast.Expression, context: Context) -> Framed | None:
         case ast.Call(function=function, arguments=arguments) if function.text in _KEEPING:
             frames = (frame_of(each, context) for each in arguments)
             return next((each for each in frames if each is not None), None)
-        case _:  # open: a length, a boolean or a literal is in no frame
+        case _:  # open: a length, a boolean or a literal has no frame
             return None
 
 
 def _of_sum(node: ast.Binary, context: Context) -> Framed | None:
-    """Along a chain `a + b - c`, without recursion along the chain."""
+    """The frame of a chain `a + b - c`, found without recursion along the chain."""
     current: ast.Expression = node
     while isinstance(current, ast.Binary) and current.operator in (
         ast.BinaryOperator.ADD,
@@ -131,7 +131,7 @@ def _of_sum(node: ast.Binary, context: Context) -> Framed | None:
 def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> Framed | None:
     owner = stripped(node.value) if isinstance(node, ast.Member) else None
     if owner is not None and isinstance(context.type_of(owner), Vector | Quaternion):
-        return frame_of(owner, context)  # a component is as its vector is
+        return frame_of(owner, context)  # a component has the frame of its vector
     if not has_frame(context.type_of(node)):
         return None
     used, path = _brought(node, context)
@@ -143,7 +143,9 @@ def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> 
 def _brought(
     node: ast.Expression, context: Context
 ) -> tuple[CheckedInput | None, tuple[object, ...]]:
-    """The input that brings a part of a message, or an element of a list, and the way to it."""
+    """The input with a part of a message, or with an element of a list, and the path to that
+    part.
+    """
     root, path = root_of(node), path_of(node)
     fold = None if root is None else context.folds_around(node).get(root.name.text)
     if fold is not None:
@@ -152,8 +154,8 @@ def _brought(
 
 
 def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Context) -> bool:
-    """Say whether something goes by the axes of its message, and is asked for in another frame: the
-    covariance of a pose or a twist, a sector of a scan, the angle of a beam. It is reported.
+    """Say whether a value uses the axes of its message, but rules ask for another frame: the
+    covariance of a pose or a twist, a sector of a scan, the angle of a beam. This is reported.
     """
     used, path = _brought(node.value, context)
     if used is None or used.target is None:
@@ -162,7 +164,7 @@ def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Co
         case ast.Sector():
             names, span = path, node.arc.span
         case ast.Member(member=member) if _goes_by_axes(context.type_of(node.value), member, type_):
-            is_covariance = isinstance(type_, Array)  # of a beam, all of its list is wanted
+            is_covariance = isinstance(type_, Array)  # a beam needs its whole list
             names, span = (*path, member.text) if is_covariance else path, member.span
         case ast.Member():
             return False
@@ -180,7 +182,7 @@ def _goes_by_axes(owner: Type, member: ast.Name, type_: Type) -> bool:
 
 
 def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:
-    """Say whether no two expressions are in frames that differ; two that are get reported."""
+    """Say whether no two expressions have different frames. Two that differ are reported."""
     first: tuple[ast.Expression, Framed] | None = None
     for node in operands:
         found = frame_of(node, context)
@@ -197,8 +199,8 @@ def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> boo
 def check_frame_is(
     node: ast.Expression, frame: str, other: ast.Expression, context: Context
 ) -> bool:
-    """Say whether an expression is not known to be in another frame than that of something else;
-    it is reported if it is.
+    """Say whether an expression has no known frame other than the frame of another thing. A
+    different frame is reported.
     """
     found = frame_of(node, context)
     if found is None or found.frame == frame:

@@ -18,12 +18,12 @@ _MOST_SHOWN = 12
 
 
 def names_a_message(name: str, context: Context) -> bool:
-    """Say whether a name is that of a message with constants, without its package."""
+    """Say whether a name is the name of a message with constants, without its package."""
     return bool(_messages(name, context))
 
 
 def type_of_message_constant(node: ast.Member, message: ast.Name, context: Context) -> Type:
-    """The type of a constant of a message; its value is recorded."""
+    """The type of a constant of a message. Its value is recorded."""
     found = _messages(message.text, context)
     name = node.member.text
     values = {constants[name] for constants in found.values() if name in constants}
@@ -50,7 +50,7 @@ def _messages(name: str, context: Context) -> Mapping[str, Mapping[str, Constant
         near = [each for each in used if each.rpartition("/")[2] == name]
         found = {each: catalog.constants(each) for each in near or catalog.called(name)}
     except MessageDefinitionError:
-        return {}  # reported where the message is read
+        return {}  # reported at the place where the message is read
     return {each: constants for each, constants in found.items() if constants}
 
 

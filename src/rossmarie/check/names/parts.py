@@ -1,4 +1,4 @@
-"""The way from a message to a part of it, as expressions and tests write it step by step."""
+"""The path from a message to a part of it, as expressions and tests write it step by step."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from rossmarie.types import Array, Entry, List, Message, Type
 
 
 def part_at(path: Path, type_: Type) -> Part:
-    """The part of a message at the end of a path of fields, where there is a `type_`; or at a
-    query to the skills that run.
+    """The part of a message at the end of a path of fields, if there is a `type_`, or at a query
+    about the running skills.
     """
     if path and isinstance(path[-1], str):
         return Part(path[:-1]).field(path[-1], type_)
@@ -19,7 +19,7 @@ def part_at(path: Path, type_: Type) -> Part:
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a message. With an `entry` it stands for the elements of that name in all arrays
+    """A part of a message. With an `entry`, the part is the elements of that name in all arrays
     below `path`.
     """
 
@@ -27,7 +27,7 @@ class Part:
     entry: ByName | None = None
 
     def field(self, name: str, type_: Type) -> Part:
-        """A field of this part, of a type; of an entry, the element in the array that it is."""
+        """A field of this part, of a type. The field of an entry is the element in the array."""
         step: Step = name
         if isinstance(type_, List) and (type_.is_of_points or type_.is_of_beams):
             step = POINTS if type_.is_of_points else Beams(name)
@@ -41,7 +41,7 @@ class Part:
         return replace(self, path=(*self.path, sector))
 
     def element(self, index: int | str, owner: Type) -> Part:
-        """An element of this part by its place or its name; `owner` is the type of this part, and
+        """An element of this part by its index or its name. `owner` is the type of this part, and
         has such elements.
         """
         if isinstance(index, int):

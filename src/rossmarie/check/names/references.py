@@ -1,8 +1,9 @@
-"""The meaning of a name: constants, inputs and conditions; the likely meaning of an undeclared one.
+"""The meaning of a name: constants, inputs and conditions; the probable meaning of an undeclared
+name.
 
-A name that looks like an undeclared one counts as used: otherwise each misspelling would be
-reported a second time, as an unused declaration. Where a file could not be read, no name is
-undeclared: that file may declare it.
+A name that looks like an undeclared name counts as used; otherwise each misspelling would also be
+reported as an unused declaration. If a file could not be read, no name is undeclared: that file may
+declare it.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from rossmarie.types import Boolean, List, Motion, Type, Unknown
 
 
 def type_of_reference(node: ast.Reference, context: Context) -> Type:
-    """The type of a name that stands alone; the value of a constant is recorded."""
+    """The type of a name that stands alone. The value of a constant is recorded."""
     name = node.name
     fold = context.folds_around(node).get(name.text)
     if fold is not None:
@@ -40,7 +41,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return its_list.element if isinstance(its_list, List) else Unknown()
     declared = context.declarations.names.get(name.text)
     own = context.entity
-    # A condition that has the name of a value is reported already; the value is used.
+    # A condition with the name of a value is reported already. The value is used.
     hides = is_value_name(name.text, context)
     if own is not None and not hides and _has_condition(own, name.text, context):
         _use_condition(own, name, context)
@@ -110,7 +111,7 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
 
 
 def is_value(member: ast.Member, context: Context) -> bool:
-    """Say whether what stands before a dot has a type of its own; an entity has none."""
+    """Say whether the expression before a dot has a type. An entity has none."""
     node = member.value
     if not isinstance(node, ast.Reference):
         return True
@@ -176,7 +177,7 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
 
 
 def _report_capitals(name: ast.Name, context: Context) -> None:
-    """Report `True`, which is written `true` here."""
+    """Report `True`, because the language writes `true`."""
     finding = UndeclaredName(identifier=name.text)
     help = Write(meant=name.text.lower())
     fix = Fix(str(help), (Edit(name.span, name.text.lower()),))
@@ -277,7 +278,7 @@ def report_wrong_kind(
     expected: str,
     context: Context,
 ) -> None:
-    """Report a name that stands for something else than what is needed."""
+    """Report a name of another kind than is needed."""
     finding = WrongKindOfName(
         identifier=name.text, found=ARTICLES[kind_of(declared)], expected=expected
     )
@@ -306,7 +307,7 @@ def _named(context: Context, *kinds: type[object]) -> dict[str, ast.Name]:
 
 
 def _entity_with(condition: str, context: Context) -> str | None:
-    """The entity that has a condition of this name, if exactly one has."""
+    """The entity with a condition of this name, if exactly one entity has it."""
     entities: Iterable[str] = context.declarations.conditions
     found = [entity for entity in entities if _has_condition(entity, condition, context)]
     return found[0] if len(found) == 1 else None

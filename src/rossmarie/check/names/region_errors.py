@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoLocation(Error, code="ROSS258", name="no-location"):
-    """A class of which the scene has no thing, or that was exported without a scene."""
+    """A class without things in the scene, or exported without a scene."""
 
     title = "there is no {owl_class} in {path}"
     label = "the rules use the places of this class"
@@ -16,7 +16,7 @@ class NoLocation(Error, code="ROSS258", name="no-location"):
 
 
 class UnknownLocation(Error, code="ROSS259", name="unknown-location"):
-    """A thing of which the scene does not say where it is."""
+    """A thing without a location in the scene."""
 
     title = "the place of {thing}, which is a {owl_class}, is not known"
     label = "this condition would ignore {thing}"
@@ -39,7 +39,7 @@ class SeveralFrames(Error, code="ROSS260", name="several-frames"):
 
 
 class NoFrame(Error, code="ROSS261", name="no-frame"):
-    """A position of which no header says the frame."""
+    """A position without a frame in a header."""
 
     title = "the frame of `{text}` is not known"
     label = "{reason}"
@@ -49,7 +49,7 @@ class NoFrame(Error, code="ROSS261", name="no-frame"):
 
 
 class SeveralClasses(Error, code="ROSS262", name="several-classes"):
-    """A name that several classes have."""
+    """A name that several classes share."""
 
     title = "several classes are named `{identifier}`"
     help = "write which class is meant: {known}"

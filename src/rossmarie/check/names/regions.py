@@ -23,18 +23,18 @@ from rossmarie.syntax import ast
 from rossmarie.types import Message, Region, Text, Type, Unknown
 
 FRAME_OF_HEADER = ("header", "frame_id")
-"""The way from a message to the frame that it is seen from (REP 105)."""
+"""The path from a message to its frame (REP 105)."""
 
 
 def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | None:
-    """The places of the class that a name stands for, recorded in `context.regions`; None if it is
-    the name of no class.
+    """The places of the class that a name stands for, recorded in `context.regions`; None if no
+    class has this name.
     """
     skills = context.skills
     name = text_of(node)
     found = () if skills is None else among(name, skills.file.classes)
     if skills is None and context.names_skills and _is_asked_for(node, context):
-        return Unknown()  # the file that may have the class could not be read
+        return Unknown()  # the file with the class could not be read
     if skills is None or not found:
         return None
     if len(found) > 1:
@@ -49,14 +49,16 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
 
 
 def classes_for(node: ast.Reference, context: Context) -> list[str]:
-    """The bare names of the classes that may be meant where a name stands; none where none can."""
+    """The bare names of the classes that a name at this place may stand for; none if a class cannot
+    stand there.
+    """
     if context.skills is None or not _is_asked_for(node, context):
         return []
     return [each.rpartition(".")[2] for each in context.skills.file.classes]
 
 
 def _is_asked_for(node: ast.Expression, context: Context) -> bool:
-    """Say whether a name stands where that of a class can stand."""
+    """Say whether a class name is allowed at the place of a name."""
     around = context.parents.get(node)
     match around:
         case ast.Parenthesized():
@@ -65,14 +67,14 @@ def _is_asked_for(node: ast.Expression, context: Context) -> bool:
             return container is node
         case ast.Call(function=function, arguments=[_, second]):
             return function.text == "distance" and second is node
-        case _:  # open: it stands in something else
+        case _:  # open: the name is part of another expression
             return False
 
 
 def places_of(
     owl_class: str, named: Span, skills: CheckedSkills, context: Context
 ) -> tuple[core.Region, Region] | None:
-    """The places of a class that is `named` somewhere, and their type; None after reporting."""
+    """The places of the class `named` at this place, and their type; None after reporting."""
     below = {*skills.classes.below(owl_class)}
     known = [each for each in skills.file.locations if below & {*each.classes}]
     nowhere = [each for each in known if not each.corners]
@@ -105,7 +107,9 @@ def _polygon(location: Location, skills: CheckedSkills) -> core.Polygon:
 
 
 def _called(location: Location) -> str:
-    """The label of a thing, else the last part of its IRI: characters that comments may hold."""
+    """The label of a thing, else the last part of its IRI, with only characters that comments may
+    hold.
+    """
     name = location.label or re.split("[#/]", location.iri)[-1]
     return re.sub(r"[^\w .-]", "_", name, flags=re.ASCII) or "it"
 
@@ -118,7 +122,7 @@ def _word(name: str) -> str:
 
 
 def check_frame(position: ast.Expression, context: Context) -> bool:
-    """Say whether a message tells the frame of a position; it is reported if not."""
+    """Say whether a message has the frame of a position. Report an error if not."""
     if isinstance(context.type_of(position), Unknown):
         return True
     reason = _without_frame(position, context)
@@ -131,8 +135,8 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
 def check_frame_of_region(
     position: ast.Expression, container: ast.Expression, context: Context
 ) -> bool:
-    """Say whether a position can be in a region: a message tells its frame, and nobody says that
-    it is another one. What is wrong is reported.
+    """Say whether a position can be in a region: a message has its frame, and this frame is not
+    known to differ. Errors are reported.
     """
     region = context.type_of(container)
     if not check_frame(position, context) or not isinstance(region, Region):
@@ -141,7 +145,7 @@ def check_frame_of_region(
 
 
 def _root(position: ast.Expression) -> ast.Reference | None:
-    """The name in front of fields; None if there is none."""
+    """The name before the fields; None if there is none."""
     node = stripped(position)
     while isinstance(node, ast.Member | ast.Index | ast.Sector):
         node = stripped(node.value)
@@ -149,11 +153,11 @@ def _root(position: ast.Expression) -> ast.Reference | None:
 
 
 def _without_frame(position: ast.Expression, context: Context) -> str | None:
-    """The reason why nobody knows the frame of a position; None if a header says it."""
+    """The reason why the frame of a position is unknown; None if a header has it."""
     root = _root(position)
     fold = None if root is None else context.folds_around(root).get(root.name.text)
     if fold is not None:
-        root = _root(fold.list)  # the header of the message with the list says it for all elements
+        root = _root(fold.list)  # the header of the message with the list applies to all elements
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or context.messages is None:
         return "it is no field of an input"

@@ -1,4 +1,4 @@
-"""Names that are declared and never used."""
+"""Names that are declared but never used."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _REASONS: Mapping[str, str] = {
 def warn_of_unused(context: Context) -> None:
     """Warn of every unused declaration of the main file.
 
-    A file without rules may be there to be imported: its names are used elsewhere.
+    A file without rules may be meant for import: other files use its names.
     """
     main = context.declarations.main
     if not any(isinstance(item, ast.Rule) for item in main.items):
@@ -41,7 +41,7 @@ def warn_of_unused(context: Context) -> None:
 
 
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
-    """An entity of which nothing is used is one finding, not one for each condition."""
+    """Report an entity with no used condition as one finding, not one for each condition."""
     unused = [
         condition
         for condition in entity.conditions

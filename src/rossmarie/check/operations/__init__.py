@@ -1,1 +1,1 @@
-"""Operators, functions and ranges, and what they are applied to."""
+"""Operators, functions and ranges, and their operands."""

@@ -17,11 +17,11 @@ AMOUNTS: Mapping[Operator, str] = {
     Operator.BRAKING_DISTANCE: "braking_distance(speed, 1.2 m/s^2, 0.3 sec)",
     Operator.TIME_TO: "time_to(distance, closing_speed)",
 }
-"""The functions, and how each is written."""
+"""The functions, and the notation of each."""
 
 
 def type_of_amount(node: ast.Call, operator: Operator, context: Context) -> Type:
-    """The type of a call with as many arguments as it has to have."""
+    """The type of a call with the right number of arguments."""
     operands = [scalar_operand(argument, context) for argument in node.arguments]
     known = [operand for operand in operands if operand is not None]
     if len(known) < len(operands):

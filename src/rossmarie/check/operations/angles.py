@@ -1,4 +1,4 @@
-"""Angles that jump by 360 deg at half a turn, where something counts on them not to."""
+"""Angles that jump by 360 deg at half a turn, in operations that need a continuous value."""
 
 from __future__ import annotations
 
@@ -20,7 +20,9 @@ def warn_of_rate(call: ast.Call, context: Context) -> None:
 
 
 def warn_of_filter(call: ast.Call, context: Context) -> None:
-    """Warn of such an angle that is smoothed: half of 180 deg and -180 deg is no such direction."""
+    """Warn of a smoothed angle of this kind: the mean of 180 deg and -180 deg is the opposite
+    direction.
+    """
     angle = _angle(call.arguments[0])
     if angle is not None:
         effect = "what is between is near 0 deg, the opposite direction"

@@ -1,6 +1,7 @@
-"""The numbers that may stand beside elements (S74): of messages, by functions without a memory.
+"""The numbers that may stand beside elements (S74): numbers of messages, and functions of them
+without a memory.
 
-A number that looks at other elements, at an age or at several messages stands outside.
+A number that depends on other elements, on an age or on several messages has to stand outside.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
 
 
 def nature_of_call(node: ast.Call, context: Context) -> str | None:
-    """The reason why a call may not stand beside elements, nor be asked of one; None if it may."""
+    """The reason why a call may not stand beside elements, or be applied to one; None if it may."""
     name = node.function.text
     if any(isinstance(argument, ast.Edges) for argument in node.arguments):
         return "this counts over time"
@@ -35,8 +36,8 @@ def nature_of_call(node: ast.Call, context: Context) -> str | None:
 
 
 def unfit_part(number: ast.Expression, context: Context) -> tuple[ast.Expression, str] | None:
-    """The first part of a number because of which it may not stand beside elements, and the reason;
-    None if it may.
+    """The first part of a number that may not stand beside elements, and the reason; None if the
+    number may stand there.
     """
     for part in walk(number):
         if isinstance(part, ast.ListFold):

@@ -1,4 +1,6 @@
-"""`changed`: a number, a vector or a flag of a message beside what it was in the message before."""
+"""`changed`: a number, a vector or a flag of a message compared with its value in the message
+before.
+"""
 
 from __future__ import annotations
 

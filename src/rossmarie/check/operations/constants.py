@@ -42,9 +42,9 @@ _FUNCTIONS: Mapping[str, Callable[[list[float]], float]] = {
 
 
 def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
-    """The value of a node from those of its operands; None if it is not constant.
+    """The value of a node, computed from the values of its operands; None if it is not constant.
 
-    The operations are those of a monitor, IEEE doubles as written.
+    The operations are those of a monitor: IEEE doubles, in the order of the source.
     """
     if isinstance(node, ast.Boolean):
         return Value(type_, boolean=node.value)
@@ -83,7 +83,9 @@ def _boolean(node: ast.Expression, context: Context) -> bool | None:
 
 
 def record(node: ast.Expression, value: Value, context: Context) -> bool:
-    """Keep the value of a node; False, after reporting it, if it is beyond all numbers."""
+    """Record the value of a node. Returns False, after reporting, if the value exceeds the range of
+    numbers.
+    """
     if not all(map(math.isfinite, value.numbers)):
         context.collector.add(ConstantTooLarge().at(node.span))
         return False

@@ -19,7 +19,7 @@ MOST_EDGES = 64
 
 
 def type_of_edges(node: ast.Edges, context: Context) -> Type:
-    """`edges of condition within 10 sec`; what takes them sees to the rest."""
+    """`edges of condition within 10 sec`. The function around it checks the rest."""
     if node.window is None:
         finding = EdgesMisused(reason="it is not said within which time")
         context.collector.add(finding.at(node.span))
@@ -30,7 +30,7 @@ def type_of_edges(node: ast.Edges, context: Context) -> Type:
 
 
 def report_edges_elsewhere(node: ast.Expression, function: str, context: Context) -> bool:
-    """Report edges that stand in another function than `count`; say whether they do."""
+    """Report edges in a function other than `count`. Returns True if they are."""
     if not isinstance(node, ast.Edges) or function == Operator.COUNT.value:
         return False
     finding = EdgesMisused(reason=f"`{function}` takes no edges, only `count` does")
@@ -39,7 +39,7 @@ def report_edges_elsewhere(node: ast.Expression, function: str, context: Context
 
 
 def type_of_edge_comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
-    """`count(edges of condition within 10 sec) > 3`, or with the constant in front."""
+    """The type of `count(edges of condition within 10 sec) > 3`, also with the constant first."""
     if is_edge_count(node.left) and is_edge_count(node.right):
         finding = EdgesMisused(reason="two counts are compared")
         context.collector.add(finding.at(node.span))

@@ -1,7 +1,7 @@
-"""Expressions over the elements of an array: they may use one array, constants, and numbers of
+"""Expressions over the elements of an array. They may use one array, constants, and numbers of
 other messages.
 
-A boolean of its own, or a time that something has to hold, belongs outside.
+Another boolean, or a duration, has to stand outside.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from rossmarie.syntax.walk import children
 from rossmarie.types import Array, Boolean, Unknown
 
 Temporal = ast.Held | ast.Since | ast.Once | ast.Response
-"""The operators over time."""
+"""The operators on time."""
 
 
 def check_elements(fold: ast.Call, context: Context) -> bool:
-    """Say whether all parts of the argument of a fold may stand in it; those that may not are
+    """Say whether all parts of the argument of a fold are allowed there. Parts that are not are
     reported.
     """
     (argument,) = fold.arguments
@@ -51,7 +51,7 @@ def check_elements(fold: ast.Call, context: Context) -> bool:
 
 
 def _reason(part: ast.Expression, context: Context) -> str | None:
-    """The reason why something beside elements may not stand there; None if it may."""
+    """The reason why a part is not allowed beside elements; None if it is allowed."""
     if isinstance(context.type_of(part), Boolean):
         return "this is the same for all elements"
     unfit = unfit_part(part, context)
@@ -80,7 +80,7 @@ def _take_out(
 
 
 def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
-    """The `any`, `all` or `count` that a node stands in, if it stands in one."""
+    """The `any`, `all` or `count` around a node, if there is one."""
     around = context.parents.get(node)
     while around is not None and not isinstance(around, ast.Edges):
         if isinstance(around, ast.Call) and around.function.text in CONDITIONAL:
@@ -92,7 +92,7 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
 def report_elements_over_time(
     node: Temporal, operand: ast.Expression, fold: ast.Call, context: Context
 ) -> None:
-    """Report that an operator over time stands on the elements of an array, inside `fold`."""
+    """Report an operator on time that is applied to the elements of an array, inside `fold`."""
     function = fold.function.text
     finding = ArrayAsScalar(expected="condition")
     is_whole = stripped(fold.arguments[0]) is node and function in QUANTIFIERS
@@ -111,9 +111,7 @@ def report_elements_over_time(
 
 
 def parts_of(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:
-    """Find the arrays in an argument of a fold, and the changing single values, in the order in
-    which they are written.
-    """
+    """The arrays in an argument of a fold, and the changing single values, in source order."""
     pending = [argument]
     while pending:
         node = pending.pop()

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NotACondition(Error, code="ROSS201", name="not-a-condition"):
-    """A value where something true or false is needed."""
+    """A value that is not a condition where a condition is needed."""
 
     title = "a condition is needed here"
     label = "this is {found}, which is neither true nor false"
@@ -40,7 +40,7 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
 
 
 class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
-    """Three numbers where one is needed."""
+    """A vector where one number is needed."""
 
     title = "a vector is not one number"
     label = "this is {found}"
@@ -51,7 +51,7 @@ class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
 
 
 class Incomparable(Error, code="ROSS204", name="incomparable"):
-    """A comparison of things of different kinds."""
+    """A comparison of values of different kinds."""
 
     title = "{left} cannot be compared with {right}"
     label = "`{operator}` needs two numbers, or `==` and `!=` two strings"
@@ -83,7 +83,7 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
 
 
 class NotANumber(Error, code="ROSS205", name="not-a-number"):
-    """Something else where one number is needed."""
+    """A value that is not a number where one number is needed."""
 
     title = "a number is needed here"
     label = "this is {found}"
@@ -108,7 +108,7 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
 
 
 class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
-    """Many numbers, or many booleans, where one is needed."""
+    """An array where one number or boolean is needed."""
 
     title = "an array is not one {expected}"
     label = "this has one {expected} for each element"
@@ -152,7 +152,7 @@ class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
 
 
 class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
-    """A quaternion where one number is needed."""
+    """An orientation where one number is needed."""
 
     title = "an orientation is not one number"
     label = "this is a quaternion"
@@ -161,7 +161,7 @@ class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
 
 
 class NotConstant(Error, code="ROSS215", name="not-constant"):
-    """Something that changes where a constant is needed."""
+    """A changing value where a constant is needed."""
 
     title = "{purpose} must be constant"
     label = "this is not constant"
@@ -188,7 +188,7 @@ class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
 
 
 class NotAnArray(Error, code="ROSS221", name="not-an-array"):
-    """An index, or a query about elements, on something without elements."""
+    """An index, or a query about elements, on a value without elements."""
 
     title = "{purpose} needs an array"
     label = "this is {found}"
@@ -215,7 +215,7 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
 
 
 class ElementsWithoutNames(Error, code="ROSS231", name="elements-without-names"):
-    """An element chosen by its name, where the message has no list of names."""
+    """An element chosen by name, in a message without a list of names."""
 
     title = "the elements of `{text}` have no names"
     label = "the message has no list of names for these elements"
@@ -230,7 +230,7 @@ class ElementsWithoutNames(Error, code="ROSS231", name="elements-without-names")
 
 
 class UnlistedName(Error, code="ROSS242", name="unlisted-name"):
-    """An element chosen by a name that is not among those that its input declares."""
+    """An element chosen by a name that its input does not declare."""
 
     title = "no element has the name `{identifier}`"
     label = "not in the list of names of this input"
@@ -242,7 +242,7 @@ class UnlistedName(Error, code="ROSS242", name="unlisted-name"):
 
 
 class BooleanCompared(Error, code="ROSS222", name="boolean-compared"):
-    """A condition compared as if it were a number."""
+    """A condition that is compared like a number."""
 
     title = "conditions are not compared by `{operator}`"
     label = "this is already true or false"
@@ -251,7 +251,7 @@ class BooleanCompared(Error, code="ROSS222", name="boolean-compared"):
 
 
 class StringsCompared(Error, code="ROSS223", name="strings-compared"):
-    """A comparison of two texts that both arrive with messages."""
+    """A comparison of two texts that both come from messages."""
 
     title = "a string can only be compared with a string literal"
     label = "neither side is known before the monitor runs"
@@ -265,7 +265,7 @@ class StringsCompared(Error, code="ROSS223", name="strings-compared"):
 
 
 class NotADuration(Error, code="ROSS306", name="not-a-duration"):
-    """Something else where a length of time is needed."""
+    """A value that is not a duration where a duration is needed."""
 
     title = "{purpose} must be a duration"
     label = "this is {found}"
@@ -275,7 +275,7 @@ class NotADuration(Error, code="ROSS306", name="not-a-duration"):
 
 
 class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
-    """A length of time that is zero, negative, or longer than any robot lives."""
+    """A duration that is zero, negative, or too long."""
 
     title = "{purpose} must be {bound}"
     label = "this is {found}"
@@ -291,7 +291,7 @@ class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
 
 
 class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"):
-    """A sum, product or negation of temperatures whose zero is arbitrary."""
+    """A sum, product or negation of temperatures on a scale with an arbitrary zero."""
 
     title = "a temperature in {unit} cannot be used in this calculation"
     label = "this is in {unit}"

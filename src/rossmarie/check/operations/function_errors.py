@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
-    """A call of something that is not built in."""
+    """A call of a function that does not exist."""
 
     title = "there is no function `{identifier}`"
     label = "not a built-in function"
@@ -30,7 +30,7 @@ class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
 
 
 class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
-    """A call of a function on something that it is not defined for."""
+    """A call of a function on a value of the wrong type."""
 
     title = "`{function}` needs {expected}"
     label = "this is {found}"
@@ -72,7 +72,7 @@ class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
 
 
 class AgeMisused(Error, code="ROSS219", name="age-misused"):
-    """`age` other than as one side of a comparison with a constant time."""
+    """`age` anywhere but on one side of a comparison with a constant time."""
 
     title = "`age` can only be compared with a constant time"
     label = "{reason}"
@@ -82,7 +82,7 @@ class AgeMisused(Error, code="ROSS219", name="age-misused"):
 
 
 class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
-    """A number of turning points that cannot be counted."""
+    """A number of turning points that is too small or too large to count."""
 
     title = "the number of turning points must be a whole number from 1 to {most}"
     label = "this is {found}"
@@ -92,7 +92,7 @@ class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
 
 
 class EdgesMisused(Error, code="ROSS234", name="edges-misused"):
-    """A count of edges other than as one side of a comparison with a constant."""
+    """A count of edges anywhere but on one side of a comparison with a constant."""
 
     title = "a count of edges within a time can only be compared with a constant whole number"
     label = "{reason}"
@@ -102,7 +102,7 @@ class EdgesMisused(Error, code="ROSS234", name="edges-misused"):
 
 
 class EdgeCount(Error, code="ROSS235", name="edge-count"):
-    """A number of edges that cannot be counted up to, or that every count is above."""
+    """A limit for a count of edges that is too large, or that every count exceeds."""
 
     title = "a count of edges must be compared with a whole number from 0 to {most}"
     label = "{reason}"
@@ -112,7 +112,7 @@ class EdgeCount(Error, code="ROSS235", name="edge-count"):
 
 
 class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
-    """`changed` of something that is no number, vector or flag of a message."""
+    """`changed` applied to a value that is not a number, vector or flag of a message."""
 
     title = "`changed` needs a number, a vector or a flag of a message"
     label = "this is {found}"
@@ -134,7 +134,7 @@ class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
 
 
 class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
-    """A part of a motion, or a speed to keep, that is not what it has to be."""
+    """A part of a motion, or a speed limit, of the wrong type or size."""
 
     title = "{part} must be {expected}"
     label = "this is {found}"
@@ -144,7 +144,7 @@ class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
 
 
 class UnfitAmount(Error, code="ROSS283", name="unfit-amount"):
-    """An argument of `braking_distance` or `time_to` that is not what it has to be."""
+    """An argument of `braking_distance` or `time_to` of the wrong type or size."""
 
     title = "{part} of `{function}` must be {expected}"
     label = "this is {found}"

@@ -83,7 +83,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.CHANGED: "changed(x)",
     Operator.AGE: "age(input) > 0.5 sec",
 }
-"""The notation of each function; its keys are the functions there are."""
+"""The notation of each function. Its keys are all built-in functions."""
 
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
@@ -107,7 +107,7 @@ _TIMES: Mapping[Operator, str] = {
     Operator.MEAN: "the window of `mean`",
     Operator.LOW_PASS: "the time constant of `low_pass`",
 }
-"""The functions that take a constant time, and what it is to them."""
+"""The functions with a constant time, and the meaning of that time."""
 _MOST_FIELDS = 4
 _OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
@@ -115,7 +115,7 @@ _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
 
 def type_of_call(node: ast.Call, context: Context) -> Type:
-    """The type of a call whose arguments have theirs."""
+    """The type of a call whose arguments have types."""
     operator = _FUNCTIONS.get(node.function.text)
     if operator is None:
         _report_unknown(node.function, context)
@@ -159,7 +159,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     count = len(node.arguments)
     if count >= signature.least and (signature.most is None or count <= signature.most):
         return True
-    # The operand before the dot is not counted: the user sees no argument there.
+    # The operand before the dot is not counted, because the user sees no argument there.
     before_dot = 1 if node.is_method else 0
     least, given = signature.least - before_dot, count - before_dot
     expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
@@ -178,7 +178,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
 
 
 def _age(node: ast.Call, context: Context) -> Type:
-    """The type of an age; that it is compared with a time is seen to by whatever it stands in."""
+    """The type of an age. The expression around it checks that it is compared with a time."""
     outcome = apply(Operator.AGE, context.type_of(node.arguments[0]))
     argument = stripped(node.arguments[0])
     if isinstance(argument, ast.Reference) and argument.name.text in context.inputs:
@@ -209,8 +209,8 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
-    """The type of the result whatever is wrong with the argument; of `any(x) < 1`, one finding will
-    do.
+    """The type of the result, whatever is wrong with the argument: one finding for `any(x) < 1` is
+    enough.
     """
     around = context.parents.get(node)
     is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
@@ -244,7 +244,7 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
     if operator in _NEEDS:
         outcome = apply(operator, *types)
         if Fault.OPERANDS in outcome.faults:
-            # If a class is named, it is the position that does not fit.
+            # If a class is named, the error is in the position.
             is_of_region = any(isinstance(type_, Region) for type_ in types)
             asked = list(zip(node.arguments, types, strict=True))[: 1 if is_of_region else None]
             for argument, type_ in asked:
@@ -271,7 +271,9 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:
-    """The type of the way on which a motion stops; of `Unknown` the motion is reported already."""
+    """The type of the distance in which a motion stops. If the type is `Unknown`, the motion is
+    reported already.
+    """
     motion = context.type_of(node.arguments[0])
     if not isinstance(motion, Motion) or len(node.arguments) == 1:
         return type_
@@ -293,7 +295,7 @@ def _report_argument(
 
 
 def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> Remark | None:
-    """The fields of a message that a function can be called on; None if there is no such."""
+    """The fields of a message to which a function can be applied; None if there are none."""
     wanted = _FIELDS.get(_FUNCTIONS[node.function.text])
     type_ = context.type_of(argument)
     if wanted is None or not isinstance(type_, Message):

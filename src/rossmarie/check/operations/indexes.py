@@ -1,4 +1,4 @@
-"""Elements that are chosen by an index: by their place, or by their name."""
+"""Elements chosen by an index: by their position, or by their name."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from rossmarie.types import (
 
 
 def element_of(owner: Type, index: int | str) -> Type | None:
-    """The type of an element, by its place or its name; None if there are no such elements. Of a
-    message with names the name stands for all of its arrays.
+    """The type of an element, chosen by its position or its name; None if there are no such
+    elements. In a message with names, the name selects an element of each of its arrays.
     """
     match owner:
         case Array(element=element, names=names):
@@ -45,8 +45,8 @@ def element_of(owner: Type, index: int | str) -> Type | None:
 
 
 def no_element(owner: Type, index: int | str, span: Span, text: str, place: Span) -> Diagnostic:
-    """The finding that something has no elements to choose by an index, or none with names; the
-    index stands at a `place`.
+    """The finding that a value has no elements to choose by an index, or none with names. The index
+    stands at a `place`.
     """
     if isinstance(index, str) and isinstance(owner, Array) and isinstance(owner.names, tuple):
         return _unlisted(index, owner.names, place)

@@ -1,4 +1,4 @@
-"""Mistakes in what is asked of the elements of a list of messages."""
+"""Mistakes in queries about the elements of a list of messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
-    """A list of messages that an input brings without a bound."""
+    """A list of messages in an input without a bound."""
 
     title = "the list `{text}` needs a bound"
     label = "it can have any number of elements"
@@ -23,7 +23,7 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
 
 
 class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
-    """A part that stands neither for the element nor for a number where elements are looked at."""
+    """A part that uses neither the element nor a number, where elements are compared."""
 
     title = (
         "after `{variable} in {text}:` only `{variable}`, constants and numbers of messages are "

@@ -1,7 +1,7 @@
 """Queries about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
 
-What stands behind the colon is an expression like any other, in which a name stands for the
-element. It may rest on the element, on constants, and on numbers of other messages.
+Behind the colon stands an ordinary expression, in which a name stands for the element. It may use
+the element, constants, and numbers of other messages.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ from rossmarie.units import DIMENSIONLESS
 USUAL_BOUND = 64
 USUAL_POINTS = 65_536
 USUAL_BEAMS = 1_440
-"""The bounds that are proposed where there is none: for lists of messages, clouds and scans."""
+"""The bounds that are suggested if there is none: for lists of messages, clouds and scans."""
 
 _MOST_LISTS = 4
 
 
 def type_of_list_fold(node: ast.ListFold, context: Context) -> Type:
-    """The type of a fold whose list and body have theirs."""
+    """The type of a fold whose list and body have types."""
     function = node.function.text
     _check_variable(node, context)
     if function not in CONDITIONAL | EXTREMES:
@@ -61,7 +61,7 @@ def type_of_list_fold(node: ast.ListFold, context: Context) -> Type:
 
 
 def _check_variable(node: ast.ListFold, context: Context) -> None:
-    """The name of the element must not stand for anything else."""
+    """Report a name for the element that has another meaning."""
     name = node.variable.text
     own = context.declarations.conditions.get(context.entity or "", {})
     declared = context.declarations.names.get(name)
@@ -131,8 +131,8 @@ def _report_no_list(node: ast.ListFold, type_: Type, context: Context) -> None:
 
 
 def _check_body(node: ast.ListFold, context: Context) -> bool:
-    """Report all that may not stand beside the element; False if the body is the same for all
-    elements.
+    """Report all parts that are not allowed beside the element. Returns False if the body is the
+    same for all elements.
     """
     naming = _naming(node, context)
     others = list(_others(node, naming, context))
@@ -152,7 +152,7 @@ def _check_body(node: ast.ListFold, context: Context) -> bool:
 
 
 def _naming(fold: ast.ListFold, context: Context) -> NodeMap[bool]:
-    """The parts of the body in which the element is named."""
+    """The parts of the body that contain the name of the element."""
     found: NodeMap[bool] = NodeMap()
     for part in walk(fold.body):
         if not isinstance(part, ast.Reference) or part.name.text != fold.variable.text:
@@ -165,7 +165,7 @@ def _naming(fold: ast.ListFold, context: Context) -> NodeMap[bool]:
 
 
 def counts_all(fold: ast.ListFold, types: NodeMap[Type], values: NodeMap[Value]) -> bool:
-    """Say whether this is `count(p in cloud: true)`: how many points, or beams, there are."""
+    """Say whether the call is `count(p in cloud: true)`, the number of points or beams."""
     its_list, value = types.get(fold.list), values.get(fold.body)
     can_count = isinstance(its_list, List) and (its_list.is_of_points or its_list.is_of_beams)
     return can_count and fold.function.text == "count" and bool(value and value.boolean)
@@ -181,13 +181,13 @@ def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:
 
 
 _Other = tuple[str, Remark | None]
-"""The nature of something that is no part of the element, and a special way out if there is one."""
+"""The nature of a part that does not belong to the element, and a special help if there is one."""
 
 
 def _others(
     fold: ast.ListFold, naming: NodeMap[bool], context: Context
 ) -> Iterator[tuple[ast.Expression, str, Remark | None]]:
-    """The outermost parts of the body that may not stand in it."""
+    """The outermost parts of the body that are not allowed in it."""
     pending = [fold.body]
     while pending:
         node = pending.pop()
@@ -205,7 +205,9 @@ def _others(
 def _same_for_all(
     node: ast.Expression, fold: ast.ListFold, naming: NodeMap[bool], context: Context
 ) -> Iterator[tuple[ast.Expression, str, Remark | None]]:
-    """The parts that may not stand in a part that is the same for all elements: numbers may."""
+    """The parts that are not allowed in a part that is the same for all elements. Numbers are
+    allowed.
+    """
     type_ = context.type_of(node)
     if isinstance(type_, Boolean) and node is not fold.body:
         yield node, "this is one boolean for all elements", None

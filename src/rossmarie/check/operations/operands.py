@@ -1,4 +1,6 @@
-"""The operands of operators: numbers, booleans, constant times; what does not fit is reported."""
+"""The operands of operators: numbers, booleans, constant times. Operands of a wrong type are
+reported.
+"""
 
 from __future__ import annotations
 
@@ -38,11 +40,11 @@ from rossmarie.types import (
 )
 
 LONGEST_DURATION_S = 1e9
-"""About 32 years; instants and durations together have to fit in 64 bits of nanoseconds."""
+"""About 32 years. The sum of instants and durations has to fit in 64 bits of nanoseconds."""
 
 
 def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
-    """The one number that `node` stands for; None, after reporting, if it is something else."""
+    """The one number that `node` stands for; None, after reporting, if it is not one number."""
     type_ = context.type_of(node)
     if report_uncompared(node, "it is not one side of a comparison", context):
         return None
@@ -56,7 +58,7 @@ def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
 
 
 def report_array(node: ast.Expression, context: Context) -> None:
-    """Report that many numbers stand where one has to be."""
+    """Report an array where one number is needed."""
     text = text_of(node)
     finding = ArrayAsScalar(expected="number")
     context.collector.add(finding.at(node.span, help=finding.Number(text=text)))
@@ -65,8 +67,8 @@ def report_array(node: ast.Expression, context: Context) -> None:
 def report_uncompared(
     node: ast.Expression, reason: str, context: Context, at: ast.Expression | None = None
 ) -> bool:
-    """Report an age or a count of edges that is not compared with a constant; say whether it is
-    one.
+    """Report an age or a count of edges that is not compared with a constant. Returns True if
+    `node` is one.
     """
     place = node if at is None else at
     if is_age(node):
@@ -99,7 +101,7 @@ def _takes_edges(call: ast.Call) -> bool:
 
 
 def report_not_a_number(node: ast.Expression, context: Context) -> None:
-    """Report that something else stands where a number has to be."""
+    """Report a value that is not a number where a number is needed."""
     type_ = context.type_of(node)
     if not isinstance(type_, Unknown):
         context.collector.add(_not_a_number(node, type_))
@@ -130,7 +132,7 @@ def _fields(text: str, entry: Entry) -> str:
 
 
 def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
-    """The finding that a message is no value; its fields are offered."""
+    """The finding that a message is not a value. It suggests the fields of the message."""
     text = text_of(node)
     names = [f"`{text}.{name}`" for name in message.fields][:8]
     finding = MessageAsValue(found=message.name)
@@ -140,13 +142,13 @@ def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
 
 
 def is_boolean(type_: Type) -> bool:
-    """Say whether this is true or false, or an array of such."""
+    """Say whether a type is a boolean, or an array of booleans."""
     element = type_.element if isinstance(type_, Array) else type_
     return isinstance(element, Boolean)
 
 
 def report_not_a_condition(node: ast.Expression, context: Context) -> None:
-    """Report if something else stands where something true or false has to be."""
+    """Report a value that is not a condition where a condition is needed."""
     type_ = context.type_of(node)
     if is_edge_count(node):
         report_uncompared(node, "it is a number, and no condition", context)
@@ -175,7 +177,7 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
 
 
 def require_condition(node: ast.Expression, context: Context) -> None:
-    """Report if `node` is not one single boolean."""
+    """Report `node` if it is not a single boolean."""
     type_ = context.type_of(node)
     if not (isinstance(type_, Array) and is_boolean(type_)):
         report_not_a_condition(node, context)
@@ -189,7 +191,7 @@ def require_condition(node: ast.Expression, context: Context) -> None:
 
 
 def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | None:
-    """A constant time in nanoseconds; None, after reporting, if it is something else."""
+    """A constant time in nanoseconds; None, after reporting, if it is not one."""
     type_ = context.type_of(node)
     if isinstance(type_, Unknown):
         return None
@@ -204,7 +206,7 @@ def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | N
     if not require_constant(node, purpose, context):
         return None
     seconds = context.values[node].numbers[0]
-    # Before the multiplication: that of a huge number of seconds has no whole result.
+    # The check comes before the multiplication, which overflows for a huge number of seconds.
     if 0 < seconds <= LONGEST_DURATION_S and round(seconds * 1e9) > 0:
         return round(seconds * 1e9)
     context.collector.add(_out_of_range(node, seconds, purpose))
@@ -237,7 +239,7 @@ def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnos
 
 
 def require_constant(node: ast.Expression, purpose: str, context: Context) -> bool:
-    """Say whether the value of `node` is known; if not, report the part that changes."""
+    """Say whether the value of `node` is known. If not, report the part that changes."""
     if node in context.values:
         return True
     changing = node

@@ -1,4 +1,4 @@
-"""Operators: what the table of operators says of them, and how its faults are put to the user."""
+"""Operators: the results of the table of operators, and the findings for its errors."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ PURPOSES: Mapping[Operator, str] = {
 
 
 def type_of_binary(node: ast.Binary, context: Context) -> Type:
-    """The type of an infix expression whose operands have theirs."""
+    """The type of an infix expression whose operands have types."""
     operator = Operator(node.operator.value)
     if operator in LOGIC:
         report_ambiguous(node, context)
@@ -87,7 +87,7 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
 
 
 def applied(operator: Operator, operands: Sequence[ast.Expression], context: Context) -> Type:
-    """The type that an operator gives for its operands; whatever does not fit is reported."""
+    """The type that an operator gives for its operands. Operands that do not fit are reported."""
     reason = "it is not one side of a comparison"
     if [operand for operand in operands if report_uncompared(operand, reason, context)]:
         return Unknown()
@@ -186,7 +186,7 @@ def _boolean_comparison(operator: Operator, node: ast.Binary, context: Context) 
 
 
 def _text_comparison(node: ast.Binary, context: Context) -> Type:
-    """Texts are numbered by the compiler, so that one side has to be known to it."""
+    """The compiler numbers texts, so it has to know one side of the comparison."""
     if node.left in context.values or node.right in context.values:
         return Boolean()
     finding = StringsCompared(left=text_of(node.left), right=text_of(node.right))
@@ -209,7 +209,7 @@ def _report_incomparable(node: ast.Binary, context: Context) -> Type:
 
 
 def _in_one_kind(node: ast.Binary, context: Context) -> Remark:
-    """Show how to compare a text and a number."""
+    """Show how to compare a text with a number."""
     for side in (node.left, node.right):
         literal, constant = stripped(side), constant_of(stripped(side), context.declarations)
         if constant is not None:
@@ -230,7 +230,7 @@ def _is_number(text: str) -> bool:
 
 
 def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) -> None:
-    """Whole numbers without a unit are left alone: they are mostly states and counts."""
+    """Whole numbers without a unit are not reported: mostly they are states and counts."""
     sides = [operand_of(side, context) for side in (node.left, node.right)]
     numbers = [side for side in sides if side is not None]
     values = [context.values[side.node] for side in numbers if side.node in context.values]
@@ -267,7 +267,7 @@ def _age_comparison(operator: Operator, node: ast.Binary, context: Context) -> T
 
 
 def _is_zero(divisor: ast.Expression, context: Context) -> bool:
-    """Say whether a divisor is always zero; report it."""
+    """Say whether a divisor is always zero. Report it if so."""
     value = context.values.get(divisor)
     is_zero = value is not None and value.numbers == (0.0,)
     if is_zero:

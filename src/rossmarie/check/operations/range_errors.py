@@ -36,7 +36,7 @@ class BracketLength(Error, code="ROSS212", name="bracket-length"):
 
 
 class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
-    """`in` with a value that the range cannot hold."""
+    """`in` with a value that the range cannot contain."""
 
     title = "{value} cannot be in {container}"
     label = "this is {container}"
@@ -73,7 +73,7 @@ class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
 
 
 class StringsAsRange(Error, code="ROSS224", name="strings-as-range"):
-    """Texts in brackets, as if `in` looked for one in a list."""
+    """Texts in brackets, written as if `in` searched a list."""
 
     title = "brackets hold a range of numbers, not a list of strings"
     label = "these are strings"

@@ -1,7 +1,7 @@
-"""Readings of a laser scan that are compared although they may be no distances.
+"""Readings of a laser scan that are compared although they may not be distances.
 
-Many lidars say 0 where nothing returns. An input of the whole scan, and one of its `ranges`, can
-ask for a sector instead: it has the readings that the scan itself calls distances (S71).
+Many lidars report 0 if nothing returns. An input of the whole scan, or of its `ranges`, can use a
+sector instead: a sector contains only the readings that are valid distances (S71).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _BELOW = (ast.BinaryOperator.LESS, ast.BinaryOperator.LESS_OR_EQUAL)
 
 
 def warn_of_raw_readings(fold: ast.Call, context: Context) -> None:
-    """Warn of a fold over all readings of a scan, in which one that is no distance decides."""
+    """Warn of a fold over all readings of a scan whose result an invalid reading can decide."""
     (argument,) = fold.arguments
     raw = [part for part in parts_of(argument, context) if _is_raw(part, context)]
     if not raw or fold.function.text == "max" or _is_bounded_below(argument, context):
@@ -31,7 +31,7 @@ def warn_of_raw_readings(fold: ast.Call, context: Context) -> None:
 
 
 def warn_of_raw_reading(comparison: ast.Binary | ast.Membership, context: Context) -> None:
-    """Warn of a single reading that is compared, in which a reading that is no distance decides."""
+    """Warn of the comparison of a single reading whose result an invalid reading can decide."""
     sides = (
         (comparison.left, comparison.right)
         if isinstance(comparison, ast.Binary)
@@ -49,7 +49,7 @@ def warn_of_raw_reading(comparison: ast.Binary | ast.Membership, context: Contex
 
 
 def _is_raw(part: ast.Expression, context: Context) -> bool:
-    """Say whether these are all readings of a scan, as they have come."""
+    """Say whether an expression is all readings of a scan, unchanged."""
     if not isinstance(part, ast.Reference | ast.Member):
         return False
     type_ = context.type_of(part)
@@ -57,7 +57,7 @@ def _is_raw(part: ast.Expression, context: Context) -> bool:
 
 
 def _is_bounded_below(condition: ast.Expression, context: Context) -> bool:
-    """Say whether a condition asks for a range that begins above 0."""
+    """Say whether a condition requires a range that begins above 0."""
     node = stripped(condition)
     if not isinstance(node, ast.Membership) or node.is_negated:
         return False
@@ -66,7 +66,9 @@ def _is_bounded_below(condition: ast.Expression, context: Context) -> bool:
 
 
 def _asks_what_is_far(condition: ast.Expression, context: Context) -> bool:
-    """Say whether a condition is that of readings above something, which a reading of 0 is not."""
+    """Say whether a condition is true only for readings above a limit, so that a reading of 0 is
+    excluded.
+    """
     node = stripped(condition)
     if not isinstance(node, ast.Binary):
         return False

@@ -1,4 +1,4 @@
-"""Fixes that write something else in the place of an expression."""
+"""Fixes that replace an expression."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rossmarie.syntax import ast
 
 
 def rewritten(node: ast.Expression, meant: str, context: Context) -> Fix:
-    """Write `meant` instead of `node`, in parentheses where anything is around it."""
+    """Write `meant` instead of `node`, in parentheses if an expression surrounds it."""
     around = context.parents.get(node)
     is_alone = around is None or isinstance(around, ast.Parenthesized)
     text = meant if is_alone else f"({meant})"

@@ -1,4 +1,4 @@
-"""Mistakes in sectors of laser scans, and readings that no sector bounds."""
+"""Mistakes in sectors of laser scans, and readings outside any sector."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoSectors(Error, code="ROSS271", name="no-sectors"):
-    """A sector of something that no scan measured."""
+    """A sector of a value that is not a scan."""
 
     title = "`{text}` has no sectors"
     label = "this is {found}"
@@ -27,7 +27,7 @@ class NoSectors(Error, code="ROSS271", name="no-sectors"):
 
 
 class NoSector(Error, code="ROSS272", name="no-sector"):
-    """Two ends between which no sector lies."""
+    """Two ends without a sector between them."""
 
     title = "a sector goes from one angle to another"
     label = "{found}"
@@ -53,7 +53,7 @@ class LongWay(Warning, code="ROSS273", name="long-way-round"):
 
 
 class RawReadings(Warning, code="ROSS274", name="raw-readings"):
-    """Readings of a scan, those included that are no distances."""
+    """Readings of a scan that include invalid distances."""
 
     title = "`{text}` has readings that are not distances"
     label = "a reading of 0 counts as something at 0 m"

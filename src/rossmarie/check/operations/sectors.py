@@ -21,7 +21,7 @@ _ROUNDING = 1e-9
 
 
 def type_of_sector(node: ast.Sector, context: Context) -> Type:
-    """The type of a sector whose scan and ends have theirs."""
+    """The type of a sector whose scan and ends have types."""
     type_ = context.type_of(node.value)
     sector = checked_sector(node.arc, context)
     if not isinstance(type_, Array) or not type_.has_sectors:
@@ -33,7 +33,7 @@ def type_of_sector(node: ast.Sector, context: Context) -> Type:
 
 
 def checked_sector(arc: ast.Arc, context: Context) -> Sector | None:
-    """The sector between ends that have their types; None after reporting that there is none."""
+    """The sector between two ends; None after reporting that there is no sector."""
     for end in (arc.first, arc.last):
         type_ = context.type_of(end)
         if isinstance(type_, Unknown):
@@ -69,7 +69,7 @@ def sector_between(first: float, last: float) -> Sector | None:
 
 
 def report_no_sectors(type_: Type, arc: ast.Arc, text: str, context: Context) -> None:
-    """Report that something has no sectors, unless something else is reported of it."""
+    """Report that a value has no sectors, unless another finding reports the value."""
     if isinstance(type_, Unknown):
         return
     finding = NoSectors(text=text, found=describe(type_))

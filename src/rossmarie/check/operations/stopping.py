@@ -1,4 +1,4 @@
-"""The speeds that motions slow down to: `stopping(drive, 0.3 m/s)`."""
+"""The speeds to which motions slow down: `stopping(drive, 0.3 m/s)`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SPEED = Quantity(parse_unit("m/s"))
 
 
 def constant(part: str, node: ast.Expression, may_be_zero: bool, context: Context) -> float | None:
-    """A constant number in SI that is positive; None, after reporting, if it is not."""
+    """A positive constant number in SI; None, after reporting, if it is not positive."""
     if not require_constant(node, part, context):
         return None
     number = context.values[node].numbers[0]
@@ -32,7 +32,7 @@ def constant(part: str, node: ast.Expression, may_be_zero: bool, context: Contex
 def wanted_speed(
     node: ast.Expression, motion: CheckedMotion | None, context: Context
 ) -> float | None:
-    """A constant speed in m/s that a motion can be too fast for; None after reporting."""
+    """A constant speed in m/s that a motion can exceed; None after reporting."""
     if isinstance(context.type_of(node), Unknown):
         return None
     operand = scalar_operand(node, context)

@@ -1,4 +1,4 @@
-"""Conditions over time: `for`, `since`, `once` and `after`.
+"""Conditions on time: `for`, `since`, `once` and `after`.
 
 Their operands are conditions of the whole machine, never of the elements of an array.
 """
@@ -55,7 +55,7 @@ def _type_over_time(node: Temporal, operands: tuple[ast.Expression, ...], contex
 
 def report_ambiguous(node: ast.Binary, context: Context) -> None:
     """Report `a and b for 2 sec`, `a and b since c` and `a since b and c`, where `for` or `since`
-    reads as if it covered both sides of the `and`.
+    looks as if it applied to both sides of the `and`.
     """
     first = _first_operand(node.right)
     if isinstance(first, ast.Held):
@@ -109,7 +109,9 @@ def _ambiguous_begun(node: ast.Binary, since: ast.Since) -> Diagnostic:
 def _around(
     node: ast.Binary, temporal: ast.Held | ast.Since, last: ast.Expression
 ) -> tuple[str, str, str]:
-    """The text before an operator over time, that up to its word, and that from there on."""
+    """Three texts around an operator on time: the text before it, the text up to its word, and the
+    rest.
+    """
     file, start = temporal.span.file, node.left.span.start
     before = Span(file, start, temporal.span.start).text
     inside = Span(file, start, last.span.end).text

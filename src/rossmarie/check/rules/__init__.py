@@ -1,1 +1,1 @@
-"""Rules together: their order, what follows from them, and what is missing."""
+"""Rules together: their order, their plans, and missing parts."""

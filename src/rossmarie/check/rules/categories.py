@@ -1,4 +1,4 @@
-"""The categories that rules are filed under."""
+"""The categories of rules."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ _TASKS = {each.value.removeprefix("task "): each for each in TASKS}
 
 
 def check_categories(rule: ast.Rule, context: Context) -> tuple[Category, ...]:
-    """The categories of a rule; words that are none are reported, once for all its exemptions."""
+    """The categories of a rule. Unknown categories are reported, once for all exemptions of the
+    rule.
+    """
     found = (
         _known(rule, rule.category, "category", _SUBJECTS, context),
         _known(rule, rule.task, "task", _TASKS, context),

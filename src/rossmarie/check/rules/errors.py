@@ -1,4 +1,4 @@
-"""Mistakes that rules make together."""
+"""Mistakes that involve several rules."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
-    """An order of rules that names a rule that does not exist."""
+    """An order of rules with a rule that does not exist."""
 
     title = "there is no rule `{identifier}`"
     label = "no rule has this name"
@@ -15,7 +15,7 @@ class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
 
 
 class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
-    """Actions each of which is what happens when the other one fails."""
+    """Actions that each follow the failure of another, in a circle."""
 
     title = "action `{identifier}` escalates to itself"
     label = "this leads back: {cycle}"
@@ -26,7 +26,7 @@ class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
 
 
 class CircularPriority(Error, code="ROSS123", name="circular-priority"):
-    """Rules of which each is more important than the next, in a circle."""
+    """Rules that each have priority over the next, in a circle."""
 
     title = "rule `{identifier}` has priority over itself"
     label = "this leads back: {cycle}"
@@ -36,7 +36,7 @@ class CircularPriority(Error, code="ROSS123", name="circular-priority"):
 
 
 class CircularUnless(Error, code="ROSS142", name="circular-unless"):
-    """Rules each of which is not carried out while the next one is active, in a circle."""
+    """Rules that each are not carried out while the next is active, in a circle."""
 
     title = "rule `{identifier}` gives way to itself"
     label = "this leads back: {cycle}"
@@ -56,7 +56,7 @@ class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
 
 
 class UnknownCategory(Error, code="ROSS250", name="unknown-category"):
-    """A word behind `category` or `task` that is none of those that there are."""
+    """A word behind `category` or `task` that is not a category."""
 
     title = "there is no {said} `{identifier}`"
     label = "not one of {known}"
@@ -67,7 +67,7 @@ class UnknownCategory(Error, code="ROSS250", name="unknown-category"):
 
 
 class NothingSelected(Error, code="ROSS251", name="nothing-selected"):
-    """A selection of categories that no rule fits."""
+    """A selection of categories that matches no rule."""
 
     title = "no rule is {only}"
     label = "{known}"
@@ -81,7 +81,7 @@ class NothingSelected(Error, code="ROSS251", name="nothing-selected"):
 
 
 class LeftOutRule(Warning, code="ROSS252", name="left-out-rule"):
-    """A rule that is left out of a selection, and that an order of rules in it names."""
+    """A rule outside a selection, in an order of rules inside the selection."""
 
     title = "rule `{identifier}` is left out, and an order names it"
     label = "{effect}"
@@ -92,7 +92,7 @@ class LeftOutRule(Warning, code="ROSS252", name="left-out-rule"):
 
 
 class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
-    """An input that a rule rests on and that may fall silent unnoticed."""
+    """An input of a rule that may fall silent without notice."""
 
     title = "input `{identifier}` has no timeout"
     label = "if this input falls silent, its last value is used forever"
@@ -111,7 +111,7 @@ class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
 
 
 class NoRules(Warning, code="ROSS407", name="no-rules"):
-    """Conditions or inputs and no rule that rests on them, or a file without anything."""
+    """Conditions or inputs without a rule that uses them, or an empty file."""
 
     title = "there is no rule: nothing will be monitored"
     label = "{what}"
@@ -134,7 +134,7 @@ class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
 
 
 class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
-    """A rule whose actions and escalations are more than a reactor can hold."""
+    """A rule with more actions and escalations than a reactor can hold."""
 
     title = "this rule has more than {most} effects"
     label = "counted with all escalations of its actions"
@@ -144,7 +144,7 @@ class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
 
 
 class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
-    """A hazard against which there is no rule."""
+    """A hazard without a rule."""
 
     title = "no rule mitigates hazard `{identifier}`"
     label = "declared here"
@@ -156,7 +156,9 @@ class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
 
 
 class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
-    """The last action of a chain of escalations, which needs what another rule may have."""
+    """The last action of a chain of escalations, which needs a resource that another rule may
+    have.
+    """
 
     title = "the last escalation of rule `{rule}` needs {resource}, but rule `{other}` has priority"
     label = "while `{other}` is engaged, this effect is overruled, and nothing follows"
@@ -179,7 +181,7 @@ class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
 
 
 class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
-    """Feedback for a learner that is no amount that can be summed, or is said twice."""
+    """Feedback for a learner that is not a summable amount, or is given twice."""
 
     title = (
         "feedback must be a plain number of at least 0, given once per activation and once per time"
@@ -191,7 +193,7 @@ class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
 
 
 class NoMargin(Error, code="ROSS424", name="no-margin"):
-    """A rule with a margin whose condition has a part that has no distance to a limit."""
+    """A rule with a margin whose condition has a part without a distance to a limit."""
 
     title = "this part has no distance to a limit, so the rule has no margin"
     label = "{found}"
@@ -207,7 +209,7 @@ class NoMargin(Error, code="ROSS424", name="no-margin"):
 
 
 class MarginUnit(Error, code="ROSS425", name="margin-unit"):
-    """A margin in a unit that is not that of all comparisons."""
+    """A margin whose unit differs from the unit of a comparison."""
 
     title = "a margin has one dimension, but this side is {one}, and the comparison {other}"
     label = "this is {one}"
@@ -231,7 +233,7 @@ class MarginUnit(Error, code="ROSS425", name="margin-unit"):
 
 
 class AlwaysLimited(Error, code="ROSS426", name="always-limited"):
-    """A scope or an exemption of a rule that holds always."""
+    """A scope or an exemption of a rule that is always active."""
 
     title = "a rule with `always` has no {kind}"
     label = "{kind} of a rule with `always`"
@@ -244,7 +246,7 @@ class AlwaysLimited(Error, code="ROSS426", name="always-limited"):
 
 
 class ExemptedHazard(Error, code="ROSS427", name="exempted-hazard"):
-    """An exemption with nothing instead, of a rule that mitigates a hazard."""
+    """An exemption without a replacement, of a rule that mitigates a hazard."""
 
     title = "while `{skill}` nothing would mitigate hazard `{hazard}`"
     label = "exempted without a replacement"
@@ -258,7 +260,7 @@ class ExemptedHazard(Error, code="ROSS427", name="exempted-hazard"):
 
 
 class RepeatedExemption(Error, code="ROSS431", name="repeated-exemption"):
-    """Two exemptions of one rule for the same."""
+    """Two exemptions of one rule for the same skill."""
 
     title = "`{skill}` is exempted twice"
     label = "the same skill with the same things"

@@ -1,4 +1,4 @@
-"""Exemptions and scopes of rules: whether a rule may have them, and what they ask."""
+"""Exemptions and scopes of rules: the rules that may have them, and their queries."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from rossmarie.syntax import ast
 
 
 def check_exemptions(rule: ast.Rule, context: Context) -> None:
-    """Look at the skills that a rule names behind its condition and its actions. Reports those of
-    a rule that holds always, an exemption that leaves a hazard without a rule, and one that stands
-    there twice.
+    """Check the skills that a rule names behind its condition and its actions. Report skills on a
+    rule that is always active, an exemption that leaves a hazard without a rule, and repeated
+    exemptions.
     """
     for doing in (*rule.scope, *(each.doing for each in rule.exemptions)):
         infer(doing, context)

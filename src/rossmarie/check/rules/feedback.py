@@ -1,4 +1,4 @@
-"""The feedback that rules have for a learner."""
+"""The feedback of rules to a learner."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _ONCE, _LASTING = " per activation", " per time"
 
 
 def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
-    """The amounts of a rule, and its margin; what is neither is reported."""
+    """The amounts of a rule, and its margin. Anything else is reported."""
     found: dict[str, float] = {}
     margin: Unit | None = None
     said: set[str] = set()
@@ -39,14 +39,14 @@ def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
 
 
 def _kind(each: ast.Feedback | ast.Margin) -> str:
-    """The words that tell it from other feedback of a rule."""
+    """The words that distinguish one feedback of a rule from the others."""
     if isinstance(each, ast.Margin):
         return ""
     return _ONCE if each.time is None else _LASTING
 
 
 def _rate(feedback: ast.Feedback, context: Context) -> float:
-    """An amount, or an amount by the second; 0 where it is reported."""
+    """An amount, or an amount per second; 0 after reporting."""
     amount = _amount(feedback, context)
     seconds = 1.0 if feedback.time is None else _seconds(feedback.time, context)
     return 0.0 if amount is None or seconds is None else amount / seconds
@@ -67,7 +67,9 @@ def _amount(feedback: ast.Feedback, context: Context) -> float | None:
 
 
 def _seconds(unit: ast.Unit, context: Context) -> float | None:
-    """The length of a unit of time; None, after reporting, if it is none."""
+    """The length of a unit of time in seconds; None, after reporting, if it is not a unit of
+    time.
+    """
     known = read_unit(unit, context.collector)
     if known is None:
         return None

@@ -11,8 +11,8 @@ from rossmarie.syntax import ast
 
 
 def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.Hazard]:
-    """The hazards by name. Reports rules that name others and, if all could be parsed, those that
-    no rule mitigates.
+    """The hazards by name. Reports rules that name unknown hazards and, if all files could be
+    parsed, hazards that no rule mitigates.
     """
     found: dict[str, ast.Hazard] = {}
     for item in context.declarations.items:

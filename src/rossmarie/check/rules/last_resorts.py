@@ -1,4 +1,4 @@
-"""Chains of escalations have to end with something that no other rule can overrule."""
+"""Chains of escalations: the last effect must be one that no other rule can overrule."""
 
 from __future__ import annotations
 
@@ -20,7 +20,9 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class _Begun:
-    """An action in a plan, what follows if it fails, and whether it is an escalation itself."""
+    """An action in a plan, the action that follows its failure, and whether it is an escalation
+    itself.
+    """
 
     action: str
     last_resort: str | None
@@ -34,8 +36,9 @@ def check_last_resorts(
     commands: Container[str],
     context: Context,
 ) -> None:
-    """Report each rule whose last escalations need something that a rule before it may have. The
-    escalations must have no circles; `commands` are the topics that may pass through the filter.
+    """Report each rule whose last escalations need a resource that a rule with higher priority may
+    have. The escalations must have no circles. `commands` are the topics that may pass through the
+    filter.
     """
     rules = context.declarations.rules
     names = rule_names(rules)
@@ -62,7 +65,7 @@ def check_last_resorts(
 
 
 def _needs(rule: ast.Rule, effects: Effects) -> list[CheckedEffect]:
-    """The effects of a rule that need something for themselves, anywhere in its plan (R2)."""
+    """The effects of a rule that need an exclusive resource, anywhere in its plan (R2)."""
     found = (each for begun in _begun(rule, effects) for each in effects.get(begun.action, ()))
     return [effect for effect in found if effect.resource is not None]
 
@@ -70,8 +73,8 @@ def _needs(rule: ast.Rule, effects: Effects) -> list[CheckedEffect]:
 def _overrules(
     needs: Sequence[CheckedEffect], effect: CheckedEffect, commands: Container[str]
 ) -> bool:
-    """Say whether a rule with these needs keeps an effect from its resource. If all that it does
-    with that is to publish the same message, it does not.
+    """Say whether a rule with these needs keeps an effect from its resource. It does not if its
+    only use of the resource is to publish the same message.
     """
     rivals = [other.effect for other in needs if other.resource == effect.resource]
     found = effect.effect
@@ -81,8 +84,8 @@ def _overrules(
 
 
 def _last(rule: ast.Rule, effects: Effects) -> Iterator[CheckedEffect]:
-    """The effects of escalations behind which nothing follows, and beside which nothing bounds
-    commands; each once.
+    """The effects of escalations without a further escalation, and without an effect beside them
+    that bounds commands; each once.
     """
     for begun in _begun(rule, effects):
         own = effects.get(begun.action, ())
@@ -95,7 +98,7 @@ def _last(rule: ast.Rule, effects: Effects) -> Iterator[CheckedEffect]:
 
 
 def _begun(rule: ast.Rule, effects: Effects) -> Iterator[_Begun]:
-    """The actions of a plan, with what follows if they fail; each once."""
+    """The actions of a plan, each once, with the action that follows its failure."""
     pending = [
         _Begun(step.action.text, None if step.otherwise is None else step.otherwise.text, False)
         for step in rule.steps

@@ -1,4 +1,5 @@
-"""The margins of rules: a margin is the distance of a condition to where it changes, in a unit.
+"""The margins of rules. A margin is the distance of a condition to the point where its value
+changes, in a unit.
 
 A comparison of numbers has a distance; `and`, `or`, `not`, `any`, `all` and `for` pass it on.
 """
@@ -25,11 +26,11 @@ _WITH_SIDES = frozenset(
         ast.BinaryOperator.GREATER_OR_EQUAL,
     }
 )
-"""The comparisons that hold on one side of a limit."""
+"""The comparisons that are true on one side of a limit."""
 
 
 def check_margin(rule: ast.Rule, margin: ast.Margin, context: Context) -> Unit | None:
-    """The unit of a margin that a rule declares; None, after reporting, if it has none."""
+    """The unit of a declared margin; None, after reporting, if the margin is not possible."""
     unit = DIMENSIONLESS if margin.unit is None else read_unit(margin.unit, context.collector)
     compared: list[Operand] = []
     without = 0
@@ -52,7 +53,7 @@ def check_margin(rule: ast.Rule, margin: ast.Margin, context: Context) -> Unit |
 
 
 def _parts(condition: ast.Expression, context: Context) -> Iterator[ast.Expression]:
-    """The parts of a condition of whose distances its own is made; each named condition once."""
+    """The parts of a condition that determine its distance. Each named condition occurs once."""
     named: set[tuple[str, str]] = set()
     waiting: list[tuple[ast.Expression, str | None]] = [(condition, None)]
     while waiting:
@@ -71,7 +72,7 @@ def _parts(condition: ast.Expression, context: Context) -> Iterator[ast.Expressi
 
 
 def _operands(node: ast.Expression) -> Sequence[ast.Expression]:
-    """The conditions of whose distances that of a node is made; none if it is made of others."""
+    """The conditions that determine the distance of a node; empty if other nodes do."""
     match node:
         case ast.Parenthesized(inner=inner) | ast.Held(condition=inner):
             return (inner,)
@@ -93,7 +94,7 @@ def _operands(node: ast.Expression) -> Sequence[ast.Expression]:
 
 
 def _named(node: ast.Expression, entity: str | None, context: Context) -> tuple[str, str] | None:
-    """The condition that a node names; inside an entity, its own go by their names alone."""
+    """The condition that a node names. Inside an entity, its own conditions need no prefix."""
     conditions = context.declarations.conditions
     if isinstance(node, ast.Member) and isinstance(node.value, ast.Reference):
         owner, name = node.value.name.text, node.member.text
@@ -105,7 +106,7 @@ def _named(node: ast.Expression, entity: str | None, context: Context) -> tuple[
 
 
 def _compared(node: ast.Expression, context: Context) -> Operand | None:
-    """The numbers that a comparison compares; None if they are not known, which is reported."""
+    """The numbers of a comparison; None if they are unknown, which is reported."""
     match node:
         case ast.Binary(left=left, right=right):
             sides = [operand_of(side, context) for side in (right, left)]
@@ -116,12 +117,12 @@ def _compared(node: ast.Expression, context: Context) -> Operand | None:
             return next(iter((*constant, *known)), None)
         case ast.Membership(container=container, value=value):
             return operand_of(container, context) or operand_of(value, context)
-        case _:  # open: other parts have a reason why they have no distance
+        case _:  # open: for other parts, `_reason` explains why they have no distance
             return None
 
 
 def _reason(node: ast.Expression, context: Context) -> str | None:
-    """The words for a part that has no distance; None if it has one, or is broken anyway."""
+    """The words for a part that has no distance; None if it has one, or is reported already."""
     if node in context.values:
         return "a constant never changes"
     match node:
@@ -162,8 +163,8 @@ def _reason_of_comparison(node: ast.Binary) -> str | None:
 
 
 def _fits(compared: Sequence[Operand], unit: Unit, margin: ast.Margin, context: Context) -> bool:
-    """Say whether all comparisons and the margin have one dimension; report the first that has
-    another.
+    """Say whether all comparisons and the margin have one dimension. Report the first that
+    differs.
     """
     first = compared[0]
     for other in compared[1:]:
@@ -193,7 +194,7 @@ def _fix(margin: ast.Margin, meant: str) -> Fix:
 
 
 def _unit(operand: Operand) -> Unit:
-    """A field of which no unit is known counts as a plain number."""
+    """The unit of an operand. A field of unknown unit counts as a plain number."""
     return operand.quantity.unit or DIMENSIONLESS
 
 

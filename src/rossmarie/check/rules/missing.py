@@ -1,6 +1,4 @@
-"""The parts that rules lack: a file its rules, an action its effects, an input that counts its
-timeout.
-"""
+"""Missing parts: a file without rules, an action without effects, an input without a timeout."""
 
 from __future__ import annotations
 
@@ -17,10 +15,10 @@ from rossmarie.syntax import ast
 
 
 def warn_of_missing_rules(context: Context) -> None:
-    """Warn of a main file with something to monitor, or with nothing at all, but no rule that does,
+    """Warn of a main file that declares conditions or inputs, or nothing at all, without any rule,
     its own or imported.
 
-    A file of system models, actions and constants is there to be imported.
+    A file of system models, actions and constants is meant for import.
     """
     if context.declarations.rules:
         return
@@ -54,8 +52,8 @@ def warn_of_missing_timeouts(
     conditions: Mapping[ConditionKey, Uses],
     context: Context,
 ) -> None:
-    """Warn of every input without a timeout that something of `resting` rests on, directly or not;
-    the label says what that is.
+    """Warn of every input without a timeout on which an item of `resting` depends, directly or
+    indirectly. The label names the item.
     """
     warned: set[str] = set()
     seen: set[ConditionKey] = set()
@@ -63,7 +61,7 @@ def warn_of_missing_timeouts(
         reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
         for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
-            # One that could not be read is reported already; it may well have a timeout.
+            # A timeout that could not be read is reported already.
             is_topic = declaration.topic.text and declaration.setting is None
             if declaration.timeout is None and is_topic:
                 warned.add(name)
@@ -74,7 +72,7 @@ def warn_of_missing_timeouts(
 def _reached(
     uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
 ) -> Iterator[Uses]:
-    """The uses behind a rule, without the conditions that were `seen` behind earlier rules."""
+    """The uses behind a rule, without the conditions `seen` behind earlier rules."""
     pending = [uses]
     while pending:
         current = pending.pop()

@@ -1,4 +1,4 @@
-"""The order in which things have to come, and the places where it goes in circles."""
+"""Topological order of things, and the circles that prevent one."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LONGEST_CIRCLE = 8
 
 
 def circle_of(names: Sequence[str], between: str = " -> ") -> str:
-    """`a -> b -> a`; of a long circle the middle is left out."""
+    """`a -> b -> a`. The middle of a long circle is left out."""
     is_short = len(names) <= LONGEST_CIRCLE
     shown = names if is_short else [*names[: LONGEST_CIRCLE - 1], "..."]
     return between.join((*shown, names[0]))
@@ -21,10 +21,10 @@ def circle_of(names: Sequence[str], between: str = " -> ") -> str:
 def in_order(
     needs: Mapping[Node, Sequence[Node]],
 ) -> tuple[list[Node], list[tuple[Node, ...]]]:
-    """The nodes, each behind those it needs, and circles of nodes that share no node.
+    """The nodes, each after the nodes that it needs, and disjoint circles of nodes.
 
-    Every node of `needs` is in the first list, those of circles somewhere in it. If there is any
-    circle, at least one is returned. Does not recurse.
+    Every node of `needs` is in the first list; nodes of circles are at arbitrary positions. If
+    there is any circle, at least one is returned. Does not recurse.
     """
     order: list[Node] = []
     circles: list[tuple[Node, ...]] = []

@@ -1,4 +1,4 @@
-"""The plans that follow from the actions of a rule: escalations, latches, and how much that is."""
+"""The plans of rules: actions, escalations and latches, and their size."""
 
 from __future__ import annotations
 
@@ -11,13 +11,15 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.syntax import ast
 
 MOST_TASKS = 10_000
-"""Effects in all plans of a program, counted once for each place at which they may begin."""
+"""The most effects in all plans of a program. An effect counts once for each place at which it may
+begin.
+"""
 
 Effects = Mapping[str, tuple[CheckedEffect, ...]]
 
 
 def check_escalations(effects: Effects, context: Context) -> bool:
-    """Report actions that lead back to themselves by `else`; whether there are none."""
+    """Report actions that lead back to themselves by `else`. Returns True if there are none."""
     needs = {name: _otherwise(name, effects) for name in effects}
     _, circles = in_order(needs)
     for circle in circles:
@@ -59,7 +61,7 @@ def _report_circle(circle: tuple[str, ...], context: Context) -> None:
 
 
 def reached_actions(rule: ast.Rule, effects: Effects) -> Iterator[str]:
-    """The actions that a rule names, and all that follow when they fail; each once."""
+    """The actions that a rule names, and all that follow their failures, each once."""
     pending = [
         name.text
         for step in rule.steps
@@ -76,7 +78,7 @@ def reached_actions(rule: ast.Rule, effects: Effects) -> Iterator[str]:
 
 
 def latch_of(rule: ast.Rule, effects: Effects, actions: Mapping[str, object]) -> ast.Action | None:
-    """The latched action that a rule uses, if it uses one."""
+    """The latched action of a rule, if it has one."""
     for name in reached_actions(rule, effects):
         action = actions.get(name)
         if isinstance(action, ast.Action) and action.latch is not None:
@@ -98,8 +100,8 @@ def check_latches(effects: Effects, context: Context) -> None:
 
 
 def check_size(effects: Effects, context: Context) -> bool:
-    """Report the first rule with which the plans become too large; whether there is none. The
-    escalations must have no circles.
+    """Report the first rule with which the plans become too large. Returns True if there is none.
+    The escalations must have no circles.
     """
     order, _ = in_order({name: _otherwise(name, effects) for name in effects})
     tasks: dict[str, int] = {}

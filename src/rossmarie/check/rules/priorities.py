@@ -1,4 +1,4 @@
-"""The order of rules that need the same thing for themselves, as far as it is stated."""
+"""The declared order of rules that need the same resource."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ Pairs = tuple[tuple[int, int], ...]
 
 
 def order_of_rules(context: Context) -> tuple[tuple[int, ...], Pairs]:
-    """The numbers of the rules, the most important first: that of the file, changed as little as
-    the priorities demand, and the pairs that these put in an order. Reports what is wrong there.
+    """The numbers of the rules, the most important first, and the pairs that priorities order. The
+    order is the order of the file, changed as little as the priorities require. Errors are
+    reported.
     """
     rules = context.declarations.rules
     under = _under(rules, context)
@@ -31,7 +32,9 @@ def order_of_rules(context: Context) -> tuple[tuple[int, ...], Pairs]:
 
 
 def _under(rules: Sequence[ast.Rule], context: Context) -> dict[int, list[int]]:
-    """For each rule, those that it is put over: an exempted rule over its exemptions as well."""
+    """The rules over which each rule has priority; an exempted rule has priority over its
+    exemptions as well.
+    """
     numbers = numbers_of(rules)
     under: dict[int, list[int]] = {number: [] for number in range(len(rules))}
     for item in context.declarations.items:
@@ -63,7 +66,9 @@ def _report_circle(names: list[str], context: Context) -> None:
 
 
 def _sorted(under: dict[int, list[int]]) -> tuple[int, ...]:
-    """Each rule before those that it is put over; of several that may come next, the first."""
+    """Each rule before the rules over which it has priority. Of several candidates, the first comes
+    next.
+    """
     waits_for = dict.fromkeys(under, 0)
     for below in under.values():
         for rule in below:

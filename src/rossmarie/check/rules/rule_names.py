@@ -1,4 +1,4 @@
-"""The names of rules, and rules as other rules and priorities name them."""
+"""The names of rules, as declared and as other rules and priorities use them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.syntax import ast
 
 
 def numbers_of(rules: Sequence[ast.Rule]) -> dict[str, int]:
-    """The number of each rule that has a name; of two of one name the first."""
+    """The number of each named rule. Of two rules with one name, the first counts."""
     numbers: dict[str, int] = {}
     for number, rule in enumerate(rules):
         if rule.name is not None:
@@ -24,13 +24,13 @@ def name_of(rules: Sequence[ast.Rule], number: int) -> str:
 
 
 def report_undeclared(name: ast.Name, known: Iterable[str], context: Context) -> None:
-    """Tell of a name that no rule has."""
+    """Report a name that no rule has."""
     context.report_unknown(UndeclaredRule(identifier=name.text), name, known)
 
 
 def rule_names(rules: Sequence[ast.Rule]) -> list[str]:
-    """The given names; a rule without one is called by its position among those that somebody
-    wrote, `rule_2`.
+    """The names of rules. A rule without a name is called by its position among the written rules,
+    `rule_2`.
     """
     taken = {rule.name.text for rule in rules if rule.name is not None}
     names: list[str] = []

@@ -1,8 +1,8 @@
-"""A selection of rules by their categories: `--only human`.
+"""A selection of rules by category: `--only human`.
 
-The whole program is checked first; the selection is a program of the rules that fit, which keep
-their names, their order and all else that was found of them. Tests speak of all rules, so a
-selection has none.
+The whole program is checked first. The selection is a program with the matching rules, which keep
+their names, their order and all other results of the check. Tests concern all rules, so a selection
+has none.
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ def select(
     only: Sequence[Category],
     collector: Collector,
 ) -> CheckedProgram | None:
-    """The program with the rules that fit `only`; all of it if that is empty. Reports a selection
-    without rules, then gives None, and orders that name a rule that is left out.
+    """The program with the rules that match `only`, or the whole program if `only` is empty.
+    Returns None after reporting a selection without rules. Reports orders that name a rule outside
+    the selection.
     """
     if not only:
         return program
@@ -48,7 +49,7 @@ def select(
 
 
 def _known(program: CheckedProgram) -> str:
-    """The categories that rules have, each with how many have it."""
+    """The categories of the rules, each with its number of rules."""
     counts = Counter(each for categories in program.categories for each in categories)
     if not counts:
         return "no rule has a category"
@@ -66,7 +67,7 @@ def _report_left_out(
     left_out: Collection[str],
     collector: Collector,
 ) -> None:
-    """Tell of each order in which a rule that is kept stands beside one that is left out."""
+    """Report each order that names both a selected rule and a rule outside the selection."""
     names = {rule.name.text for rule in kept if rule.name is not None}
     reported = [
         (name, "the order counts for the other rules only")
@@ -84,7 +85,7 @@ def _report_left_out(
 def _reduced(
     program: CheckedProgram, kept: Sequence[int], names: Sequence[str], left_out: LeftOut
 ) -> CheckedProgram:
-    """The program with these rules alone, under their numbers among these."""
+    """The program with these rules only, renumbered."""
     new = {number: place for place, number in enumerate(kept)}
     rules = tuple(_named(program.rules[number], names[number]) for number in kept)
     return replace(
@@ -108,5 +109,5 @@ def _reduced(
 
 
 def _named(rule: ast.Rule, name: str) -> ast.Rule:
-    """A rule that is called by its position keeps that name, whatever is left out before it."""
+    """A rule without a name, which keeps the name from its original position."""
     return rule if rule.name is not None else replace(rule, name=ast.Name(name, rule.head))

@@ -12,8 +12,9 @@ from rossmarie.syntax import ast
 
 
 def giving_way(context: Context) -> tuple[tuple[int, ...], ...]:
-    """Of each rule the numbers of those while one of which is active it is not carried out.
-    Reports rules that do not exist, and circles.
+    """The numbers of the rules that suspend each rule while one of them is active.
+
+    Reports unknown rules, and circles.
     """
     rules = context.declarations.rules
     numbers = numbers_of(rules)

@@ -1,1 +1,1 @@
-"""Declarations, and all that the checker knows while it goes over a program."""
+"""Declarations, and the state of the checker."""

@@ -1,4 +1,4 @@
-"""The context: all that the checker knows and finds out while it goes over expressions."""
+"""The context: the knowledge and the results of the checker while it visits expressions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from rossmarie.types import Region as RegionType
 
 @dataclass
 class Uses:
-    """The uses of one condition, rule or declaration; conditions with the place."""
+    """The uses of one condition, rule or declaration. Conditions have their place."""
 
     inputs: set[str] = field(default_factory=set)
     conditions: dict[ConditionKey, Span] = field(default_factory=dict)
@@ -39,17 +39,18 @@ class Uses:
 
 @dataclass
 class Context:
-    """`types` and `values` are those of `CheckedProgram`. `constants` are the types of constants
-    (their values are in `values`, under the expression of the declaration); `used_names` and
-    `used_conditions` are all that anything refers to. `parents` leads from each part of an
-    expression to what it is an operand of.
+    """The state of the checker.
 
-    `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
-    of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each query to the skills asks, `regions` the places of each class and zone that is
-    named, `motions` the motions that are right, `zones` the zones that are, `frames` the frames,
-    and `frame_inputs` the inputs that they come by, by the frame. `entity` and `uses` belong to
-    what is being checked at the moment.
+    `types` and `values` become those of `CheckedProgram`. `constants` holds the types of constants
+    (their values are in `values`, under the expression of the declaration). `used_names` and
+    `used_conditions` are all names and conditions with a reference. `parents` maps each part of an
+    expression to the expression whose operand it is.
+
+    `proposed_bounds` are the inputs for which a bound of lists has been suggested. `skills` is the
+    file of skills, None if there is no usable one; `names_skills` is True if the program names one.
+    `doing` holds each query about skills, `regions` the places of each named class and zone,
+    `motions` and `zones` the correct motions and zones, `frames` the frames, and `frame_inputs` the
+    inputs for frames, by frame. `entity` and `uses` belong to the item that is being checked.
     """
 
     collector: Collector
@@ -77,7 +78,7 @@ class Context:
 
     @cached_property
     def names_used_as_numbers(self) -> frozenset[str]:
-        """The names that stand anywhere but behind `in`."""
+        """The names that occur anywhere but behind `in`."""
         parts = [
             part
             for expression in self.declarations.expressions()
@@ -89,16 +90,16 @@ class Context:
 
     @property
     def reported(self) -> dict[str, CheckedInput]:
-        """All inputs by name, those that frames come by as well."""
+        """All inputs by name, including the inputs for frames."""
         frames = {each.declaration.name.text: each for each in self.frame_inputs.values()}
         return frames | self.inputs
 
     def may_suggest(self) -> bool:
-        """Say whether to look for what a misspelt name may have meant."""
+        """Say whether to search for the intended name behind a misspelt one."""
         return self.suggestions.take(len(self.declarations.names))
 
     def report_unknown(self, finding: Template, name: ast.Name, known: Iterable[str]) -> None:
-        """Report a name that is none of those known, with the one that may be meant."""
+        """Report an unknown name, with the known name that may be meant."""
         near = near_name(name.text, known) if self.may_suggest() else None
         if near is None:
             self.collector.add(finding.at(name.span))
@@ -106,11 +107,13 @@ class Context:
         self.collector.add(suggesting(finding, name, near))
 
     def type_of(self, node: ast.Expression) -> Type:
-        """The type found for a node; `Unknown` if it was passed over."""
+        """The type of a node; `Unknown` if the node was skipped."""
         return self.types[node] if node in self.types else Unknown()
 
     def folds_around(self, node: ast.Expression) -> dict[str, ast.ListFold]:
-        """The folds behind whose colon a node stands, by the names of their elements."""
+        """The folds around a node, if the node stands behind their colon, by the names of their
+        elements.
+        """
         found: dict[str, ast.ListFold] = {}
         part, around = node, self.parents.get(node)
         while around is not None:
@@ -120,12 +123,12 @@ class Context:
         return found
 
     def enter(self, entity: str | None) -> Uses:
-        """Begin with the next condition, rule or declaration; the result records its uses."""
+        """Begin the next condition, rule or declaration. The result records its uses."""
         self.entity = entity
         self.uses = Uses()
         return self.uses
 
 
 def _counted(nodes: Iterable[ast.Expression]) -> Counter[str]:
-    """The names among some expressions, with how often they stand there."""
+    """The names in some expressions, each with its number of occurrences."""
     return Counter(node.name.text for node in nodes if isinstance(node, ast.Reference))

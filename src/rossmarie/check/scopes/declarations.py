@@ -1,6 +1,6 @@
-"""All declarations of all modules, in one place; names that are declared twice are reported.
+"""All declarations of all modules. Names that are declared twice are reported.
 
-The first declaration of a name is the one that counts; later ones are still checked themselves.
+The first declaration of a name counts; later ones are still checked.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ ARTICLES: Mapping[str, str] = {
 
 
 def kind_of(item: Named) -> str:
-    """`constant` for a constant."""
+    """The kind of an item: `constant` for a constant."""
     constant = item.setting if isinstance(item, ast.Input) else item
     is_parameter = isinstance(constant, ast.Constant) and constant.parameter is not None
     return "parameter" if is_parameter else KINDS[type(item)]
@@ -44,11 +44,11 @@ def kind_of(item: Named) -> str:
 
 @dataclass(frozen=True)
 class Declarations:
-    """The declarations. `names` is the one namespace of constants, inputs, entities, motions,
-    zones and actions; `conditions` are those of each entity. `items` holds every item, also second
-    declarations; `rules` are all rules, imported files first, each before those that its
-    exemptions stand for. `is_whole` is False if a file could not be read: what is not declared here
-    may be there.
+    """The declarations. `names` is the single name space of constants, inputs, entities, motions,
+    zones and actions. `conditions` holds the conditions of each entity. `items` holds every item,
+    including repeated declarations. `rules` are all rules, imported files first, each before the
+    rules made from its exemptions. `is_whole` is False if a file could not be read, so that
+    undeclared names may be declared there.
     """
 
     items: tuple[ast.Item, ...]
@@ -85,7 +85,7 @@ class Declarations:
 
 
 def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations:
-    """Gather the declarations of `modules`, main module last."""
+    """Collect the declarations of `modules`, main module last."""
     items = tuple(item for module in modules for item in module.items)
     names: dict[str, Named] = {}
     conditions: dict[str, Mapping[str, ast.Condition]] = {}
@@ -119,7 +119,7 @@ def report_second(
     name: ast.Name | ast.Text, first: ast.Name | ast.Text, kind: str, reason: str,
     collector: Collector
 ) -> None:  # fmt: skip
-    """Report the second declaration of one kind and name."""
+    """Report the second declaration of a kind and name."""
     text = name.text if isinstance(name, ast.Name) else name.value
     article = "an" if kind[0] in "aeiou" else "a"
     finding = DuplicateName(identifier=text, kind=kind, other=f"{article} {kind}", reason=reason)
@@ -137,7 +137,9 @@ def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condi
 
 
 def _check_hidden_names(declarations: Declarations, collector: Collector) -> None:
-    """A condition must not take the name of a value: inside its entity it would hide it."""
+    """Report conditions with the name of a value: inside its entity, such a condition would hide
+    the value.
+    """
     for entity in declarations.entities:
         for condition in entity.conditions:
             value = declarations.names.get(condition.name.text)

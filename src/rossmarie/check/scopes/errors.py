@@ -22,7 +22,7 @@ class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
 
 
 class CircularConstant(Error, code="ROSS113", name="circular-constant"):
-    """A constant that is defined by itself."""
+    """A constant whose definition uses itself."""
 
     title = "constant `{identifier}` depends on itself"
     label = "{cycle}"

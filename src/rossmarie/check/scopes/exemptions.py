@@ -1,7 +1,7 @@
-"""Exemptions as rules of their own: what `unless doing SKILL` behind a rule stands for.
+"""Exemptions as rules: the rules made from `unless doing SKILL` behind a rule.
 
-A rule R with an exemption stays as it is written. Behind it stand R_doing_SKILL, which is active
-while the exemption is used, and, if that looks at another condition instead, R_while_SKILL.
+A rule R with an exemption stays unchanged. Two rules are added: R_doing_SKILL, which is active
+while the exemption is used, and R_while_SKILL if the exemption has another condition instead.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rossmarie.syntax import ast
 
 
 def with_exemptions(rules: Sequence[ast.Rule]) -> tuple[ast.Rule, ...]:
-    """The rules, each with those behind it that its exemptions stand for."""
+    """The rules, each followed by the rules made from its exemptions."""
     found: list[ast.Rule] = []
     for position, rule in enumerate(rules, start=1):
         found.append(rule)
@@ -43,8 +43,8 @@ def _made(
     condition: ast.Expression,
     steps: tuple[ast.Step, ...],
 ) -> ast.Rule:
-    """Without a contract, so that what holds instead ends with the exemption. It mitigates what the
-    rule does if it does something.
+    """A rule made from an exemption. It has no contract, so the replacement ends with the
+    exemption. It mitigates the hazard of the original rule if it has an action.
     """
     return dataclasses.replace(
         rule,
@@ -64,14 +64,16 @@ def _made(
 
 
 def is_of_exempted(rule: ast.Rule) -> bool:
-    """Say whether a rule that an exemption stands for looks at the condition of the exempted one,
-    and not at one of its own.
+    """Say whether a rule made from an exemption uses the condition of the exempted rule, and not a
+    condition of its own.
     """
     return rule.made_from is not None and rule.condition is not rule.made_from.condition
 
 
 def exempted_by(rules: Sequence[ast.Rule], number: int) -> int | None:
-    """The number of the rule whose exemption a rule stands for; None if it stands for none."""
+    """The number of the rule from whose exemption a rule was made; None if the rule was not made
+    from one.
+    """
     if rules[number].made_from is None:
         return None
     return max(each for each in range(number) if rules[each].made_from is None)

@@ -14,7 +14,7 @@ def text_of(node: ast.Expression) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text of the user on one line; of a long one, the beginning and the end."""
+    """A text of the user on one line. A long text is shortened in the middle."""
     line = " ".join(text.split())
     half = LONGEST_QUOTE // 2
     return line if len(line) <= LONGEST_QUOTE else f"{line[:half]} ... {line[-half:]}"
@@ -28,7 +28,7 @@ def stripped(node: ast.Expression) -> ast.Expression:
 
 
 def root_of(node: ast.Expression) -> ast.Reference | None:
-    """The name that a chain of fields and indices starts from."""
+    """The name at the beginning of a chain of fields and indices."""
     while isinstance(node, ast.Parenthesized | ast.Member | ast.Index | ast.Sector):
         node = node.inner if isinstance(node, ast.Parenthesized) else node.value
     return node if isinstance(node, ast.Reference) else None
@@ -43,7 +43,7 @@ def constant_of(node: ast.Expression, declarations: Declarations) -> ast.Constan
 
 
 def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number | ast.Bracket | None:
-    """The number or range as written that a constant stands for: here, or where it is declared.
+    """The literal number or range of a constant: here, or at its declaration.
 
     The constants must not be circular.
     """
@@ -58,7 +58,7 @@ def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number |
 
 
 def path_of(node: ast.Expression) -> tuple[str, ...]:
-    """The fields that a chain of fields and indices goes through, the first first."""
+    """The fields in a chain of fields and indices, in order."""
     path: list[str] = []
     while isinstance(node, ast.Parenthesized | ast.Member | ast.Index | ast.Sector):
         if isinstance(node, ast.Member):

@@ -1,1 +1,1 @@
-"""Skills in rules: the file that says what skills there are, and what rules ask of them."""
+"""Skills in rules: the file of skills, and the queries of rules about skills."""

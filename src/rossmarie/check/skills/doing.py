@@ -1,4 +1,4 @@
-"""Queries to the skills that run: `doing Push(Object: Fragile)`."""
+"""Queries about the running skills: `doing Push(Object: Fragile)`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rossmarie.types import Boolean, Type, Unknown
 
 
 def type_of_doing(node: ast.Doing, context: Context) -> Type:
-    """A boolean; what is asked for is recorded in `context.doing`."""
+    """A boolean. The query is recorded in `context.doing`."""
     found = checked_doing(node, context)
     if found is None:
         return Unknown()
@@ -34,7 +34,7 @@ def type_of_doing(node: ast.Doing, context: Context) -> Type:
 
 
 def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
-    """The skill and the classes that a query names, closed; None after reporting."""
+    """The skill and the classes of a query, closed under derivation; None after reporting."""
     skills = known_skills(node, context)
     skill = None if skills is None else find_skill(node.skill, skills, context)
     if skills is None or skill is None:
@@ -70,7 +70,7 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
 def known_skills(
     node: ast.Doing | ast.SkillNumber | ast.Keeps | ast.RunTree, context: Context
 ) -> CheckedSkills | None:
-    """The file of skills; None, after reporting if it is named nowhere."""
+    """The file of skills; None, after reporting, if the program names none."""
     if context.skills is None and not context.names_skills and context.declarations.is_whole:
         context.collector.add(NoSkills().at(node.span))
     return context.skills
@@ -117,7 +117,7 @@ def report_unlike(
     context: Context,
     around: tuple[Label, ...] = (),
 ) -> None:
-    """Report a name that is none of those with places, with the one that may be meant."""
+    """Report a name that is not among the known ones, with the name that may be meant."""
     may_suggest = context.suggestions.take(len(places))
     near = near_name(name.text, places) if may_suggest else None
     if near is None:
@@ -128,7 +128,7 @@ def report_unlike(
 
 
 def _known(finding: Template, places: Iterable[str]) -> tuple[Remark, ...]:
-    """The names that there are, unless the finding says them already."""
+    """The known names, unless the finding already lists them."""
     names = tuple(places)
     says_nothing = isinstance(finding, UnknownSkill | UnknownSkillClass)
     return (Known(known=listed(names)),) if names and says_nothing else ()
@@ -145,7 +145,7 @@ def _declared(what: str, place: Place | None, skills: CheckedSkills) -> tuple[La
 def _class_of(
     argument: ast.SkillArgument, skill: Skill, skills: CheckedSkills, context: Context
 ) -> str | None:
-    """The full name of the class that an argument has to have."""
+    """The full name of the class that an argument must have."""
     parameter = find_parameter(argument.parameter, skill, skills, context)
     if parameter is None:
         return None
@@ -165,7 +165,7 @@ def _class_of(
 
 
 def find_class(name: ast.Name, skills: CheckedSkills, context: Context) -> str | None:
-    """The full name of a class, which may leave out a namespace that goes without saying."""
+    """The full name of a class. A unique name needs no namespace."""
     found = among(name.text, skills.file.classes)
     if len(found) == 1:
         return found[0]
@@ -195,6 +195,6 @@ def kind_of(type_: str) -> str:
 
 
 def report_repeated(again: ast.Name, first: ast.Name, way: str, context: Context) -> None:
-    """Report a parameter that is named twice; `way` says how to mend it."""
+    """Report a parameter that is named twice. `way` describes the fix."""
     finding = RepeatedSkillParameter(identifier=again.text, way=way)
     context.collector.add(finding.at(again.span, finding.First().at(first.span)))

@@ -6,14 +6,14 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class InSkills(Remark):
-    """The label of a place in the skills themselves."""
+    """The label of a place in the source of the skills."""
 
     says = "{what} here"
     what: str
 
 
 class Known(Remark):
-    """The names that there are."""
+    """The known names."""
 
     says = "the skills file has {known}"
     known: str
@@ -41,7 +41,7 @@ class UnknownSkillParameter(Error, code="ROSS145", name="unknown-skill-parameter
 
 
 class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
-    """A class of things that the file of skills does not have, or has several of."""
+    """A class of things that the file of skills does not have, or has more than once."""
 
     title = "there is no class `{identifier}`"
     label = "{reason}"
@@ -66,7 +66,7 @@ class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property")
 
 
 class NoSkills(Error, code="ROSS148", name="no-skills"):
-    """A query about skills in a program that names no file of skills."""
+    """A query about skills in a program without a file of skills."""
 
     title = "the rules query a skill, but name no skills file"
     label = "the skills are not known"
@@ -75,7 +75,7 @@ class NoSkills(Error, code="ROSS148", name="no-skills"):
 
 
 class SeveralSkills(Error, code="ROSS149", name="several-skills"):
-    """Two files of skills, or two timeouts of one, in a program."""
+    """Two files of skills, or two timeouts of one file, in a program."""
 
     title = "a program has one skills file, with one timeout"
     label = "{found}"
@@ -91,7 +91,7 @@ class SeveralSkills(Error, code="ROSS149", name="several-skills"):
 
 
 class NoThing(Error, code="ROSS233", name="no-thing"):
-    """A class for a parameter that is no thing."""
+    """A class for a parameter that is not a thing."""
 
     title = "parameter `{identifier}` of skill `{skill}` is {found}, and has no class"
     label = "only things have classes"
@@ -115,7 +115,7 @@ class ImpossibleClass(Error, code="ROSS245", name="impossible-class"):
 
 
 class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
-    """An input that is no number of a skill."""
+    """An input that is not a number of a skill."""
 
     title = "`{field}` is {found}, not a number"
     label = "an input of a skill is a number or a boolean"
@@ -148,7 +148,7 @@ class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-paramet
 
 
 class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
-    """A file of skills that is missing, or is not as its format demands."""
+    """A file of skills that is missing, or violates its format."""
 
     title = "cannot use the skills file `{path}`"
     label = "{problem}"
@@ -164,7 +164,7 @@ class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
 
 
 class SkillsOutOfDate(Error, code="ROSS257", name="skills-out-of-date"):
-    """A file of skills whose sources are no longer what they were."""
+    """A file of skills whose sources have changed."""
 
     title = "`{path}` is out of date"
     label = "`{source}` {problem}"

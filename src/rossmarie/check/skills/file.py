@@ -14,8 +14,8 @@ from rossmarie.syntax import ast
 
 
 def read_skills(context: Context) -> None:
-    """Read the file of skills into `context.skills`, with the timeout that goes without saying.
-    Reports a file that cannot be used, and a second one that is another.
+    """Read the file of skills into `context.skills`, with the default timeout. Reports a file that
+    cannot be used, and a second, different file.
     """
     for item in context.declarations.items:
         if not isinstance(item, ast.Skills):
@@ -63,5 +63,5 @@ def _report_second(item: ast.Skills, found: str, first: ast.Skills, context: Con
 
 
 def report_second_timeout(item: ast.Skills, first: ast.Skills, context: Context) -> None:
-    """Report that two items give the context of one file two timeouts."""
+    """Report that two items give one file of skills different timeouts."""
     _report_second(item, "another timeout", first, context)

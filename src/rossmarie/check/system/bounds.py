@@ -1,4 +1,4 @@
-"""The bounds of lists: how many messages a list of an input may have."""
+"""The bounds of lists: the greatest number of messages in a list of an input."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from rossmarie.types import List, Message, Type, Unknown
 
 MOST_ELEMENTS = 65_536
 MOST_POINTS = 1_048_576
-"""The greatest bound of a cloud: no sensor sends as many points at once."""
+"""The greatest bound of a cloud. No sensor sends as many points at once."""
 
 
 def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Collector) -> int | None:
-    """The number behind `up to`; None if there is none, or after reporting what is wrong with it.
-    `field` is what the input reads.
+    """The number behind `up to`; None if there is none, or after reporting an error. `field` is the
+    field that the input reads.
     """
     bound = declaration.bound
     if bound is None or isinstance(type_, Unknown):
@@ -37,7 +37,7 @@ def _has_lists(type_: Type) -> bool:
 
 
 def _is_of_clouds(type_: Type) -> bool:
-    """Say whether all lists are those of the points of clouds."""
+    """Say whether all lists contain the points of clouds."""
     if isinstance(type_, List):
         return type_.is_of_points
     parts = type_.fields.values() if isinstance(type_, Message) else ()
@@ -45,7 +45,7 @@ def _is_of_clouds(type_: Type) -> bool:
 
 
 def _without(declaration: ast.Input, bound: ast.Number) -> Fix | None:
-    """The fix that removes `up to 64`; None if comments stand in between."""
+    """The fix that removes `up to 64`; None if there are comments in between."""
     last = declaration.path[-1] if declaration.path else None
     before = last or declaration.message_type or declaration.topic
     file, start = bound.span.file, before.span.end

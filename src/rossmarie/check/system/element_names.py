@@ -14,8 +14,8 @@ from rossmarie.types import Array, Type, Unknown
 
 
 def with_names(type_: Type, field: str, declaration: ast.Input, collector: Collector) -> Type:
-    """The type of an input with the names that it declares for elements; `Unknown` after reporting
-    that this cannot be.
+    """The type of an input with its declared names for elements; `Unknown` after reporting that
+    such names are not possible.
     """
     names = declaration.names
     if names is None or isinstance(type_, Unknown):

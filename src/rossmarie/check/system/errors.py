@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class Here(Remark):
-    """The label of the other of two statements."""
+    """The label of the second of two statements."""
 
     says = "{what} here"
     what: str
@@ -37,7 +37,7 @@ class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
 
 
 class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
-    """An input in the printed form whose topic no system model declares."""
+    """An input in the short form whose topic no system model declares."""
 
     title = "the message type of topic `{topic}` is not known"
     label = "no system model declares this topic"
@@ -64,7 +64,7 @@ class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
 
 
 class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):
-    """One topic, two message types."""
+    """One topic with two message types."""
 
     title = "topic `{topic}` cannot be both {found} and {expected}"
     label = "{found} here"
@@ -76,7 +76,7 @@ class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):
 
 
 class UndeclaredTopic(Error, code="ROSS112", name="undeclared-topic"):
-    """A topic that a node of the system model uses and nothing declares."""
+    """A topic that a node of the system model uses but nothing declares."""
 
     title = "topic `{topic}` is not declared"
     label = "no system model declares this topic"
@@ -85,7 +85,7 @@ class UndeclaredTopic(Error, code="ROSS112", name="undeclared-topic"):
 
 
 class MalformedMessageDefinition(Error, code="ROSS116", name="malformed-message-definition"):
-    """A .msg file that cannot be understood."""
+    """A .msg file that cannot be parsed."""
 
     title = "the definition of `{identifier}` cannot be read"
     label = "this type is needed here"
@@ -96,7 +96,7 @@ class MalformedMessageDefinition(Error, code="ROSS116", name="malformed-message-
 
 
 class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing"):
-    """A `messages` declaration that leads nowhere."""
+    """A `messages` declaration with a folder that does not exist."""
 
     title = "there is no folder `{path}`"
     label = "looked for `{looked_for}`"
@@ -107,7 +107,7 @@ class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing")
 
 
 class MisplacedNames(Error, code="ROSS243", name="misplaced-names"):
-    """Names of elements for something that has none, or whose elements have names."""
+    """Names for elements of a value that has none, or whose elements already have names."""
 
     title = "`{field}` cannot be given names of elements"
     label = "{reason}"
@@ -127,7 +127,7 @@ class MisplacedNames(Error, code="ROSS243", name="misplaced-names"):
 
 
 class RepeatedName(Error, code="ROSS244", name="repeated-name"):
-    """A list of names that has one of them twice."""
+    """A list of names with a repeated name."""
 
     title = "two elements have the name `{identifier}`"
     label = "the list already contains this name"
@@ -156,7 +156,7 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
 
 
 class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
-    """One field of one topic, said to arrive in two units."""
+    """One field of one topic with two units."""
 
     title = "{field} of topic `{topic}` cannot arrive both in {found} and in {expected}"
     label = "{found} here"
@@ -169,7 +169,7 @@ class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
 
 
 class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conflict"):
-    """One field of one message, declared to be in two units by system models."""
+    """One field of one message that system models declare with two units."""
 
     title = "{field} cannot be both in {found} and in {expected}"
     label = "{found} here"
@@ -181,7 +181,7 @@ class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conf
 
 
 class RateConflict(Error, code="ROSS328", name="rate-conflict"):
-    """One topic, said to carry messages at two rates."""
+    """One topic with two message rates."""
 
     title = "messages on `{topic}` cannot arrive both at {found} and at {expected}"
     label = "this rate differs"
@@ -192,7 +192,7 @@ class RateConflict(Error, code="ROSS328", name="rate-conflict"):
 
 
 class BoundWithoutList(Error, code="ROSS238", name="bound-without-list"):
-    """`up to` on an input that brings no list of messages."""
+    """`up to` on an input without a list of messages."""
 
     title = "`up to` is only for lists of messages"
     label = "`{field}` has no list of messages"
@@ -203,7 +203,7 @@ class BoundWithoutList(Error, code="ROSS238", name="bound-without-list"):
 
 
 class ListBound(Error, code="ROSS239", name="list-bound"):
-    """A bound of lists that is no number of elements."""
+    """A bound of lists that is not a possible number of elements."""
 
     title = "a bound must be a whole number from 1 to {most}"
     label = "this is {found}"
@@ -213,7 +213,7 @@ class ListBound(Error, code="ROSS239", name="list-bound"):
 
 
 class SharedDiagnostics(Warning, code="ROSS256", name="shared-diagnostics"):
-    """An input on the topic on which every node tells how it is, that of the rules too."""
+    """An input on the topic on which every node reports its status, including the monitor."""
 
     title = "the node of these rules publishes on `{topic}` itself"
     label = "each message of this node replaces the last message"

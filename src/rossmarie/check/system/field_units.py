@@ -1,4 +1,4 @@
-"""One field of one topic arrives in one unit, however many inputs read it."""
+"""One unit for one field of one topic, however many inputs read it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def check_one_unit(
 ) -> None:
     """Report if an earlier input reads the same field in another unit.
 
-    `stated` are the earlier ones, by topic and path; `found` is added to it.
+    `stated` holds the earlier inputs, by topic and path; `found` is added to it.
     """
     unit = unit_of(found.type)
     if unit is None:
@@ -42,8 +42,8 @@ def check_one_unit(
 
 
 def check_read_units(stated: Mapping[FieldKey, CheckedInput], context: Context) -> None:
-    """Report fields of whole messages, where something reads them, that an input of the same topic
-    reads in another unit. `stated` are those inputs, by topic and path.
+    """Report fields of whole messages that another input of the same topic reads in another unit.
+    `stated` holds those inputs, by topic and path.
     """
     reported: set[tuple[str, str]] = set()
     for expression in context.declarations.expressions():
@@ -93,14 +93,16 @@ def _conflict(found: CheckedInput, unit: Unit, first: CheckedInput, expected: Un
 
 
 def _with_components(path: tuple[str, ...], type_: Type) -> Iterator[tuple[str, ...]]:
-    """The path of the field; of a vector, those of its components as well."""
+    """The path of the field. For a vector, the paths of its components as well."""
     yield path
     if isinstance(type_, Vector):
         yield from ((*path, axis) for axis in "xyz")
 
 
 def _place(found: CheckedInput) -> Span:
-    """The unit as written, else the topic and the field, whose unit the table knows."""
+    """The place of the unit as written, else the topic and the field, whose unit the table of units
+    knows.
+    """
     declaration = found.declaration
     if declaration.unit is not None:
         return declaration.unit.span

@@ -1,4 +1,4 @@
-"""The frames of system models, and those that inputs come in and are wanted in."""
+"""The frames of system models, and the source and target frames of inputs."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ TRANSFORM = "geometry_msgs/Transform"
 _METRE, _RADIAN = parse_unit("m"), parse_unit("rad")
 _FORMS = {"at": "`at [0.3, 0, 0.5] m`", "turned": "`turned [0, 20, 180] deg`: roll, pitch, yaw"}
 _MOST = {"at": (1e6, "1000 km"), "turned": (2.0 * math.pi + 1e-9, "a full turn")}
-"""In m and rad, with the words for it."""
+"""The largest distances and angles, in m and rad, with the words for each."""
 _AXES = 3
 
 
 def read_frames(context: Context) -> None:
-    """Gather the frames of all system models in `context.frames`, as yet without numbers."""
+    """Collect the frames of all system models in `context.frames`, still without numbers."""
     tree = context.frames
     declared = [
         member
@@ -106,12 +106,12 @@ def _check_circles(tree: FrameTree, context: Context) -> None:
         reported.update(steps)
         finding = CircularFrames(identifier=start, cycle=" in ".join(f"`{each}`" for each in steps))
         context.collector.add(finding.at(tree.frames[start].declaration.frame.span))
-    for name in reported:  # so that ways end
+    for name in reported:  # so that paths end
         del tree.frames[name]
 
 
 def _input_of(frame: CheckedFrame, name: str, context: Context) -> CheckedInput:
-    """The input that a frame comes by, which no rule declares."""
+    """The input for a frame. No rule declares it."""
     topic, span = frame.topic, frame.declaration.frame.span
     assert topic is not None, "what is mounted comes with no topic"
     edge = Edge(topic, bare_frame(frame.parent), bare_frame(frame.name))
@@ -129,7 +129,7 @@ def _input_of(frame: CheckedFrame, name: str, context: Context) -> CheckedInput:
 
 
 def resolve_frames(context: Context) -> None:
-    """Work out the numbers of all frames; constants are known by now."""
+    """Compute the numbers of all frames. Constants are known by now."""
     for name, frame in context.frames.frames.items():
         context.enter(None)
         declared = frame.declaration
@@ -155,7 +155,9 @@ def resolve_frames(context: Context) -> None:
 
 
 def quaternion(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
-    """The turn by three angles about the fixed axes x, y and z, one after the other (REP 103)."""
+    """The rotation by three angles in rad about the fixed axes x, y and z, in this order (REP
+    103).
+    """
     (sr, cr), (sp, cp), (sy, cy) = (
         (math.sin(each / 2.0), math.cos(each / 2.0)) for each in (roll, pitch, yaw)
     )
@@ -170,7 +172,7 @@ def quaternion(roll: float, pitch: float, yaw: float) -> tuple[float, float, flo
 def _numbers(
     word: str, node: ast.Expression | None, frame: CheckedFrame, context: Context
 ) -> tuple[float, float, float]:
-    """The three numbers behind a word in SI; 0 where one is wrong, which is reported."""
+    """The three numbers behind a word in SI. A wrong number is reported and becomes 0."""
     nothing = (0.0, 0.0, 0.0)
     if node is None:
         return nothing
@@ -224,7 +226,7 @@ def _report(
 
 
 def find_frame(written: ast.Name, context: Context) -> str | None:
-    """The name in headers of a frame that system models have to declare; None after reporting that
+    """The name in headers of a frame that a system model has to declare; None after reporting that
     none does.
     """
     name = context.frames.named(written.text)
@@ -244,7 +246,7 @@ def find_frame(written: ast.Name, context: Context) -> str | None:
 def report_second_frame(
     thing: str, written: ast.Name, found: str, first: ast.Name, expected: str, context: Context
 ) -> None:
-    """Report two statements about the frame of one thing."""
+    """Report two declarations of the frame of one thing."""
     finding = FrameConflict(thing=thing, found=found, expected=expected, words=f"`{found}` here")
     place = Here(what=f"`{expected}`").at(first.span)
     context.collector.add(finding.at(written.span, place))

@@ -1,4 +1,4 @@
-"""The frame that an input comes in, and the one in which rules see it: `from camera in base`."""
+"""The source and the target frame of an input: `from camera in base`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rossmarie.units import UnknownUnitError, parse_unit
 
 
 def with_frame_for_unit(declaration: ast.Input, context: Context) -> ast.Input:
-    """The input with the frame that its only `in` means, if that is no unit."""
+    """The input with its target frame, if the only `in` is not a unit."""
     unit = declaration.unit
     if declaration.frame is not None or unit is None or not context.frames.frames:
         return declaration
@@ -39,7 +39,7 @@ def _is_unit(text: str) -> bool:
 def framed(
     used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
 ) -> CheckedInput:
-    """The input with its frames. `first` are the frames that inputs before it gave topics."""
+    """The input with its frames. `first` holds the frames that earlier inputs gave to topics."""
     source = _source(used, topic, first, context)
     target = None
     written = used.declaration.frame
@@ -62,7 +62,9 @@ def framed(
 def _source(
     used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
 ) -> str | None:
-    """The frame of an input as it arrives: that behind its own `from`, else that of its topic."""
+    """The frame in which an input arrives: the frame behind its own `from`, else the frame of its
+    topic.
+    """
     written = used.declaration.source
     is_of_header = frame_field(used.whole, used.path) == frame_field(used.whole, ())
     declared = None
@@ -85,7 +87,7 @@ def _source(
 
 
 def _can_be_seen(used: CheckedInput, written: ast.Name, context: Context) -> bool:
-    """Say whether an input has something that can be seen from another frame."""
+    """Say whether an input has a value that can be transformed to another frame."""
     reason, help = _trouble(used, written.text)
     if reason is not None:
         finding = NothingToTransform(field=used.field, frame=written.text, reason=reason)
@@ -94,7 +96,9 @@ def _can_be_seen(used: CheckedInput, written: ast.Name, context: Context) -> boo
 
 
 def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]:
-    """The reason why an input cannot be seen from another frame, and what to do; None if it can."""
+    """The reason why an input cannot be transformed to another frame, and the help; None if it
+    can.
+    """
     type_, path = used.type, used.declaration.path
     leave_out = NothingToTransform.LeaveOut(frame=frame)
     if isinstance(type_, Quantity) and len(path) > 1 and path[-1].text in "xyzw":
@@ -110,7 +114,7 @@ def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]
 
 
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
-    """A field of which the frame is reported in another place than that of the whole."""
+    """A field whose frame is in another field than the frame of the whole message."""
     for name, part in members(type_).items():
         is_seen = isinstance(type_, Message) and has_frame(part)
         if is_seen and not is_reported(used, (*used.path, name)):

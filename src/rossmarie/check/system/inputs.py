@@ -43,15 +43,15 @@ _DIAGNOSTICS = "/diagnostics"
 
 
 def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, CheckedInput]:
-    """Resolve every input of the program into `context.inputs`, as yet without timeouts; gives the
-    first input that states the unit of a field, for each.
+    """Resolve every input of the program into `context.inputs`, still without timeouts. Returns,
+    for each field, the first input that states its unit.
     """
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
     sources: dict[str, ast.Name] = {}
     for written in context.declarations.inputs:
         if written.setting is not None:
-            continue  # its value is known when constants are
+            continue  # the value is known after the constants
         declaration = with_frame_for_unit(written, context)
         if declaration.number is not None:
             number = resolve_number(declaration, declaration.number, context)
@@ -69,7 +69,7 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
 
 
 def resolve_timeouts(context: Context) -> None:
-    """Work out the timeouts of all inputs; constants are known by now."""
+    """Compute the timeouts of all inputs. Constants are known by now."""
     _resolve_context(context)
     for declaration in context.declarations.inputs:
         if declaration.timeout is None:
@@ -84,7 +84,7 @@ def resolve_timeouts(context: Context) -> None:
 
 
 def _resolve_context(context: Context) -> None:
-    """The timeout of the context of skills, and of the numbers that come with it."""
+    """The timeout of the context of skills, and of its numbers."""
     timeout_ns = resolve_context_timeout(context)
     if context.skills is None:
         return
@@ -125,7 +125,7 @@ def _message(
             report_conflict(written, topic, collector)
         return find_message(written, model, collector)
     if topic is not None:
-        # A mistake in the type of a declared topic is reported at its declaration.
+        # A mistake in the type of a declared topic is reported at the declaration.
         return find_message(topic.declaration.message_type, model, collector)
     if declaration.topic.text and model.is_whole:
         _report_without_type(declaration.topic, model, collector)
@@ -186,7 +186,7 @@ def _in_unit(
 def _report_other_unit(
     written: ast.Unit, unit: Unit, field: str, topic: Topic, collector: Collector
 ) -> None:
-    """Report that a system model gives the values of a topic another unit than an input."""
+    """Report that a system model gives the values of a topic a unit other than an input does."""
     declared = topic.declaration.unit
     if topic.unit is None or declared is None:
         return
@@ -210,7 +210,7 @@ def _report_no_number(unit: ast.Unit, type_: Type, field: str, collector: Collec
 def _check_one_type(
     found: CheckedInput, stated: dict[str, ast.Input], model: SystemModel, collector: Collector
 ) -> None:
-    """Two inputs must not state different types of one topic."""
+    """Report two inputs that state different types of one topic."""
     written = found.declaration.message_type
     if written is None or found.topic in model.topics:
         return

@@ -1,4 +1,4 @@
-"""The rates of messages, as system models state them with `at`."""
+"""The message rates that system models declare with `at`."""
 
 from __future__ import annotations
 
@@ -18,9 +18,7 @@ _RAREST_HZ, _FASTEST_HZ = 1e-9, 1e9
 
 
 def message_gaps(context: Context) -> Mapping[str, Gaps]:
-    """The times between messages of each topic of which a rate is declared; constants are known by
-    now.
-    """
+    """The times between messages of each topic with a declared rate. Constants are known by now."""
     found: dict[str, tuple[Gaps, ast.Expression]] = {}
     for topic, rate in _rates(context):
         context.enter(None)

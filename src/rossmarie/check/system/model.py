@@ -1,8 +1,7 @@
-"""System models: which topics there are, of what type, and in which units their fields are.
+"""System models: topics, their types, and the units of their fields.
 
-Comes out: a `SystemModel` in which every topic has a full name and a message type, and the catalog
-of messages with the unit declarations applied. Everything that is wrong with a system model is
-reported here.
+The result is a `SystemModel` in which every topic has a full name and a message type, and the
+catalog of messages with the declared units. All errors in a system model are reported here.
 """
 
 from __future__ import annotations
@@ -48,7 +47,7 @@ from rossmarie.units import Unit
 
 @dataclass(frozen=True)
 class Topic:
-    """A declared topic. `unit` is that of a std_msgs value, where the declaration gives one."""
+    """A declared topic. `unit` is the unit of a std_msgs value, if the declaration gives one."""
 
     name: str
     message_type: str
@@ -63,7 +62,7 @@ Field = tuple[str, tuple[str, ...]]
 @dataclass(frozen=True)
 class SystemModel:
     """The topics by full name, their full names by alias, and the messages. If `is_whole` is False,
-    a file that could not be read may declare more of both.
+    a file that could not be read may declare more topics and messages.
     """
 
     messages: MessageCatalog
@@ -73,19 +72,19 @@ class SystemModel:
     aliases: dict[str, str] = field(default_factory=dict)
 
     def find(self, name: str) -> Topic | None:
-        """The topic that a name in a rules file means: an alias, else a topic's own name."""
+        """The topic for a name in a rules file: an alias, else the topic's own name."""
         return self.topics.get(self.aliases.get(name) or full_name(name))
 
     def near_topic(self, name: str) -> str | None:
-        """A name that `find` finds and that looks like `name`."""
+        """A name similar to `name` for which `find` returns a topic."""
         if not self.suggestions.take(len(self.aliases) + 2 * len(self.topics)):
             return None
         bare = (topic.lstrip("/") for topic in self.topics)
         return near_name(name, [*self.aliases, *self.topics, *bare])
 
     def near_type(self, name: str) -> str | None:
-        """A known type of the same name in another package, else one spelled much alike. Of a
-        package that is not known only a slip of the pen: else its folder is missing.
+        """A known type of the same name in another package, else one with similar spelling. If the
+        package is unknown, only a small misspelling counts; otherwise its folder is missing.
         """
         known = self.messages.known_names()
         if not self.suggestions.take(len(known)):
@@ -115,7 +114,9 @@ def read_system_model(
     suggestions: Suggestions,
     collector: Collector,
 ) -> SystemModel:
-    """Gather the members of all system models; `message_folders` are searched after theirs."""
+    """Collect the members of all system models. `message_folders` are searched after the folders of
+    the models.
+    """
     members = [member for system in declarations.systems for member in system.members]
     folders = [*_folders(members, collector), *message_folders]
     declared = [
@@ -139,8 +140,8 @@ def read_system_model(
 
 
 def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Message | None:
-    """The definition of a message type, or None if there is none, which is reported unless a file
-    that could not be read may say where it is.
+    """The definition of a message type; None if there is none. This is reported, unless a file that
+    could not be read may contain the definition.
     """
     if not name.text:
         return None
@@ -195,7 +196,7 @@ def _check_unit_declaration(
     model: SystemModel,
     collector: Collector,
 ) -> None:
-    """Check that there is such a field, and that no earlier declaration, one of `first`, gives it
+    """Check that the field exists, and that no earlier declaration, one of `first`, gives it
     another unit.
     """
     message = find_message(declaration.message_type, model, collector)
@@ -206,7 +207,7 @@ def _check_unit_declaration(
     text, before = declaration.message_type.text, declaration.message_type.span
     for step in declaration.path:
         if isinstance(type_, Vector) and step.text in AXES:
-            path = path[:-1]  # a vector has one unit, whichever component is named
+            path = path[:-1]  # a vector has one unit, for all its components
         type_ = _point_in(select(type_, step, text, before, collector))
         text, before = f"{text}.{step.text}", step.span
     if isinstance(type_, Unknown):
@@ -218,8 +219,8 @@ def _check_unit_declaration(
 
 
 def _point_in(type_: Type) -> Type:
-    """The points of a cloud have no message of their own that could be named; so a unit is declared
-    through the list of them.
+    """The message of the points of a cloud. It has no type that a user could name, so units are
+    declared through the list of points.
     """
     return type_.element if isinstance(type_, List) and type_.is_of_points else type_
 
@@ -306,7 +307,7 @@ def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> No
 def _topic_unit(
     declaration: ast.TopicDeclaration, message: Message | None, collector: Collector
 ) -> Unit | None:
-    """The unit behind a topic; only std_msgs values, which have no field to name, take one."""
+    """The unit of a topic. Only std_msgs values, which have no field to name, accept one."""
     if declaration.unit is None:
         return None
     unit = read_unit(declaration.unit, collector)
@@ -328,7 +329,9 @@ def _topic_unit(
 
 
 def contradicts(known: Unit | None, stated: Unit, field_name: str) -> UnitContradictsField | None:
-    """The finding that a stated unit is of another dimension than the one of the field."""
+    """The finding that a stated unit and the unit of the field have different dimensions; None if
+    they do not.
+    """
     if known is None or known.dimension == stated.dimension:
         return None
     return UnitContradictsField(field=field_name, known=known.symbol, found=stated.symbol)

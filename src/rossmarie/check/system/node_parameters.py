@@ -1,4 +1,6 @@
-"""Parameters that the running node may set: numbers that are read, and that only tighten."""
+"""Parameters that the running node may set. Rules read them as numbers, and they can only tighten a
+rule.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from rossmarie.units import si_unit
 
 
 def resolve_node_parameters(context: Context) -> None:
-    """Resolve them into `context.inputs`; constants are known by now."""
+    """Resolve them into `context.inputs`. Constants are known by now."""
     for declaration in context.declarations.inputs:
         if declaration.setting is not None:
             type_ = _type_of(declaration.setting, context)
@@ -26,7 +28,7 @@ def resolve_node_parameters(context: Context) -> None:
 
 
 def _type_of(setting: ast.Constant, context: Context) -> Type:
-    """A number in SI, as the node takes it; `Unknown` after reporting what is wrong."""
+    """A number in SI, as the node takes it; `Unknown` after reporting an error."""
     context.enter(None)
     found = infer(setting.value, context)
     if isinstance(found, Unknown):

@@ -32,7 +32,7 @@ _NUMBERS = ("float", "int", "bool")
 def resolve_number(
     declaration: ast.Input, number: ast.SkillNumber, context: Context
 ) -> CheckedInput:
-    """The input of a number, as yet without its timeout; of type `Unknown` after reporting."""
+    """The input for a number, still without its timeout; of type `Unknown` after reporting."""
     skills = known_skills(number, context)
     found = None if skills is None else _find(number, skills, context)
     if skills is None or found is None:
@@ -49,8 +49,8 @@ def resolve_number(
 
 
 def resolve_context_timeout(context: Context) -> int | None:
-    """Work out the timeout of the context of skills, which their numbers have as well. Reports a
-    second `skills` that says another time.
+    """Compute the timeout of the context of skills, which is also the timeout of its numbers.
+    Reports a second `skills` with another time.
     """
     stated: dict[int, ast.Skills] = {}
     for item in context.declarations.items:
@@ -69,7 +69,7 @@ def resolve_context_timeout(context: Context) -> int | None:
 def _find(
     number: ast.SkillNumber, skills: CheckedSkills, context: Context
 ) -> tuple[Query, str, str | None] | None:
-    """The query, the type of what is asked for, and the unit that the file says."""
+    """The query, the type of the requested number, and its unit in the file of skills."""
     skill = find_skill(number.skill, skills, context)
     if skill is None:
         return None
@@ -111,7 +111,7 @@ def _property(
     skills: CheckedSkills,
     context: Context,
 ) -> Property | None:
-    """The property of the thing that is a parameter; None after reporting what is wrong."""
+    """The property of the thing that is a parameter; None after reporting an error."""
     known = _properties_of(parameter.type, skills)
     finding: NoSkillNumber | UnknownSkillProperty
     if not rest:
@@ -150,7 +150,9 @@ def _properties_of(class_name: str, skills: CheckedSkills) -> dict[str, Property
 
 
 def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Context) -> Type:
-    """A number. Where the file says a unit, it arrives in SI; else in that of the input."""
+    """A number. If the file of skills has a unit, the number arrives in SI; else in the unit of the
+    input.
+    """
     known = _known_unit(stated)
     written = None if declaration.unit is None else read_unit(declaration.unit, context.collector)
     if declaration.unit is None or written is None:
@@ -170,7 +172,7 @@ def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Co
 
 
 def _known_unit(text: str | None) -> Unit | None:
-    """The unit that the file of skills says; None if it says none that is known here."""
+    """The unit in the file of skills; None if there is none, or if it is unknown here."""
     try:
         return None if text is None else parse_unit(text)
     except UnknownUnitError:

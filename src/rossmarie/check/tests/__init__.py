@@ -1,1 +1,1 @@
-"""Tests: whether names, fields, units and instants fit; and what they say, as data."""
+"""Tests: their names, fields, units and instants are checked, and their content becomes data."""

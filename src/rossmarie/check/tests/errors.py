@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
-    """A message of a test for something that is no input."""
+    """A message in a test for a name that is not an input."""
 
     title = "`{identifier}` is not an input"
     label = "only an input receives messages"
@@ -27,7 +27,7 @@ class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
 
 
 class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
-    """An instant of a test that is no time from its beginning on."""
+    """An instant that is before the beginning of its test, or not a time."""
 
     title = "an instant must be a time since the beginning of the test"
     label = "this is {found}"
@@ -36,7 +36,7 @@ class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
 
 
 class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
-    """An instant of a test that comes before the one in front of it."""
+    """An instant of a test that is earlier than the instant before it."""
 
     title = "{what} out of order"
     label = "this is before {before}"
@@ -58,7 +58,7 @@ class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
 
 
 class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
-    """A repetition with more messages than a test may have."""
+    """A repetition with too many messages."""
 
     title = "this statement sends {count} messages"
     label = "a test may have at most {limit}"
@@ -68,7 +68,7 @@ class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
 
 
 class NotSettable(Error, code="ROSS131", name="not-settable"):
-    """Something in a test that is given a value, but has none."""
+    """A name in a test that gets a value but cannot have one."""
 
     title = "`{field}` cannot be set as a whole"
     label = "this is {found}"
@@ -107,7 +107,7 @@ class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
 
 
 class NothingBeside(Error, code="ROSS248", name="nothing-beside"):
-    """No skill, and a skill, in one statement of a test."""
+    """`nothing` beside a skill in one statement of a test."""
 
     title = "`doing nothing` cannot stand beside a skill"
     label = "the same statement runs a skill"

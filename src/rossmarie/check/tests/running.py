@@ -1,4 +1,4 @@
-"""The skills of a test that run and can start next: `at 1 sec doing Push, ahead Drive;`."""
+"""The skills in a test that run or can start next: `at 1 sec doing Push, ahead Drive;`."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument
 from rossmarie.syntax import ast
 
 NOTHING = "nothing"
-"""The word behind `doing` in a test in which no skill runs, unless a skill is called so."""
+"""The word behind `doing` for no running skill, unless a skill has this name."""
 
 
 DOING = "doing"
-"""The word that sends once more which skills run, where no input is called so."""
+"""The word that sends the running skills once more, unless an input has this name."""
 
 
 def repeats_skills(setting: ast.Setting, context: Context) -> bool:
-    """Say whether a setting is the word `doing` alone."""
+    """Say whether a setting is only the word `doing`."""
     first, *rest = setting.path.steps
     is_word = isinstance(first, ast.Name) and first.text == DOING and DOING not in context.inputs
     return is_word and not rest and setting.value is None and context.skills is not None
 
 
 def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:
-    """All skills that run, or can start next, from a statement on; None after reporting what is
-    wrong with them.
+    """All skills that run, or can start next, from a statement on; None after reporting an
+    error.
     """
     skills = known_skills(written[0], context)
     if skills is None:
@@ -58,7 +58,7 @@ def _is_nothing(node: ast.Doing, skills: CheckedSkills) -> bool:
 
 
 def _running(node: ast.Doing, skills: CheckedSkills, context: Context) -> RunningSkill:
-    """A skill whose things are of the classes that are written, else of those it demands."""
+    """A skill whose things have the written classes, else the classes that the skill requires."""
     parameters = skills.file.skills[node.skill.text].parameters.values()
     types = {each.name: each.type for each in parameters if each.type in skills.file.classes}
     for argument in node.arguments:

@@ -1,4 +1,4 @@
-"""The fields that messages of a test set, and their values."""
+"""The fields that messages in tests set, and their values."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ _RADIANS = Quantity(parse_unit("rad"))
 
 
 def settings_of(written: Sequence[ast.Setting], context: Context) -> tuple[FieldValue, ...] | None:
-    """Give the settings of messages; None after reporting what is wrong. A vector is set one by
-    one.
+    """The settings of messages; None after reporting an error. A vector is set component by
+    component.
     """
     found: list[FieldValue] = []
     is_right = True
@@ -64,7 +64,7 @@ class _SettingChecker:
         self._text = setting.path.span.text
 
     def check(self) -> tuple[FieldValue, ...] | None:
-        """Give the settings; None after reporting what is wrong with them."""
+        """The settings; None after reporting an error."""
         type_ = self._input_type()
         if type_ is None or isinstance(type_, Unknown):
             if isinstance(self._setting.value, ast.Bracket):
@@ -116,7 +116,9 @@ class _SettingChecker:
         return None
 
     def _field(self, type_: Type) -> tuple[Type, Path, str | None] | None:
-        """The type of the field, the path from the message, and the angle that is meant."""
+        """The type of the field, the path from the message, and the angle; None after reporting an
+        error.
+        """
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
         used = self._context.reported[first.text]
@@ -161,8 +163,8 @@ class _SettingChecker:
     def _whole_scan(
         self, used: CheckedInput, type_: Type, steps: Sequence[Step]
     ) -> tuple[Type, Part]:
-        """The scan, if a setting names a field of it beside the part that the input reads: all that
-        rules read of a scan rests on all of its fields.
+        """The scan, if a setting names a field of the scan outside the part that the input reads:
+        readings of a scan depend on all of its fields.
         """
         first = steps[0] if steps else None
         is_of_beams = isinstance(type_, List) and type_.is_of_beams
@@ -177,7 +179,9 @@ class _SettingChecker:
         return type_, part_at(used.base, type_)
 
     def _message(self, used: CheckedInput, type_: Type) -> tuple[Type, Part]:
-        """The whole message of an input, and where it begins; a number of a skill is in none."""
+        """The whole message of an input, and the start of the path in it. A number of a skill has
+        no message.
+        """
         messages = self._context.messages
         found = None if messages is None else messages.find(used.message_type)
         if found is None or used.query is not None:
@@ -194,7 +198,7 @@ class _SettingChecker:
             return None
         if isinstance(type_, Array) and not isinstance(path[-1], Sector):
             return (self._made(path, (), None),)
-        return (self._made(path, None, None),)  # of a list as well: it is not known
+        return (self._made(path, None, None),)  # of a list as well: the list is unknown
 
     def _without_value(self) -> tuple[FieldValue, ...] | None:
         first = self._setting.path.steps[0]
@@ -233,7 +237,9 @@ class _SettingChecker:
         return self._scalar(value, type_, None)
 
     def _no_elements(self, value: ast.Expression, type_: List) -> tuple[()] | None:
-        """A list is set element by element; as a whole it can only have none."""
+        """No elements: a list is set element by element, and only an empty list can be set as a
+        whole.
+        """
         if isinstance(value, ast.Bracket) and not value.elements:
             return ()
         self._report_whole(type_)
@@ -262,7 +268,7 @@ class _SettingChecker:
     def _scalar(
         self, node: ast.Expression, type_: Type, around: Unit | None
     ) -> float | bool | str | None:
-        """The value in SI; `around` is the unit of the list around it."""
+        """The value in SI. `around` is the unit of the list around the value."""
         found = infer(node, self._context)
         if isinstance(found, Unknown):
             return None
@@ -286,7 +292,7 @@ class _SettingChecker:
         return self._held(node, around.to_si(number), type_)
 
     def _held(self, node: ast.Expression, number: float, type_: Quantity) -> float | None:
-        """The number, if messages can carry it."""
+        """The number, if a message can carry it."""
         if type_.limits is None:
             return number
         held = type_.unit, type_.limits
@@ -326,19 +332,21 @@ class _SettingChecker:
 
 
 def _names_header(steps: Sequence[Step], type_: Type) -> bool:
-    """Say whether a setting names the header of the message, of which an input selects a part."""
+    """Say whether a setting names the header of a message, although the input selects another
+    part.
+    """
     first = steps[0] if steps else None
     is_header = isinstance(first, ast.Name) and first.text == "header"
     return is_header and "header" not in members(type_)
 
 
 def _element_of(owner: Type, index: int | str) -> Type | None:
-    """The type of an element; a test sets those of lists by their places."""
+    """The type of an element. A test sets elements of lists by their index."""
     if isinstance(owner, List) and isinstance(index, int):
         return owner.element
     return element_of(owner, index)
 
 
 def _each_of(type_: Type) -> Type:
-    """The type of one reading of a sector: all of its beams are set alike."""
+    """The type of one reading of a sector. All its beams are set to the same value."""
     return type_.element if isinstance(type_, Array) else type_

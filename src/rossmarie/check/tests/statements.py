@@ -1,4 +1,4 @@
-"""Tests: whether names, fields, units and instants fit; and what they say, as data."""
+"""Tests: the check of names, fields, units and instants, and the conversion to data."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from rossmarie.types import Quantity, Unknown
 def check_tests(
     commands: CommandChecker, context: Context, *, is_parsed: bool
 ) -> tuple[script.Script, ...]:
-    """All tests, in the order of the files; those with errors are left out. If not all could be
-    parsed, what a test seems to lack may be there.
+    """All tests, in the order of the files, without tests that have errors. If some files could not
+    be parsed, a name that a test misses may be there.
     """
     names = rule_names(context.declarations.rules)
     rules = {name: index for index, name in reversed(list(enumerate(names)))}
@@ -46,7 +46,7 @@ def check_tests(
 
 
 class _TestChecker:
-    """Checks one test; `rules` are the numbers of rules by their names."""
+    """Checks one test. `rules` holds the numbers of rules by name."""
 
     def __init__(
         self, rules: dict[str, int], commands: CommandChecker, context: Context, is_parsed: bool
@@ -58,7 +58,7 @@ class _TestChecker:
         self._is_right = True
 
     def check(self, test: ast.Test) -> script.Script | None:
-        """The test as data; None after reporting what is wrong with it."""
+        """The test as data; None after reporting an error."""
         events: list[script.ScriptedArrival | script.ScriptedReset] = []
         expectations: list[script.Expectation | None] = []
         commands: list[script.CommandExpectation | None] = []
@@ -114,7 +114,7 @@ class _TestChecker:
         return script.ScriptedArrival(*times, names, known, settings, running)
 
     def _times(self, statement: ast.Arrival) -> tuple[int, int, int | None] | None:
-        """The first and the last instant, and the period."""
+        """The first and the last instant, and the period, in nanoseconds."""
         if statement.at is not None:
             at_ns = self._instant(statement.at)
             return None if at_ns is None else (at_ns, at_ns, None)
@@ -153,7 +153,7 @@ class _TestChecker:
         return script.CommandExpectation(command.topic, *values, *ends, statement.span)
 
     def _ends(self, statement: ast.Expectation | ast.CommandExpectation) -> tuple[int, int] | None:
-        """The first and the last instant that an expectation speaks of."""
+        """The first and the last instant of an expectation, in nanoseconds."""
         if statement.at is not None:
             at_ns = self._instant(statement.at)
             return None if at_ns is None else (at_ns, at_ns)
@@ -171,7 +171,7 @@ class _TestChecker:
     # --- time --------------------------------------------------------------------------------
 
     def _stretch(self, stretch: ast.Stretch) -> tuple[int, int] | None:
-        """The first and the last instant, both included."""
+        """The first and the last instant, both inclusive, in nanoseconds."""
         first, last = self._instant(stretch.first), self._instant(stretch.last)
         if first is None or last is None:
             return None
@@ -189,7 +189,7 @@ class _TestChecker:
         return first, last
 
     def _instant(self, node: ast.Expression) -> int | None:
-        """An instant in nanoseconds; None, after reporting, if it is none."""
+        """An instant in nanoseconds; None, after reporting, if it is not one."""
         type_ = infer(node, self._context)
         seconds = self._seconds(node) if _is_time(type_) else None
         if seconds is not None and 0 <= seconds <= script.LATEST_NS / 1e9:

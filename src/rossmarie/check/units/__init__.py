@@ -1,1 +1,1 @@
-"""Units: which quantities fit together, and what a unit as written means."""
+"""Units: the quantities that fit together, and the meaning of a written unit."""

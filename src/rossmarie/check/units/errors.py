@@ -26,7 +26,7 @@ class InUnit(Remark):
 
 
 class OfField(Remark):
-    """The label of an input, where a unit comes from its field."""
+    """The label of an input whose unit comes from its field."""
 
     says = "`{name}` is {field}"
     name: str
@@ -128,7 +128,7 @@ class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
 
 
 class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
-    """A unit on something that cannot have one."""
+    """A unit on an expression that cannot have one."""
 
     title = "no unit is allowed here"
     label = "{reason}"
@@ -171,7 +171,7 @@ class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
 
 
 class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
-    """A unit with white space in it, so that its rest is taken for a value."""
+    """A unit with a space in it, so that the part behind the space looks like a value."""
 
     title = "`{identifier}` is a unit here, not a value"
     label = "`{operator} {identifier}` calculates with a value named `{identifier}`"
@@ -189,7 +189,7 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
 
 
 class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
-    """A field that carries a share from 0 to 1, compared with a plain number above 1."""
+    """A field with a ratio from 0 to 1, compared with a plain number above 1."""
 
     title = "{field} is a fraction from 0 to 1, but {text} is greater than 1"
     label = "as a fraction, 1 means 100 %"

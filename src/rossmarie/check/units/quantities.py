@@ -1,4 +1,4 @@
-"""The rules of units: which quantities fit together, and what a unit as written means."""
+"""The rules of units: the quantities that fit together, and the meaning of a written unit."""
 
 from __future__ import annotations
 
@@ -56,14 +56,14 @@ _GRAVITY = parse_unit("g0")
 
 @dataclass(frozen=True)
 class Operand:
-    """A number in an expression, or what a vector, an array or a range is made of."""
+    """A number in an expression, or the numbers in a vector, an array or a range."""
 
     node: ast.Expression
     quantity: Quantity
 
 
 def operand_of(node: ast.Expression, context: Context) -> Operand | None:
-    """The quantity of a number, or of the numbers in something; None if there are none."""
+    """The quantity of a number, or of the numbers in a composite value; None if there are none."""
     type_ = context.type_of(node)
     if isinstance(type_, Vector | Array | Interval | Box):
         element = type_.element
@@ -72,7 +72,7 @@ def operand_of(node: ast.Expression, context: Context) -> Operand | None:
 
 
 def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
-    """The unit that is written, or None after reporting that there is none."""
+    """The written unit; None after reporting that there is no such unit."""
     try:
         return parse_unit(unit.text)
     except UnknownUnitError as error:
@@ -92,7 +92,7 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
 
 
 def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
-    """Say whether two quantities can be `purpose` (compared, added ...); report it if not."""
+    """Say whether two quantities can be `purpose` (compared, added ...). Report an error if not."""
     if not unit_faults(first.quantity, second.quantity):
         return True
     odd, other = _odd_one(first, second, context)
@@ -111,14 +111,14 @@ def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -
 def check_fit_of(
     first: ast.Expression, second: ast.Expression, purpose: str, context: Context
 ) -> None:
-    """`check_fit` of the numbers in two expressions, where both have any."""
+    """Apply `check_fit` to the numbers in two expressions, if both have numbers."""
     left, right = operand_of(first, context), operand_of(second, context)
     if left is not None and right is not None:
         check_fit(left, right, purpose, context)
 
 
 def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
-    """The constant one is to blame, else the second."""
+    """The operand at fault: the constant one, else the second."""
     if first.node in context.values and second.node not in context.values:
         return first, second
     return second, first
@@ -193,7 +193,7 @@ def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> No
         fix = Fix(f"write `{corrected}`", (Edit(behind, f" {unit.symbol}"),))
     is_angle = unit.dimension == ANGLE
     if is_angle and number is not None and number.unit is None:
-        # Only the user knows which; the wrong one would be off by a factor of 57.
+        # Only the user knows the right unit; a wrong one would be off by a factor of 57.
         corrected, fix = f"{text_of(number)} deg` or `{text_of(number)} rad", None
     finding = MissingUnit(
         expected=unit.symbol,
@@ -227,7 +227,7 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
 
 
 def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | None:
-    """The fix that writes a unit behind a literal that stands here and has none."""
+    """The fix that adds a unit to a literal without one."""
     literal = literal_of(node, context.declarations)
     if literal is None or literal.unit is not None or literal is not stripped(node):
         return None
@@ -236,7 +236,7 @@ def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | No
 
 
 def is_same_unit(unit: Unit, other: Unit) -> bool:
-    """Say whether two units are one by different names, as `s` and `sec`."""
+    """Say whether two units are the same under different names, such as `s` and `sec`."""
     return (unit.dimension, unit.scale, unit.offset) == (
         other.dimension,
         other.scale,
@@ -245,7 +245,7 @@ def is_same_unit(unit: Unit, other: Unit) -> bool:
 
 
 def end_of_field(declaration: ast.Input) -> Span:
-    """The empty place behind the topic, type, path, names and bound of an input, where its unit
+    """The empty place after the topic, type, path, names and bound of an input, where the unit
     belongs.
     """
     last = (declaration.message_type or declaration.topic).span
@@ -272,7 +272,7 @@ def _is_in(operand: Operand) -> Label:
 
 
 def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
-    """Where the unit of an operand comes from, if that is another place."""
+    """The label for the origin of an operand's unit, if it is in another place."""
     constant = constant_of(stripped(operand.node), context.declarations)
     if constant is not None:
         return (NamedHere(name=constant.name.text).at(constant.value.span),)

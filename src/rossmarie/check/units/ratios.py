@@ -1,4 +1,4 @@
-"""Fields that carry a share from 0 to 1, compared with what must be meant as percent."""
+"""Ratios from 0 to 1, compared with numbers that are probably meant as percent."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ from rossmarie.types import RATIOS
 
 
 def check_ratio(value: ast.Expression, bound: ast.Expression, context: Context) -> None:
-    """Report if `value` is a share from 0 to 1 and `bound` a plain number, or range, above that."""
+    """Report `value` if it is a ratio from 0 to 1 and `bound` is a plain number, or range, above
+    1.
+    """
     field = _ratio(value, context)
     known = context.values.get(bound)
     if field is None or known is None:
@@ -20,7 +22,7 @@ def check_ratio(value: ast.Expression, bound: ast.Expression, context: Context) 
     literal = literal_of(bound, context.declarations)
     if literal is None or literal.unit is not None:
         return
-    # Of the ends of a range, those that have units of their own are no plain numbers.
+    # Ends of a range that have their own units are not plain numbers.
     is_plain = isinstance(literal, ast.Number) or all(
         isinstance(end, ast.Number) and end.unit is None for end in literal.elements
     )
@@ -36,7 +38,7 @@ def check_ratio(value: ast.Expression, bound: ast.Expression, context: Context) 
 
 
 def _ratio(node: ast.Expression, context: Context) -> str | None:
-    """The full name of the field that a node reads, if that carries a share."""
+    """The full name of the field that a node reads, if the field is a ratio."""
     root = root_of(node)
     found = context.inputs.get(root.name.text) if root is not None else None
     if found is None:

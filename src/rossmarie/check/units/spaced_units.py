@@ -1,4 +1,4 @@
-"""`10 km / h`: a unit that white space has cut, so that its rest looks like an undeclared name."""
+"""`10 km / h`: a unit with spaces, so that its second part looks like an undeclared name."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LINKS = frozenset({BinaryOperator.MULTIPLY, BinaryOperator.DIVIDE})
 
 
 class _Step(NamedTuple):
-    """`/ h` behind a number or behind another step."""
+    """`/ h` after a number or after another step."""
 
     whole: ast.Binary
     name: ast.Name
@@ -25,7 +25,7 @@ class _Step(NamedTuple):
 def is_rest_of_unit(node: ast.Reference, context: Context) -> bool:
     """Say whether an undeclared name is meant as part of the unit before it.
 
-    What is cut into several pieces, `1 kg * m / s`, is reported once, at its last piece.
+    A unit in several parts, `1 kg * m / s`, is reported once, at its last part.
     """
     first = _step(context.parents.get(node), context)
     if first is None or first.whole.right is not node:
@@ -40,7 +40,7 @@ def is_rest_of_unit(node: ast.Reference, context: Context) -> bool:
 
 
 def _steps_around(step: _Step, context: Context) -> list[_Step]:
-    """All steps of the chain that `step` belongs to, in the order in which they are written."""
+    """All steps of the chain of `step`, in source order."""
     before: _Step | None = step
     steps: list[_Step] = []
     while before is not None:

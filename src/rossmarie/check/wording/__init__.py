@@ -1,1 +1,1 @@
-"""The words of findings: types in the words of the user, names that may be meant, edits."""
+"""The wording of findings: types in the user's words, suggested names, and edits."""

@@ -1,4 +1,4 @@
-"""Types in the words of the user."""
+"""Types in the user's words."""
 
 from __future__ import annotations
 

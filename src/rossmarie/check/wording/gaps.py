@@ -1,4 +1,4 @@
-"""Signs and words between two parts of the tree, which have no place in the tree themselves."""
+"""Signs and words between two parts of the tree that are not nodes of the tree."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from rossmarie.syntax.scan import scan
 def without(before: Span, sign: str, part: Span) -> tuple[Edit, ...]:
     """The edits that remove `part` and the `sign` between it and the part `before` it.
 
-    Comments between them are kept, and so is white space other than that around the sign.
+    Comments between the two parts stay, and so does white space that does not surround the
+    sign.
     """
     file, start = part.file, before.end
     gap = file.text[start : part.start]

@@ -1,4 +1,4 @@
-"""Did you mean ...? Near names, and the fix that goes with a very near one."""
+"""Suggestions: similar names, and the fix for a very similar one."""
 
 from __future__ import annotations
 
@@ -14,22 +14,23 @@ MOST_COMPARISONS = 50_000
 
 
 class Suggestions:
-    """The effort that is left for suggestions.
+    """The remaining effort for suggestions.
 
-    Each is sought among all names; a large file full of undeclared names would take for ever.
+    Each suggestion compares all names, so a large file with many undeclared names would take too
+    long.
     """
 
     def __init__(self) -> None:
         self._left = MOST_COMPARISONS
 
     def take(self, candidates: int) -> bool:
-        """Say whether one more suggestion may be sought among so many names."""
+        """Say whether one more search among so many names is allowed."""
         self._left -= candidates
         return self._left >= 0
 
 
 def near_name(name: str, known: Iterable[str]) -> str | None:
-    """The known name that looks most like `name`, if any does; case does not matter."""
+    """The known name most similar to `name`, if there is one. Case does not matter."""
     by_folded = {candidate.lower(): candidate for candidate in known}
     matches = difflib.get_close_matches(name.lower(), by_folded, n=1, cutoff=NEAR)
     return by_folded[matches[0]] if matches else None
@@ -44,7 +45,7 @@ def suggesting(
 
 
 def rename(name: ast.Name, near: str) -> Fix | None:
-    """The fix that writes `near` instead; None if they differ too much to be sure."""
+    """The fix that writes `near` instead; None if the names differ too much."""
     likeness = difflib.SequenceMatcher(None, name.text.lower(), near.lower()).ratio()
     if likeness < VERY_NEAR:
         return None

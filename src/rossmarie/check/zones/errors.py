@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class UnfitShape(Error, code="ROSS280", name="unfit-shape"):
-    """A shape of a zone, or a part of one, that is not what it has to be."""
+    """A shape of a zone, or a part of a shape, of the wrong form."""
 
     title = "{part} must be {expected}"
     label = "this is {found}"
@@ -21,7 +21,7 @@ class UnfitShape(Error, code="ROSS280", name="unfit-shape"):
 
 
 class CrossingPolygon(Error, code="ROSS281", name="crossing-polygon"):
-    """A polygon whose edges meet elsewhere than at its corners."""
+    """A polygon whose edges meet other than at its corners."""
 
     title = "this polygon crosses itself"
     label = "the edge from {edge} to the next corner"
@@ -35,7 +35,7 @@ class CrossingPolygon(Error, code="ROSS281", name="crossing-polygon"):
 
 
 class EmptyZone(Error, code="ROSS282", name="empty-zone"):
-    """A zone without a shape, in which nothing can be."""
+    """A zone without a shape."""
 
     title = "zone `{zone}` has no shape"
     label = "nothing can be in this zone"

@@ -1,4 +1,4 @@
-"""Polygons: whether their edges meet elsewhere than at their corners, computed exactly."""
+"""Polygons: an exact test whether their edges meet other than at their corners."""
 
 from __future__ import annotations
 
@@ -11,9 +11,8 @@ _Edge = tuple[Corner, Corner]
 
 
 def first_meeting(corners: Sequence[Corner]) -> tuple[int, int] | None:
-    """The first two edges that meet elsewhere than at a corner between them, by the numbers of
-    their first corners; None if the polygon is simple. No two neighbours among the corners are
-    equal.
+    """The first two edges that meet other than at their common corner, by the numbers of their
+    first corners; None if the polygon is simple. No two adjacent corners are equal.
     """
     edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
     return next(_meetings(edges), None)
@@ -36,7 +35,7 @@ def _meetings(edges: Sequence[_Edge]) -> Iterator[tuple[int, int]]:
 
 
 def _are_near(edge: _Edge, other: _Edge) -> bool:
-    """Say whether the boxes around two edges touch."""
+    """Say whether the bounding boxes of two edges touch."""
     for axis in (0, 1):
         low, high = sorted(end[axis] for end in edge)
         other_low, other_high = sorted(end[axis] for end in other)
@@ -54,7 +53,7 @@ def _turns_back(edge: _Edge, following: _Edge) -> bool:
 
 
 def _touch(edge: _Edge, other: _Edge) -> bool:
-    """Say whether two edges, whose boxes touch, have a point in common."""
+    """Say whether two edges, whose bounding boxes touch, have a point in common."""
     sides = [_side(*edge, end) for end in other]
     other_sides = [_side(*other, end) for end in edge]
     return sides[0] * sides[1] <= 0 and other_sides[0] * other_sides[1] <= 0

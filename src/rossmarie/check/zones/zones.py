@@ -23,7 +23,9 @@ from rossmarie.units import Unit, parse_unit
 
 _METRE = parse_unit("m")
 _FARTHEST = 1e6
-"""The m from the origin of a frame in which a number with nine places behind the point is exact."""
+"""The distance in m from the origin of a frame within which a number with nine decimal places is
+exact.
+"""
 _MOST_CORNERS = 1000
 _LEAST_CORNERS = 3
 _FORMS: Mapping[str, str] = {
@@ -36,11 +38,11 @@ _NUMBERS: Mapping[str, tuple[int, str, str]] = {
     "circle": (2, "the centre of a circle", "two numbers, [X, Y]"),
     "polygon": (2, "a corner", "two numbers, [X, Y]"),
 }
-"""The numbers in a bracket of each shape, and the words for the bracket."""
+"""The numbers in a bracket of each shape, with the words for the bracket."""
 
 
 def check_zones(context: Context) -> None:
-    """Check every zone of the program, and record those that are right in `context.zones`."""
+    """Check every zone of the program, and record the correct ones in `context.zones`."""
     for item in context.declarations.items:
         if isinstance(item, ast.Zone):
             found = _region(item, context)
@@ -126,7 +128,7 @@ def _polygon(shape: ast.Shape, name: str, about: str, context: Context) -> core.
 
 
 def _repeats(shape: ast.Shape, corners: Sequence[tuple[float, float]], context: Context) -> bool:
-    """Say whether a corner follows upon itself; it is reported."""
+    """Say whether two adjacent corners are equal. Report them if so."""
     for number, (corner, following) in enumerate(pairwise((*corners, corners[0])), 1):
         if corner != following:
             continue
@@ -144,7 +146,7 @@ def _repeats(shape: ast.Shape, corners: Sequence[tuple[float, float]], context: 
 
 
 def _places(shape: ast.Shape, context: Context) -> list[tuple[float, ...]] | None:
-    """The numbers in m of each bracket of a shape. A unit behind the last one is that of all."""
+    """The numbers in m of each bracket of a shape. A unit after the last bracket applies to all."""
     units = [each.unit for each in shape.brackets]
     own = units if any(units[:-1]) else [units[-1] for _ in units]
     places = []
@@ -191,7 +193,7 @@ def _unit(written: ast.Unit, shape: ast.Shape, context: Context) -> Unit | None:
 def _length(
     node: ast.Expression, unit: Unit | None, shape: ast.Shape, context: Context
 ) -> float | None:
-    """A constant in m; None after reporting. `unit` is that of the whole bracket."""
+    """A constant in m; None after reporting. `unit` is the unit of the whole bracket."""
     if isinstance(context.type_of(node), Unknown):
         return None
     operand = scalar_operand(node, context)
@@ -212,7 +214,9 @@ def _length(
 def _has_unit(
     node: ast.Expression, found: Quantity, unit: Unit | None, shape: ast.Shape, context: Context
 ) -> bool:
-    """Say whether a number has the unit it needs: a length, or none in front of a unit for all."""
+    """Say whether a number has the unit that it needs: a length, or none if one unit applies to
+    all.
+    """
     if unit is not None and not is_plain(found):
         finding = MisplacedUnit(reason="this number has a unit, and so have all of them")
         help = finding.OnceInList(unit=unit.symbol)

@@ -1,4 +1,6 @@
-"""The safety file of rules: what they mean in sentences, what they mitigate, what is proved."""
+"""The safety file of rules: their meaning in sentences, the hazards that they mitigate, and the
+proofs.
+"""
 
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, evidence_text, parse_evidence
 from rossmarie.report.safety.model import Declared, SafetyFile, Source

@@ -1,8 +1,9 @@
-"""The propositions of a machine in words, from their nodes alone, never from what the user wrote.
+"""The propositions of a machine in words, from their nodes alone, never from the user's text.
 
-Takes a machine that `ir.verify` has passed. A negation is carried inwards to the leaves, where it
-is the opposite word: by S2 that changes no value, unknown and stale included. What stands on more
-than `MOST_PARTS` others is named, and said in full in a place of its own.
+The input is a machine that `ir.verify` has passed. A negation is pushed down to the leaves, where
+it becomes the opposite word: by S2 this changes no value, including unknown and stale. A
+proposition with more than `MOST_PARTS` operands gets a name, and is described in full in a place of
+its own.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number, sizes
 from rossmarie.report.safety.phrase import Phrase
 
 _MOST_SIDE_BY_SIDE = 3
-"""Leaves that are joined in one sentence; more are a list."""
+"""The most leaves that are joined in one sentence. More leaves become a list."""
 
 _WORDS = {
     ir.Comparison.EQUAL: "equal to",
@@ -36,7 +37,7 @@ class Conditions:
             proposition_operands(proposition.node) for proposition in machine.propositions
         )
         self.apart: dict[int, None] = {}
-        """The propositions that were named, to be said in full elsewhere."""
+        """The named propositions, which are described in full elsewhere."""
 
     # --- sentences ---------------------------------------------------------------------------
 
@@ -47,7 +48,7 @@ class Conditions:
         return self.in_full(index, is_so)
 
     def in_full(self, index: int, is_so: bool = True) -> Phrase:
-        """A proposition by what it stands on."""
+        """A proposition in terms of its operands."""
         proposition = self._machine.propositions[index]
         whole = ir.defined(self._machine, index)
         if whole is not None:
@@ -109,7 +110,7 @@ class Conditions:
     def _held(
         self, proposition: ir.Proposition, operand: int, duration_ns: int, is_so: bool
     ) -> Phrase:
-        """S33: true if the condition held throughout the last so much."""
+        """S33: true if the condition was true throughout a time."""
         duration = f"throughout the last {duration_text(duration_ns)}"
         node, inner_is_so = self._stripped(operand)
         if is_leaf(node) and self._machine.propositions[operand].name is None:
@@ -141,9 +142,7 @@ class Conditions:
         return Phrase(_negated(head, is_so), parts, proposition.span, _named(proposition, is_so))
 
     def _stripped(self, index: int) -> tuple[ir.PropositionNode, bool]:
-        """Give the subject of an unnamed chain of negations, and whether the chain says that it is
-        so.
-        """
+        """The operand of an unnamed chain of negations, and whether the chain affirms it."""
         node, is_so = self._machine.propositions[index].node, True
         while isinstance(node, ir.Not):
             node, is_so = self._machine.propositions[node.operand].node, not is_so
@@ -152,7 +151,7 @@ class Conditions:
     # --- one line ----------------------------------------------------------------------------
 
     def inline(self, index: int, is_so: bool = True) -> str:
-        """A proposition on one line, with brackets around what belongs together."""
+        """A proposition on one line, with brackets around its groups."""
         proposition = self._machine.propositions[index]
         if self._sizes[index] > MOST_PARTS:
             return self._by_name(index, is_so).text
@@ -299,7 +298,7 @@ def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
 
 
 def _often(node: ir.Recurs, is_so: bool) -> str:
-    """S48: how often a condition has become true."""
+    """S48: the number of times that a condition has become true."""
     times = "once" if node.count == 1 else f"{node.count} times"
     often = f"become true at least {times} within the last {duration_text(node.window_ns)}"
     return f"has {often}" if is_so else f"has not {often}"

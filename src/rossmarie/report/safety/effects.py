@@ -1,7 +1,7 @@
-"""The effects of rules in words: what is done, what is undone on release, what can go wrong.
+"""The effects of rules in words: the action, the undoing on release, and possible failures.
 
-Takes a machine that `ir.verify` has passed; follows R4 to R11 and R15 of
-`docs/explanation/reactions.md`. Numbers are in the units of the messages that they go into.
+The input is a machine that `ir.verify` has passed. The text follows R4 to R11 and R15 of
+`docs/explanation/reactions.md`. Numbers are in the units of the messages that contain them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Effects:
         self._conditions = conditions
 
     def phrase(self, index: int) -> Phrase:
-        """A task, and what follows if it fails."""
+        """A task, and the escalation after its failure."""
         task = self._found.tasks[index]
         action = self._found.actions[task.action]
         parts = [*self._details(task.effect), *self._waits(index), *self._after(task)]
@@ -111,7 +111,7 @@ class Effects:
     # --- what goes with it -------------------------------------------------------------------
 
     def _details(self, effect: reactions.Effect) -> list[Phrase]:
-        """Tell what counts as done, and what is undone on release."""
+        """Describe when the effect counts as done, and what is undone on release."""
         found = []
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
             watched = self._conditions.phrase(self._machine.watches[effect.confirmation])
@@ -145,7 +145,7 @@ class Effects:
     # --- what can go wrong -------------------------------------------------------------------
 
     def _after(self, task: reactions.Task) -> list[Phrase]:
-        """Tell what follows if it fails."""
+        """Describe the escalation after a failure."""
         followers = tuple(self.phrase(other) for other in task.otherwise)
         if not overruled.can_fail(task):
             text = "it cannot fail, so this never starts:"
@@ -168,7 +168,7 @@ class Effects:
         return listed(tuple(ways), "or") or "fails"
 
     def _waits(self, index: int) -> list[Phrase]:
-        """Tell what becomes of it while another rule has what it needs, if it waits for that."""
+        """Describe the task while another rule has its resource, if it waits for the resource."""
         task = self._found.tasks[index]
         timeout_ns = reactions.timeout_ns(task.effect)
         rivals = self._rivals(index)
@@ -187,7 +187,7 @@ class Effects:
         ]
 
     def _rivals(self, index: int) -> list[int]:
-        """The other rules that need the same."""
+        """The other rules that need the same resource."""
         resource = self._found.tasks[index].resource
         return [
             rule
@@ -209,7 +209,7 @@ def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:
 
 
 def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> list[str]:
-    """Tell how each bound goes; those that go alike are reported together."""
+    """Describe the lifting of each bound. Bounds that are lifted alike are described together."""
     ways: dict[str, list[str]] = {}
     for bound in bounds:
         field = command.fields[bound.field]

@@ -9,7 +9,7 @@ from dslkit.source import SourceFile, Span
 
 
 class EvidenceError(Exception):
-    """A report cannot be used; `diagnostic` says why."""
+    """A report cannot be used. `diagnostic` gives the reason."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
@@ -22,7 +22,7 @@ def at_file(finding: Template, path: Path) -> Diagnostic:
 
 
 class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
-    """A report that the operating system does not hand out."""
+    """A report that the operating system cannot open."""
 
     title = "the {kind} report cannot be read: {reason}"
     help = "check the path and the read permission of the file"
@@ -31,7 +31,7 @@ class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
 
 
 class NotEvidence(Error, code="ROSS781", name="not-evidence"):
-    """A file that is not a report of the kind that was asked for."""
+    """A file that is not a report of the requested kind."""
 
     title = "this is not a {kind} report: {reason}"
     help = "give a {kind} report in JSON"

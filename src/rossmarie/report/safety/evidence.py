@@ -30,7 +30,7 @@ VERSION = 1
 
 
 class EvidenceKind(enum.Enum):
-    """The subject of a report; its value is the name that people use."""
+    """The subject of a report. The value is its usual name."""
 
     VERIFICATION = "verification"
     COVERAGE = "coverage"
@@ -69,7 +69,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A report; `sha256` is that of its own text, `bound` says how far it holds."""
+    """A report; `sha256` is that of its own text, `bound` describes its limits."""
 
     kind: EvidenceKind
     path: str
@@ -83,16 +83,16 @@ class Evidence:
 
     @property
     def open_results(self) -> tuple[Result, ...]:
-        """The results that are not as they should be."""
+        """The results with a bad status."""
         return tuple(each for each in self.results if each.status != self.kind.statuses[0])
 
     def missing(self, sources: Iterable[Hashed]) -> tuple[str, ...]:
-        """The paths of sources whose hash the report does not hold."""
+        """The paths of sources whose hash is not in the report."""
         known = {each.sha256.lower() for each in self.sources}
         return tuple(each.path for each in sources if each.sha256 not in known)
 
     def others(self, sources: Iterable[Hashed]) -> tuple[Hashed, ...]:
-        """The subjects of the report beside these sources: recordings, as a rule."""
+        """The subjects of the report besides these sources, usually recordings."""
         known = {each.sha256 for each in sources}
         return tuple(each for each in self.sources if each.sha256.lower() not in known)
 
@@ -107,8 +107,8 @@ def evidence_text(
     results: Sequence[Result],
     margins: Sequence[Spare] = (),
 ) -> str:
-    """A report of a kind: the tools by name with their versions, the files that it is about, those
-    that were made of them, how far it holds, and the queries with their answers.
+    """A report of a kind: the versions of the tools by name, the files that it covers, the files
+    generated from them, its limits, and the queries with their answers.
     """
     strange = {each.status for each in results} - set(kind.statuses)
     assert not strange, f"{strange} is no status of {kind.value}"

@@ -11,7 +11,7 @@ from rossmarie.testing.goals import Goal
 
 
 def coverage_results(coverage: Coverage, reasons: Mapping[Goal, str]) -> Iterator[Result]:
-    """The rows, rule by rule; `reasons` says of goals why they cannot be reached."""
+    """The rows, rule by rule. `reasons` maps goals to the reasons why they cannot be reached."""
     covered, not_covered = EvidenceKind.COVERAGE.statuses
     for rule, declared in enumerate(coverage.machine.rules):
         for text, goals in queries(coverage, rule):

@@ -1,4 +1,4 @@
-"""Requirements of rules, with the way on which the robot brakes, worked out step by step."""
+"""Requirements of rules, with the stopping distance of the robot, calculated step by step."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from rossmarie.analysis.errors import NotInTime
 from rossmarie.report.safety.model import SafetyFile
 
 _SPEEDS = 4
-"""So many measured speeds have their way in the table, the fastest among them."""
+"""The number of measured speeds in the table, including the fastest."""
 
 
 @dataclass(frozen=True)
 class Way:
-    """The way on which a motion slows down from a measured speed, in words."""
+    """The distance in which a motion slows down from a measured speed, in words."""
 
     speed: str
     reached: str
@@ -26,7 +26,7 @@ class Way:
 
 @dataclass(frozen=True)
 class Kept:
-    """A requirement, whether it holds, what it rests on in words, and the ways."""
+    """A requirement, whether it is proved, its assumptions in words, and the distances."""
 
     required: ir.Requirement
     outcome: str
@@ -35,7 +35,7 @@ class Kept:
 
 
 def kept(required: ir.Requirement, content: SafetyFile) -> Kept:
-    """A requirement as a safety file tells of it."""
+    """A requirement in the form of a safety file."""
     ways = tuple(_way(required, number) for number in range(1, _SPEEDS + 1))
     assumptions = tuple(_assumptions(required.braking))
     return Kept(required, _outcome(required, content), assumptions, ways)

@@ -1,4 +1,4 @@
-"""The content of a safety file: a machine and all else that is known of its rules."""
+"""The content of a safety file: a machine and all other facts about its rules."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Declared:
-    """Something that the rules declare, in their words, with its place."""
+    """A declaration of the rules, in their words, with its place."""
 
     name: str
     text: str
@@ -32,8 +32,8 @@ class Declared:
 
 @dataclass(frozen=True)
 class SafetyFile:
-    """All of it. `rules_file` is the name of the main file, `tool` the program with its version,
-    `date` the day of the report; reports of other commands are None if there are none;
+    """The whole content. `rules_file` is the name of the main file, `tool` the program with its
+    version, `date` the date of the report; reports of other commands are None if there are none;
     `is_thorough` says whether all queries about the rules were asked.
     """
 

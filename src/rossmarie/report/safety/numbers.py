@@ -1,8 +1,8 @@
 """The signals of a machine in words: `the pitch of orientation`, `10 deg (steepest)`.
 
-Takes a machine that `ir.verify` has passed. What is computed from more than `MOST_PARTS` others is
-called by a number, and said in full in a place of its own: shared parts would be repeated without
-end otherwise.
+Takes a machine that `ir.verify` has passed. A signal with more than `MOST_PARTS` operands is called
+by a number, and described in full in a place of its own; otherwise shared parts would be repeated
+many times.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ _AXES = ("x", "y", "z", "w")
 
 
 def sizes(operands: Iterable[Iterable[int]]) -> list[int]:
-    """The sizes of nodes, given the operands of each, which come before it. What is said in a place
-    of its own counts as one.
+    """The sizes of nodes, given the operands of each, which precede it. A node with its own
+    description counts as one.
     """
     found: list[int] = []
     for parts in operands:
@@ -34,7 +34,7 @@ def sizes(operands: Iterable[Iterable[int]]) -> list[int]:
 
 
 def number(value: float) -> str:
-    """A number as people write it; 0 has no sign."""
+    """A number in readable form. A 0 has no sign."""
     return f"{value + 0.0:.12g}"
 
 
@@ -44,7 +44,9 @@ def quantity(value: float, unit: str) -> str:
 
 
 class Numbers:
-    """The words for each signal of one machine; `each` words a condition on the element at hand."""
+    """The words for each signal of one machine. `each` gives the words for a condition on the
+    current element.
+    """
 
     def __init__(self, machine: ir.Machine, each: Callable[[int], str]) -> None:
         self._machine = machine
@@ -63,17 +65,17 @@ class Numbers:
         self._lists = [_field_name(machine, each, names, None) for each, names in lists]
         self._sizes = sizes(signal_operands(signal.node) for signal in machine.signals)
         self.apart: dict[int, None] = {}
-        """The signals that were called by a number, to be said in full elsewhere."""
+        """The signals that are called by a number, and described in full elsewhere."""
 
     def words(self, index: int) -> str:
-        """A signal, as what its name stands for or by its number."""
+        """A signal by its name, its meaning or its number."""
         if self._sizes[index] > MOST_PARTS:
             self.apart.setdefault(index)
             return f"number {index}"
         return self.in_full(index)
 
     def in_full(self, index: int) -> str:
-        """A signal by what it is made of."""
+        """A signal in terms of its operands."""
         signal = self._machine.signals[index]
         match signal.node:
             case ir.Constant():
@@ -102,7 +104,7 @@ class Numbers:
         return self._arrays[index]
 
     def array_of(self, proposition: int) -> str:
-        """The array, or the list, whose elements a condition is on."""
+        """The array or list whose elements a condition uses."""
         array = ir.element_arrays(self._machine).propositions[proposition]
         return "no array" if array is None else self._whole(array)
 
@@ -112,13 +114,13 @@ class Numbers:
         return self._arrays[array] if its_list is None else self._lists[its_list]
 
     def _element(self, array: ir.Array) -> str:
-        """The element at hand of an array, or a field of that of a list."""
+        """The current element of an array, or a field of the current element of a list."""
         if array.list is None:
             return "the element"
         return f"its {path_words(array.path[array.path.index(ir.EACH) + 1 :])}"
 
     def range(self, low: int, high: int) -> str:
-        """Two ends; a constant that names both is named once."""
+        """Two ends. A constant that names both is named once."""
         ends = (self._machine.signals[low], self._machine.signals[high])
         name = ends[0].text
         if name.isidentifier() and all(
@@ -152,7 +154,7 @@ class Numbers:
 
 
 def _is_always(node: ir.PropositionNode) -> bool:
-    """Say whether a condition is true of each element: of a number, that it is itself."""
+    """Say whether a condition is true for each element, for example that a number equals itself."""
     is_equal = isinstance(node, ir.Compare) and node.comparison is ir.Comparison.EQUAL
     return is_equal and isinstance(node, ir.Compare) and node.left == node.right
 
@@ -179,8 +181,8 @@ def _field_name(
     names: frozenset[str],
     written: str | None,
 ) -> str:
-    """The name that the rules use, if it means this field alone; else the shortest one that does,
-    or the whole path. A query to the skills that run goes by its words.
+    """The name in the rules, if it means this field alone; else the shortest unique name, or the
+    whole path. A query about running skills is given by its words.
     """
     query = query_at(field.path)
     if query is not None:

@@ -1,5 +1,5 @@
-"""A safety file as one HTML page that needs nothing but a browser: no network, no other file, no
-script. Equal safety files give equal pages.
+"""A safety file as one HTML page that needs only a browser: no network, no other file, no script.
+Equal safety files give equal pages.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rossmarie.report.templates import asset, template
 from rossmarie.report.wiring import wiring_of, wiring_svg
 
 _MOST_NAMES = 3
-"""So many results that are open are named at the head of the page."""
+"""The number of open results that the head of the page names."""
 
 
 def render_safety_file(content: SafetyFile) -> str:
@@ -71,7 +71,7 @@ def render_safety_file(content: SafetyFile) -> str:
 
 
 def _coded(text: str) -> Markup:
-    """The words of a finding, with what stands between backticks as code."""
+    """The words of a finding, with the text between backticks as code."""
     return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
@@ -81,7 +81,7 @@ def _picture(machine: ir.Machine) -> str:
 
 
 class _Lines:
-    """Where a span is in the page: the anchor of its line, and what a link to it says."""
+    """The links to spans in the page: the anchor of a line, and the text of a link to it."""
 
     def __init__(self, content: SafetyFile) -> None:
         self._places = {source.file.path: place for place, source in enumerate(content.sources)}
@@ -104,7 +104,7 @@ class _Lines:
 
 
 def open_points(content: SafetyFile) -> tuple[str, ...]:
-    """Tell what is missing before the file can be signed, in words."""
+    """The missing parts before the file can be signed, in words."""
     found = []
     for kind, evidence in (
         (EvidenceKind.VERIFICATION, content.verification),
@@ -170,7 +170,7 @@ def _shortened(names: list[str]) -> tuple[str, ...]:
 
 
 def _missing(evidence: Evidence, content: SafetyFile) -> tuple[str, ...]:
-    """The sources that a report is not about."""
+    """The sources that a report does not cover."""
     return evidence.missing(_hashed(content))
 
 
@@ -200,7 +200,9 @@ def _hazards(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Hazard]:
 
 @dataclass(frozen=True)
 class _Exemption:
-    """A rule that is not applied while a skill runs, what that permits, and the rules instead."""
+    """A rule that is not applied while a skill runs, the permissions, and the rules that apply
+    instead.
+    """
 
     exempted: RuleText
     doing: str
@@ -241,7 +243,7 @@ def _groups(rules: tuple[RuleText, ...]) -> list[_Group]:
 
 @dataclass(frozen=True)
 class _Field:
-    """A field of a message: `kind` says what it holds, `unit` in which unit it arrives."""
+    """A field of a message, with the `kind` of its values and the `unit` in which it arrives."""
 
     name: str
     input: int
@@ -254,7 +256,9 @@ _KINDS = {ir.Kind.REAL: "number", ir.Kind.FLAG: "true or false", ir.Kind.TEXT: "
 
 
 def _kind_of_array(machine: ir.Machine, array: ir.Array) -> str:
-    """`array`, or what a field of the elements of a list is; and how many of these there may be."""
+    """`array`, or the kind of a field of the elements of a list; with the greatest number of
+    elements.
+    """
     if array.list is None:
         return "array"
     kind = ir.Kind.FLAG if holds_flags(array) else array.kind
@@ -311,7 +315,9 @@ def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
 
 
 def _claims(machine: ir.Machine) -> list[tuple[str, list[ir.Rule]]]:
-    """The resources that several rules need for themselves, and the order in which these get it."""
+    """The resources that several rules need exclusively, with the rules in the order in which they
+    get it.
+    """
     return [
         (machine.reactions.resources[resource], [machine.rules[rule] for rule in rules])
         for resource, rules in claims(machine).items()

@@ -1,4 +1,4 @@
-"""A sentence about a machine: words, and what a list below them says."""
+"""A sentence about a machine: words, and a list below them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from dslkit.source import Span
 
 @dataclass(frozen=True)
 class Phrase:
-    """Words; if they end in a colon, `parts` is what they announce.
+    """Words. If they end in a colon, `parts` is the list after it.
 
-    `span` is where the rules say so, `name` what they call it. `refers_to` is the anchor of the
-    place in the page that says it in full.
+    `span` is the place in the rules, `name` the name there. `refers_to` is the anchor of the full
+    description in the page.
     """
 
     text: str

@@ -1,4 +1,4 @@
-"""Proofs about the generated C as the results of a report: the rules, then every query."""
+"""Proofs about the generated C as the results of a report: the rules, then all queries."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PROVED, _, _, _NOT_PROVED = EvidenceKind.VERIFICATION.statuses
 
 
 def bound_of(machine: ir.Machine) -> str:
-    """Tell how far proofs about the C of a machine hold, and what they take for granted."""
+    """The limits of proofs about the C of a machine, and their assumptions."""
     arrays = f"; arrays of up to {ELEMENTS} elements" if machine.arrays else ""
     has_clouds = any(ir.POINTS in each.path for each in machine.lists)
     clouds = "; not how nodes take points out of the bytes of clouds" if has_clouds else ""
@@ -24,7 +24,9 @@ def bound_of(machine: ir.Machine) -> str:
 
 
 def verification_results(proofs: Proofs) -> Iterator[Result]:
-    """First of each rule whether it is right in runs of any length, which rests on all parts."""
+    """The results: first, for each rule, whether it is correct in runs of any length, which depends
+    on all parts.
+    """
     for name in proofs.rules:
         yield Result(
             name=f"rule {name} in runs of any length",

@@ -1,7 +1,7 @@
 """The meaning of each rule of a machine, in sentences.
 
 Takes a machine that `ir.verify` has passed. The sentences follow S35 to S38 and R1 to R8 of the
-documentation; each says one thing, so that it can be signed or struck out by itself.
+documentation; each states one fact, so that a reader can sign it or strike it out separately.
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from rossmarie.report.safety.phrase import Phrase, listed
 class RuleText:
     """One rule in sentences.
 
-    `when` activates it, `stale` does so for want of inputs, `unknown` changes nothing; `steps` is
-    what is done then, `order` who comes first, `ends` what releases it.
+    `when` are the conditions for activation, `stale` the activation because of stale inputs,
+    `unknown` the cases without effect. `steps` are the reactions, `order` the priorities, `ends`
+    the release.
     """
 
     name: str
@@ -40,7 +41,7 @@ class RuleText:
     categories: tuple[ir.Category, ...]
 
     def lines(self) -> Iterator[str]:
-        """All of it as lines of text."""
+        """The sentences as lines of text."""
         yield f"{self.name}:"
         yield from Phrase("When", (self.when,)).lines()
         yield from (f"- {sentence}" for sentence in (*self.stale, *self.unknown))
@@ -84,7 +85,7 @@ class _Writer:
     # --- when --------------------------------------------------------------------------------
 
     def _stale(self, rule: ir.Rule) -> Iterator[str]:
-        """S30, S35: which inputs make it active by their lack."""
+        """S30, S35: the inputs that activate the rule if they are stale."""
         values, ages = self._looked_at(rule.condition)
         guarded = [each for each in values if self._timeout(each) is not None]
         if guarded:
@@ -102,14 +103,14 @@ class _Writer:
             )
 
     def _unknown(self, rule: ir.Rule) -> Iterator[str]:
-        """S37: which inputs may be missing without any effect."""
+        """S37: the inputs that may be missing without any effect."""
         bare = [each for each in rule.inputs if self._timeout(each) is None]
         if bare:
             names = listed(tuple(self._machine.inputs[each].name for each in bare), "or")
             yield f"While that cannot be decided for want of {names} (no timeout), it stays as is."
 
     def _looked_at(self, condition: int) -> tuple[list[int], list[int]]:
-        """The inputs of which values are read, and those of which the age is."""
+        """The inputs whose values the condition uses, and the inputs whose ages it uses."""
         values: set[int] = set()
         ages: set[int] = set()
         for leaf in ir.leaf_propositions(self._machine, condition):
@@ -129,7 +130,7 @@ class _Writer:
     # --- then --------------------------------------------------------------------------------
 
     def _steps(self, index: int) -> Iterator[Phrase]:
-        """R3 to R6: the stages, one after the other; then what has no body."""
+        """R3 to R6: the stages in order, then the actions without a body."""
         plan = self._plan(index)
         stages = [stage for stage in plan.stages if stage]
         for number, stage in enumerate(stages, start=1):
@@ -154,7 +155,7 @@ class _Writer:
         return plans[index] if plans else reactions.RecoveryPlan((), ())
 
     def _order(self, index: int) -> Iterator[str]:
-        """R1, R2, S60: what it gives way to, and what it stands for."""
+        """R1, R2, S60: the rules that it gives way to, and the exemption that it stands for."""
         rule = self._machine.rules[index]
         if rule.always:
             yield "It holds always: neither a skill nor an operator exempts it."
@@ -199,7 +200,9 @@ class _Writer:
         return Phrase("It ends when both of these are known to be so:", both)
 
     def _calm_ns(self, condition: int, release: ir.PropositionNode) -> int | None:
-        """For how long its condition has to have been false, if that is the release."""
+        """The time in nanoseconds for which the condition has to be false, if this is the release;
+        else None.
+        """
         if not isinstance(release, ir.Held):
             return None
         node = self._machine.propositions[release.operand].node
@@ -208,7 +211,9 @@ class _Writer:
 
 
 def claims(machine: ir.Machine) -> dict[int, tuple[int, ...]]:
-    """The rules that need each resource, escalations included, the first to get it first (R2)."""
+    """The rules that need each resource, including escalations, in the order in which they get it
+    (R2).
+    """
     found = machine.reactions
     return {
         resource: tuple(

@@ -1,4 +1,6 @@
-"""A witness as a small picture: when messages arrive, and which rules are active when."""
+"""A witness as a small picture: the instants of messages, and the times during which rules are
+active.
+"""
 
 from __future__ import annotations
 
@@ -13,11 +15,11 @@ _WIDTH, _TAIL = 360.0, 48.0
 _ROW, _BAR, _AXIS = 22.0, 12.0, 20.0
 _LETTER = 7.2
 _CLOSEST = 46.0
-"""Instants that are nearer than this are not both written."""
+"""The least distance between two instants that are both labelled."""
 
 
 def witness_svg(machine: ir.Machine, witness: Witness) -> str:
-    """The text of an SVG element that the page styles; nothing if no rule becomes active."""
+    """The text of an SVG element that the page styles; empty if no rule becomes active."""
     seen = list(views(machine, witness))
     rules = [
         index for index in range(len(machine.rules)) if any(view.active[index] for view in seen)
@@ -65,7 +67,9 @@ def _line(root: ET.Element, kind: str, x1: float, y: float, x2: float) -> None:
 
 
 def _stretches(seen: Sequence[View], rule: int) -> Iterator[tuple[int, int | None]]:
-    """From when until when a rule is active; None: to the end."""
+    """The times during which a rule is active, as start and end; an end of None is the end of the
+    witness.
+    """
     begin_ns: int | None = None
     for view in seen:
         if view.active[rule] and begin_ns is None:
@@ -78,7 +82,7 @@ def _stretches(seen: Sequence[View], rule: int) -> Iterator[tuple[int, int | Non
 
 
 def _written(instants: Sequence[int], scale: float) -> Iterator[int]:
-    """The instants that are far enough from each other to be written."""
+    """The instants that are far enough from each other to be labelled."""
     last_ns: int | None = None
     for at_ns in instants:
         if last_ns is None or (at_ns - last_ns) * scale >= _CLOSEST:

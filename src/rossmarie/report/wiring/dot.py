@@ -1,4 +1,6 @@
-"""A wiring in the language of Graphviz: nodes are ellipses, what they use are boxes."""
+"""A wiring in the language of Graphviz: nodes are ellipses, and the things that they use are
+boxes.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +55,7 @@ def _thing(kind: Kind, name: str, below: str) -> str:
 
 
 def _id(kind: Kind, name: str) -> str:
-    """A topic and a service of one name are two things."""
+    """An identifier: a topic and a service of one name are different."""
     return _quoted(f"{kind.value} {name}")
 
 
@@ -66,5 +68,5 @@ def _lines(lines: Iterable[str]) -> str:
 
 
 def _quoted(text: str) -> str:
-    """No name of ROS, and none of the rules, holds a character that would end a quotation."""
+    """The quoted text. Names in ROS and in rules contain no character that ends a quotation."""
     return f'"{text}"'

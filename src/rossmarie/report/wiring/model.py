@@ -1,6 +1,7 @@
-"""The wiring of a machine, as data: what goes through its node, into it, and out of it.
+"""The wiring of a machine as data: the commands through its node, its inputs, and its outputs.
 
-Takes a machine that `ir.verify` has passed; `wiring_of` gives what the renderers beside this draw.
+The input is a machine that `ir.verify` has passed. The renderers in this package draw the result of
+`wiring_of`.
 """
 
 from __future__ import annotations
@@ -15,12 +16,12 @@ from rossmarie.naming import effect_words, node_name, relayed_servers, unfiltere
 
 PLANNER = "planner"
 ROBOT = "robot"
-"""Whoever publishes commands, and whoever follows them; the rules know neither by name."""
+"""The publisher of commands, and their receiver; the rules know neither by name."""
 
 
 @dataclass(frozen=True)
 class Use:
-    """An effect in words (`limit /cmd_vel`), the action it is of, and the rules that have it."""
+    """An effect in words (`limit /cmd_vel`), its action, and the rules that use it."""
 
     effect: str
     action: str
@@ -32,7 +33,9 @@ class Use:
 
 @dataclass(frozen=True)
 class Input:
-    """A topic that the node listens to; `timeout_ns` is the least of its inputs, if any has one."""
+    """A topic that the node subscribes to. `timeout_ns` is the least timeout of its inputs, if any
+    has one.
+    """
 
     topic: str
     message_type: str
@@ -62,8 +65,8 @@ class Kind(enum.Enum):
 
 @dataclass(frozen=True)
 class Output:
-    """Something outside of the node that rules act on; `type` is that of messages, requests or
-    goals, None where there is none or nobody says it.
+    """A target outside the node that rules act on. `type` is the type of messages, requests or
+    goals, None if there is none or if it is unknown.
     """
 
     kind: Kind
@@ -74,7 +77,9 @@ class Output:
 
 @dataclass(frozen=True)
 class Wiring:
-    """All of it; `remark` is what a reader would look for in vain, None if nothing is missing."""
+    """The whole wiring. `remark` explains a part that a reader might miss, None if nothing is
+    missing.
+    """
 
     node: str
     commands: tuple[Command, ...]
@@ -125,7 +130,7 @@ def _command(machine: ir.Machine, index: int) -> Command:
 
 
 def _filtered(effect: reactions.Effect) -> int | None:
-    """The command topic that an effect has to do with."""
+    """The command topic of an effect."""
     match effect:
         case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
             return topic
@@ -162,7 +167,7 @@ def _inputs(machine: ir.Machine) -> Iterator[Input]:
 
 
 def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
-    """The inputs on which the confirmations of a rule rest, and those whose poses it retraces."""
+    """The inputs of the confirmations of a rule, and the inputs whose poses it retraces."""
     plans, rests_on = machine.reactions.plans, ir.supports(machine).propositions
     for task in plans[rule].tasks if plans else ():
         effect = machine.reactions.tasks[task].effect
@@ -216,7 +221,7 @@ def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
 
 
 def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[Use, ...]:
-    """The uses that these tasks make of an output; those that rules have alike are one use."""
+    """The uses of an output by these tasks. Equal uses by several rules are one use."""
     rules: dict[tuple[str, str], dict[str, None]] = {}
     plans = zip(machine.rules, machine.reactions.plans, strict=True)
     rule_of = {task: rule.name for rule, plan in plans for task in plan.tasks}

@@ -1,7 +1,7 @@
-"""A wiring as a picture of its own: the node in the middle, commands across it on top, below them
-what it listens to on the left and what it acts on on the right.
+"""A wiring as a picture: the node in the middle, commands across its top, inputs below on the left,
+and outputs below on the right.
 
-Widths are reckoned from the numbers of characters, a little too wide for most fonts.
+Widths are computed from numbers of characters, a little too wide for most fonts.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def _block(name: str, *lines: str) -> Block:
 
 
 class _Picture:
-    """Draws from top to bottom; columns are as wide as what stands in them."""
+    """Draws from top to bottom. The content determines the width of columns."""
 
     def __init__(self, wiring: Wiring) -> None:
         self._wiring = wiring
@@ -99,7 +99,9 @@ class _Picture:
         self.root.attrib |= {"width": width, "height": height, "viewBox": f"0 0 {width} {height}"}
 
     def _set_columns(self) -> None:
-        """Where the boxes on the left, the node and the boxes on the right begin and end."""
+        """Compute the left and right ends of the boxes on the left, of the node, and of the boxes
+        on the right.
+        """
         wiring = self._wiring
         ends = [Block(name, ()) for name in (PLANNER, ROBOT)] if wiring.commands else []
         left, right = [*self._inputs, *ends[:1]], [*self._outputs, *ends[1:]]
@@ -116,7 +118,7 @@ class _Picture:
     # --- drawing -----------------------------------------------------------------------------
 
     def _draw(self) -> float:
-        """Draw everything; gives the height of the picture."""
+        """Draw everything. Returns the height of the picture."""
         width = self._node_end - self._node
         node = self._add("rect", "node", x=self._node, y=_MARGIN, width=width, rx=10)
         self._text(self._node + width / 2, _MARGIN + 25, self._wiring.node, "node-name")
@@ -129,7 +131,7 @@ class _Picture:
         return bottom + _MARGIN
 
     def _draw_commands(self, first: float) -> float:
-        """The planner and the robot stand beside all filters; gives where they end."""
+        """Draw the planner and the robot beside all filters. Returns their lower end."""
         top = first
         inside = self._node_end - self._node - 2 * _PADDING
         for command, block in zip(self._wiring.commands, self._filters, strict=True):
@@ -146,7 +148,7 @@ class _Picture:
         return top
 
     def _end(self, name: str, x: float, x_end: float, y: float, y_end: float) -> None:
-        """Where commands come from, or go to."""
+        """Draw the source or the target of commands."""
         self._add("rect", "box", x=x, y=y, width=x_end - x, height=y_end - y, rx=6)
         self._text((x + x_end) / 2, (y + y_end) / 2 + 4, name, "end")
 
@@ -193,13 +195,13 @@ def _widest(blocks: Sequence[Block]) -> float:
 
 
 def _wire_length(labels: Sequence[str]) -> float:
-    """As long as the longest label on a wire needs it."""
+    """The length of a wire: the longest label on it has to fit."""
     longest = max(map(len, labels), default=0)
     return max(_SHORTEST_WIRE, longest * _NAME_WIDTH + 2 * _PADDING)
 
 
 def _style() -> str:
-    """The styles of the picture, which say nothing about a page that it may stand in."""
+    """The styles of the picture, which do not affect the page around it."""
     folder = files("rossmarie.report") / "assets"
     names = ("palette.css", "wiring.css")
     text = "\n".join((folder / name).read_text(encoding="utf-8") for name in names)

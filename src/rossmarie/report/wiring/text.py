@@ -1,4 +1,4 @@
-"""A wiring as text for a terminal: no line is wider than asked for, and none needs colour."""
+"""A wiring as text for a terminal, without colours, and with lines of limited width."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _UNBROKEN = 1_000_000
 
 
 def wiring_text(wiring: Wiring, width: int | None = None) -> str:
-    """The wiring in lines of at most `width` columns, or as long as they are."""
+    """The wiring in lines of at most `width` columns; without a width, unbroken lines."""
     room = (width or _UNBROKEN) - _INDENT
     sections = [
         *(_command(wiring.node, command, room) for command in wiring.commands),

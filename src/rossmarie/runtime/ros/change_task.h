@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Changes something outside by service calls, and changes it back when no task has it any more.
+// Changes an external state by service calls, and restores it when no task needs it any more.
 #pragma once
 
 #include <functional>

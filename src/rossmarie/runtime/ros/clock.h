@@ -1,8 +1,7 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Instants: nanoseconds of ROS time, in order. ROS time that stands still (nobody publishes /clock
-// any more) is noticed by the steady clock of the system, which takes its place: else nothing would
-// ever be too old.
+//  Instants: nanoseconds of ROS time, in order. If ROS time stands still (/clock is not published
+// any more), the steady clock of the system detects this and takes its place; otherwise no message
+// would ever be too old.
 #pragma once
 
 #include <algorithm>
@@ -33,12 +32,12 @@ public:
 
     int64_t latest() const { return given_ns_; }
 
-    // How often time has gone back.
+    // The number of times that time has gone back.
     int jumps() const { return jumps_; }
 
     bool stands_still() const { return is_still_; }
 
-    // How far (ns) ROS time has jumped forward since the last call; 0: it has not.
+    // The distance (ns) by which ROS time has jumped forward since the last call; 0 without a jump.
     int64_t take_leap() { return std::exchange(leap_ns_, 0); }
 
 private:
@@ -47,7 +46,7 @@ private:
     static constexpr int64_t LEAP_NS = 1'000'000'000;
     static constexpr int64_t FASTER = 10; // than before: simulated time may run fast, but evenly
 
-    // The instant that it is now.
+    // The present instant.
     int64_t look()
     {
         const int64_t now = middleware_.now_ns();

@@ -1,7 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// The points of a cloud: from its bytes to columns of numbers. A cloud says itself where its
-// numbers are, and nothing of that is trusted.
+//  The points of a cloud: from its bytes to columns of numbers. A cloud describes the places of its
+// numbers, and this description is not trusted.
 #pragma once
 
 #include <array>
@@ -10,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-// A field of points that the rules read, and the room for it.
+// A field of points that the rules read, and memory for it.
 struct PointColumn {
     const char *name;
     double *room;
@@ -22,7 +21,7 @@ constexpr std::size_t UNKNOWN = SIZE_MAX; // more than any list may have
 constexpr std::array<const char *, 3> AXES{"x", "y", "z"};
 constexpr std::array<std::size_t, 9> SIZES{0, 1, 1, 2, 2, 4, 4, 4, 8}; // by type, INT8 is 1
 
-// Where a number is in the bytes of a point, and of which type; the type 0 is no number.
+// The place of a number in the bytes of a point, and its type; type 0 is not a number.
 struct Place {
     std::size_t offset = 0;
     std::size_t type = 0;
@@ -63,7 +62,8 @@ inline double number_at(const std::uint8_t *bytes, std::size_t type, bool is_big
     }
 }
 
-// How many fields of the points have a name; `place` is that of the last one, if it is one number.
+// The number of fields of the points with a name; `place` belongs to the last one, if it is a
+// single number.
 template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Place &place)
 {
     std::size_t found = 0;
@@ -82,7 +82,7 @@ template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Pl
     return found;
 }
 
-// Whether all points lie in the bytes that there are, and none over others.
+// True if all points lie inside the data, and none overlap.
 template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
 {
     const std::uint64_t rows = cloud.height, columns = cloud.width;
@@ -98,8 +98,9 @@ template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
 
 } // namespace clouds
 
-// Fills the columns with the points that have a place, and gives how many these are; UNKNOWN if
-// there are more than `most`, with those without a place, or if the cloud cannot be read.
+// Fills the columns with the points that have a position, and returns their number; UNKNOWN if
+// there are more than `most` points, including those without a position, or if the cloud cannot be
+// read.
 template <class Cloud, std::size_t COLUMNS>
 std::size_t points(const Cloud &cloud, std::size_t most, const PointColumn (&columns)[COLUMNS])
 {

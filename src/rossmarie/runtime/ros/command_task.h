@@ -1,12 +1,11 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// A command of a rule's own.
+// A command that a rule publishes.
 #pragma once
 
 #include "filter.h"
 #include "task.h"
 
-// A command, once or again and again: then it takes the place of the planner's. Bounds hold for it.
+// A command, sent once or repeatedly: then it replaces the planner's. Bounds apply to it.
 template <class Command> class CommandTask : public Task {
 public:
     using Message = typename Command::Message;

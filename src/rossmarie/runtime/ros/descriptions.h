@@ -1,7 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Tables of the generated rules.cpp: what the rules, their inputs, their tasks are called, and what
-// they need.
+// Tables of the generated rules.cpp: the names of rules, inputs and tasks, and their needs.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// How a value of a verdict is shown: value * scale + offset in `unit`.
+// The display of a value in a verdict: value * scale + offset in `unit`.
 struct ValueText {
     enum Kind { NUMBER, FLAG, TEXT } kind;
     const char *unit;
@@ -24,8 +22,8 @@ struct RuleInput {
     bool has_timeout;
 };
 
-// What a rule says, in the words of its author, and what its verdicts rest on. Nobody can exempt a
-// rule that holds always.
+// The texts of a rule, in the words of its author, and the terms of its verdicts. A rule that is
+// always applied cannot be exempted.
 struct RuleText {
     const char *name;
     const char *condition;
@@ -65,7 +63,7 @@ struct RuleParameter {
 };
 extern const std::vector<RuleParameter> RULE_PARAMETERS;
 
-// Where commands come from.
+// The source of commands.
 extern const std::vector<std::string> SOURCES;
 
 struct TaskText {
@@ -76,7 +74,7 @@ struct TaskText {
 };
 extern const std::vector<TaskText> TASKS;
 
-// What another node has to offer: a service, or a topic that says that it is there.
+// A requirement on another node: a service, or a topic that shows its presence.
 struct OtherText {
     const char *title;
     const char *name;
@@ -84,10 +82,10 @@ struct OtherText {
 };
 extern const std::vector<OtherText> OTHERS;
 
-// Of the names of the latched rules: another set of them has another key.
+// The key of the names of the latched rules: another set of them has another key.
 extern const char *const LATCHED_RULES_KEY;
 
-// How many rows a table has; they are reported by index.
+// The number of rows of a table; the index identifies a row.
 template <class Row> int count(const std::vector<Row> &table)
 {
     return static_cast<int>(table.size());

@@ -1,6 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
-// A command topic: what comes in on the unfiltered topic goes out on the filtered one, bounded.
+// A command topic: commands on the unfiltered topic are bounded and published on the filtered one.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ public:
             send(now_ns);
     }
 
-    // A message that takes the place of the planner's until `give_back`.
+    // A message that replaces the planner's until `give_back`.
     void take_over(const Message &message)
     {
         is_taken_over_ = true;
@@ -167,7 +167,7 @@ private:
         });
     }
 
-    // Whether anything is held back that was let through at last: that cannot wait.
+    // True if bounds restrict a number that was sent last: this cannot wait.
     bool is_stricter(const Bounds &bounds) const
     {
         return !std::equal(bounds.begin(), bounds.end(), sent_.begin(), [](auto &a, auto &b) {

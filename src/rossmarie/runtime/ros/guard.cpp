@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// The work of the guard: messages and time go through the monitor, the reactor and the filters.
+// The work of the guard: the monitor, the reactor and the filters process messages and time.
 #include "guard.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@ static const std::chrono::seconds CHECK_PERIOD{1}; // ... at others, and at who 
 
 // --- begin ---------------------------------------------------------------------------------------
 
-// Whoever compiled the core did so with flags that change results, or the process changes them.
+// The flags of the core's compiler can change results, and so can the process.
 static void must_compute(const char *fault)
 {
     if (fault)
@@ -99,7 +98,7 @@ int64_t Guard::next_wake() const
     return wake_ns;
 }
 
-// By ROS time that stands still for longer, no input with a timeout would ever be stale.
+// If ROS time stands still for longer, no input with a timeout would ever be stale.
 int64_t Guard::clock_timeout() const
 {
     if (settings_.clock_timeout_ns > 0)
@@ -162,7 +161,7 @@ bool Guard::begin_when_ready(int64_t at_ns)
     return has_begun_ = is_ready || is_over;
 }
 
-// Time passes.
+// Lets time pass.
 void Guard::step()
 {
     using Seconds = std::chrono::duration<double>;
@@ -192,7 +191,7 @@ void Guard::step()
         publish_diagnostics();
 }
 
-// What follows from the monitor: to be called after each of its calls, with the same instant.
+// Runs the reactor. Call it after each call of the monitor, with the same instant.
 void Guard::follow(int64_t at_ns)
 {
     end_exemptions(at_ns);
@@ -205,7 +204,7 @@ void Guard::follow(int64_t at_ns)
     tell(at_ns);
 }
 
-// Until all inputs with a timeout have arrived once no command passes.
+// No command passes until all inputs with a timeout have arrived once.
 void Guard::open_when_ready(int64_t at_ns)
 {
     if (is_open_)
@@ -238,7 +237,8 @@ void Guard::stop_all()
         filter->stop();
 }
 
-// --- what the monitor and the reactor say --------------------------------------------------------
+// --- reports of the monitor and the reactor
+// -------------------------------------------------------
 
 void Guard::on_event(const core::Event &event)
 {

@@ -5,7 +5,7 @@
 // the reactor (what follows?) and the filters (what may pass?) before the next is looked at.
 // These two are the C of the rules (core:: in rules.h). They decide, the guard performs.
 //
-// guard.cpp has its work, operators.cpp what operators can do, telling.cpp what others are reported.
+// guard.cpp contains its work, operators.cpp the operators' services, telling.cpp the reports.
 #pragma once
 
 #include <chrono>
@@ -32,25 +32,25 @@ public:
     // Throws BadParameter, as `check` does.
     Guard(Middleware &middleware, const Settings &settings);
 
-    // Whether these settings can be meant, without looking at files.
+    // True if these settings are valid, without a check of files.
     static void check(const Middleware &middleware, const Settings &settings);
 
-    // The topics that the guard listens to, as they are called in its namespace.
+    // The topics that the guard subscribes to, with their names in its namespace.
     static std::vector<std::string> topics();
 
-    // To be called when time has passed.
+    // Call it when time has passed.
     void step();
 
-    // How long (s) until `step` has something to do, if nothing comes in.
+    // The seconds until `step` has something to do, if no message arrives.
     double wait();
 
-    // Whether latched rules will be there again after a restart.
+    // True if latched rules are kept over a restart.
     bool is_kept() const { return latched_.is_kept(); }
 
     // The last command of the guard on each command topic: 0.
     void stop_all();
 
-    // What tasks need.
+    // The services for tasks.
     Middleware &middleware() override { return middleware_; }
     void report(int task, bool success) override;
     void diagnose(int task, int level, const char *text) override;

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// A topic that rules look at: which of its messages are taken, and at which instant.
+// A topic that rules read: the accepted messages, and the instant of each.
 #pragma once
 
 #include <functional>
@@ -11,7 +10,7 @@
 #include "stamps.h"
 #include "throttle.h"
 
-// What the diagnostics tell of an input topic.
+// The data about an input topic for the diagnostics.
 class AnyInput {
 public:
     virtual ~AnyInput() = default;
@@ -70,7 +69,7 @@ private:
     void receive(const Message &message, int64_t received_ns)
     {
         clock_.now();
-        if (clock_.stands_still()) { // nobody knows when it is from
+        if (clock_.stands_still()) { // the instant of its measurement is unknown
             refuse("ROS time stands still");
             return;
         }

@@ -30,7 +30,7 @@
 
 class LatchedRules {
 public:
-    // `path` is empty where nothing else is said; `node` is the full name of the node. Throws
+    // `path` is empty for the default path; `node` is the full name of the node. Throws
     // BadParameter if the file cannot be written, or if another node uses it.
     LatchedRules(std::string path, const std::string &node) : path_(std::move(path))
     {
@@ -53,9 +53,9 @@ public:
     LatchedRules(const LatchedRules &) = delete;
     LatchedRules &operator=(const LatchedRules &) = delete;
 
-    // Latches what the file names. A file that is there and cannot be read, or that names what is
-    // no latched rule, latches all: nobody knows what it would have said. So does, where there is
-    // no file yet, one that this node has left under other rules.
+    // Latches what the file names. A file that is there and cannot be read, or that names a rule
+    // that is not latched, latches all rules, because its intended content is unknown. So does,
+    // where there is no file yet, one that this node has left under other rules.
     void restore(core::Monitor &monitor)
     {
         if (!has_any())
@@ -108,7 +108,7 @@ private:
         });
     }
 
-    // The folder for what programs of ROS keep.
+    // The folder for data of ROS programs.
     static std::string usual_folder()
     {
         const char *ros_home = std::getenv("ROS_HOME");
@@ -116,7 +116,7 @@ private:
         const std::string folder = ros_home != nullptr ? ros_home
                                    : home != nullptr   ? std::string(home) + "/.ros"
                                                        : ".";
-        mkdir(folder.c_str(), 0755); // where it is there already, this does nothing
+        mkdir(folder.c_str(), 0755); // if it exists already, this does nothing
         return folder;
     }
 

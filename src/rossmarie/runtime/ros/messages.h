@@ -77,7 +77,7 @@ inline double text_index(const std::string &text)
     return found == TEXTS.end() ? -1.0 : static_cast<double>(found - TEXTS.begin());
 }
 
-// Whether an array is as long as it is said to be, not of a fixed size.
+// True if an array is as long as it is said to be, not of a fixed size.
 template <class Array>
 constexpr auto is_resizable(int) -> decltype(std::declval<Array>().resize(1), true)
 {

@@ -1,22 +1,21 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What the node needs of others.
+// The requirements of the node on other nodes.
 #pragma once
 
 #include <map>
 #include <string>
 
-// A service, or a topic: then of a type, if it matters. `title` is what people call it.
+// A service, or a topic, with its type if the type matters. `title` is its name for users.
 struct Need {
     std::string title;
     std::string name;
     std::string type;
     bool is_service = false;
-    bool is_optional = false; // nobody has to offer it
+    bool is_optional = false; // no node has to offer it
 };
 
-// What the node finds out of others.
+// The results of the check of other nodes.
 struct Findings {
-    std::map<std::string, std::string> problems; // what is missing, by title, and how
-    std::map<std::string, std::string> bypassed; // command topics, and who else publishes them
+    std::map<std::string, std::string> problems; // missing requirements, by title, with the problem
+    std::map<std::string, std::string> bypassed; // command topics, with their other publishers
 };

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What operators can ask the node and tell it.
+// The services of the node for operators.
 #include "guard.h"
 #include "reports.h"
 

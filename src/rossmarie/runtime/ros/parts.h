@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What the generated rules.cpp makes for the guard: inputs, filters and tasks.
+// The parts that the generated rules.cpp makes for the guard: inputs, filters and tasks.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +23,8 @@
 
 using Inputs = std::vector<std::unique_ptr<AnyInput>>;
 
-// Where the fields of messages go. `arrive` is called for each channel that a message is for, then
-// `take`.
+// The receiver of the fields of messages. `arrive` is called for each channel that a message
+// updates, then `take`.
 struct Listener {
     Middleware &middleware;
     Clock &clock;
@@ -39,10 +38,10 @@ struct Listener {
 // An input for each channel.
 Inputs make_inputs(const Listener &listener);
 
-// What the parameters of the rules are, for the monitor.
+// The parameters of the rules, for the monitor.
 void give(core::Values &values, const std::vector<double> &given);
 
-// What filters need.
+// The needs of filters.
 struct Filtering {
     Clock &clock;
     const core::Reactor &reactor;
@@ -66,7 +65,7 @@ template <class Channel> auto shares(int) -> decltype(&Channel::has, std::true_t
 template <class Channel> std::false_type shares(long);
 template <class Channel> constexpr bool is_shared = decltype(shares<Channel>(0))::value;
 
-// Takes over what a message has for a channel, if it shares its topic with the one that listens.
+// Copies the content of a message for a channel that shares its topic with the subscribing one.
 template <class Listening, class Channel>
 bool take_over(const Listener &listener, const typename Listening::Message &message, int channel,
                int64_t at_ns)

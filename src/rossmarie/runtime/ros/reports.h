@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What happened and what is, in words.
+// Events and states in words.
 #pragma once
 
 #include <cmath>
@@ -36,7 +35,7 @@ inline std::string of_input(int input, int state)
                                                  : "is older than its timeout");
 }
 
-// The inputs that a rule lacks; if none is silent, what it looked at and its condition.
+// The missing inputs of a rule; if none is silent, its values and its condition.
 inline std::string cause(const core::Event &event)
 {
     const RuleText &rule = RULES[event.rule];

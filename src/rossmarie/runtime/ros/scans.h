@@ -1,8 +1,7 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// The beams of a laser scan: sectors, points, and beams that tell nothing. A scan says itself at
-// which angles its beams are, and nothing of that is trusted. Compile with -ffp-contract=off:
-// angles are those of replays to the last bit.
+// The beams of a laser scan: sectors, points, and beams without a reading. A scan describes the
+// angles of its beams, and this description is not trusted. Compile with -ffp-contract=off: angles
+// are those of replays to the last bit.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-// A field of beams that the rules read, and the room for it.
+// A field of beams that the rules read, and memory for it.
 enum class BeamField { RANGE, ANGLE, INTENSITY };
 struct BeamColumn {
     BeamField field;
@@ -27,7 +26,7 @@ constexpr double MISCOUNT = 1.5; // increments, by which `angle_max` may be off
 
 enum class Reading { RETURN, CLOSE, NOTHING, INVALID };
 
-// The numbers of a scan that say what its readings are.
+// The numbers of a scan that describe its readings.
 struct Frame {
     double first, increment, step, low, high;
     std::size_t count;
@@ -56,7 +55,7 @@ template <class Scan> Frame frame_of(const Scan &scan)
     return frame;
 }
 
-// Whether a scan does not contradict itself.
+// True if a scan is consistent.
 template <class Scan> bool is_sound(const Scan &scan, const Frame &frame)
 {
     const double last = static_cast<double>(scan.angle_max);
@@ -75,7 +74,7 @@ template <class Scan> bool is_sound(const Scan &scan, const Frame &frame)
 // An angle less whole turns, from 0 on.
 inline double within_turn(double angle) { return angle - std::floor(angle / TURN) * TURN; }
 
-// Whether beams reach over a sector, to within one increment at each end.
+// True if the beams cover a sector, to within one increment at each end.
 inline bool reaches_over(const Frame &frame, double first, double width)
 {
     const double last = static_cast<double>(frame.count - 1);
@@ -89,7 +88,7 @@ inline bool reaches_over(const Frame &frame, double first, double width)
 
 } // namespace scans
 
-// Fills `found` with the readings of a sector that tell something, with none if nothing is known.
+// Fills `found` with the valid readings of a sector; with none if the scan is unknown.
 template <class Scan>
 void sector(const Scan &scan, double first, double width, std::vector<double> &found)
 {
@@ -110,8 +109,8 @@ void sector(const Scan &scan, double first, double width, std::vector<double> &f
     }
 }
 
-// Fills the columns with the points of a scan, or with the beams that tell nothing, and gives how
-// many these are; UNKNOWN if the scan has more than `most` beams, or if nothing is known of it.
+// Fills the columns with the points of a scan, or with the beams without a reading, and returns
+// their number; UNKNOWN if the scan has more than `most` beams, or if it is unknown.
 template <class Scan, std::size_t COLUMNS>
 std::size_t beams(const Scan &scan, bool are_points, std::size_t most,
                   const BeamColumn (&columns)[COLUMNS])

@@ -30,7 +30,8 @@ static const std::vector<ParameterText> OF_ALL_RULES = {
      "refused."},
 };
 
-// Those of these rules: from what they say to what is tightest, whichever of the two is greater.
+// The parameters of these rules: from the value in the rules to the tightest value, whichever of
+// the two is greater.
 static std::vector<ParameterText> with_own()
 {
     std::vector<ParameterText> all = OF_ALL_RULES;
@@ -57,7 +58,7 @@ static const ParameterText *parameter_called(const std::string &name)
     return found == all.end() ? nullptr : &*found;
 }
 
-// A number that lies where its parameter says; NaN does not.
+// A number within the limits of its parameter; NaN is not.
 static double number(const ParameterSource &source, const char *name)
 {
     const ParameterText &about = *parameter_called(name);
@@ -70,7 +71,7 @@ static double number(const ParameterSource &source, const char *name)
     return value;
 }
 
-// A name that is misspelt would leave a safety setting at what is usual.
+// A misspelt name would leave a safety setting at its default.
 static void refuse_unknown(const ParameterSource &source)
 {
     for (const std::string &name : source.names())

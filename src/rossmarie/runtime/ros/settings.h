@@ -28,8 +28,8 @@ struct ParameterText {
 };
 const std::vector<ParameterText> &parameter_texts();
 
-// Where parameters come from. `read` is false, and leaves the value, if a parameter is not given;
-// it throws BadParameter if it is of another kind. `names` are those that are given, or more.
+// The source of parameters. `read` returns false, and leaves the value, if a parameter is not
+// given; it throws BadParameter if it is of another kind. `names` are the given ones, or more.
 class ParameterSource {
 public:
     virtual ~ParameterSource() = default;
@@ -50,5 +50,5 @@ struct Settings {
     std::vector<double> given; // for each parameter of the rules
 };
 
-// Throws BadParameter for what is given and cannot be meant.
+// Throws BadParameter for invalid values.
 Settings settings(const ParameterSource &source);

@@ -1,7 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Answers of the skills that run to the queries of the rules. Nothing in a message is trusted:
-// where it is from another export, or too large, nobody knows the answer, which is NAN.
+// Answers of the running skills to the queries of the rules. Messages are not trusted: if a message
+// comes from another export, or is too large, the answer is NAN (unknown).
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ template <class... Texts> constexpr Names<sizeof...(Texts)> names(Texts... texts
     return {texts...};
 }
 
-// A parameter, and the classes of which its argument has to have one.
+// A parameter, and the classes of its argument: it has to have one of them.
 template <std::size_t COUNT> struct Limit {
     const char *parameter;
     Names<COUNT> classes;
@@ -59,7 +58,7 @@ template <class Context> bool is_readable(const Context &context, const char *di
     return context.digest == digest && are_readable(context.running) && are_readable(context.ahead);
 }
 
-// Whether an argument of a skill is of a class. A thing of several classes is there once for each.
+// True if an argument of a skill is of a class. A thing of several classes occurs once for each.
 template <class Skill, std::size_t COUNT>
 bool is_within(const Skill &skill, const Limit<COUNT> &limit)
 {
@@ -69,7 +68,7 @@ bool is_within(const Skill &skill, const Limit<COUNT> &limit)
     return false;
 }
 
-// 1 if a running skill is one of `asked`, and its arguments are within all limits, 0 if none is.
+// 1 if a running skill is one of `asked`, and its arguments are within all limits; 0 if none is.
 template <class Context, class Asked, class... Limits>
 double doing(const Context &context, const char *digest, const Asked &asked,
              const Limits &...limits)
@@ -82,7 +81,7 @@ double doing(const Context &context, const char *digest, const Asked &asked,
     return 0.0;
 }
 
-// Whether nobody knows yet the argument of a parameter of a skill that can start next.
+// True if the argument of a parameter of a skill that can start next is still unknown.
 template <class Skill, std::size_t COUNT>
 bool is_open(const Skill &skill, const Limit<COUNT> &limit)
 {
@@ -92,8 +91,8 @@ bool is_open(const Skill &skill, const Limit<COUNT> &limit)
     return true;
 }
 
-// 1 if a skill that can start next is one of `asked`, and its arguments may be within all limits,
-// 0 if none is.
+// 1 if a skill that can start next is one of `asked`, and its arguments may be within all limits; 0
+// if none is.
 template <class Context, class Asked, class... Limits>
 double ahead(const Context &context, const char *digest, const Asked &asked,
              const Limits &...limits)
@@ -107,7 +106,7 @@ double ahead(const Context &context, const char *digest, const Asked &asked,
     return 0.0;
 }
 
-// A number that is there at least once, and always the same.
+// A number that occurs at least once, always with the same value.
 class OnlyNumber {
 public:
     void add(double number)

@@ -18,7 +18,7 @@ template <class Message> constexpr bool has_stamp()
     return !std::is_same_v<decltype(stamp_of(std::declval<Message &>(), 0)), std::nullptr_t>;
 }
 
-// Says when a message is sent, if it has room for that.
+// Sets the stamp of a message, if the message has one.
 template <class Message, class Time> void put_stamp(Message &message, const Time &time)
 {
     if constexpr (has_stamp<Message>())

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Stops and starts controllers of a controller manager, and finds out whether it has them.
+// Stops and starts controllers of a controller manager, and checks whether it has them.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What the actions of rules do. The reactor says when: `start` when a task comes into force, `stop`
-// when its rule is released or another rule has what it needs, `give_up` when it has failed.
+// The actions of rules. The reactor decides the time: it calls `start` when a task comes into
+// force, `stop` when its rule is released or another rule has its resource, `give_up` when it has
+// failed.
 #pragma once
 
 #include <functional>
@@ -23,18 +23,18 @@ public:
     // Sends a pose of the past: x, y and z in m, and with an orientation its quaternion.
     virtual void retrace(int64_t /*now_ns*/, const double * /*pose*/) {}
 
-    // Finds out what others lack that `start` will need. It is reported later, in a few words; "" if
-    // nothing.
+    // Finds missing requirements of `start` on other nodes. The result comes later, in a few words;
+    // "" if nothing is missing.
     virtual void check(std::function<void(const std::string &lacking)> /*tell*/) {}
 
-    // When `tick` has something to do next.
+    // The instant at which `tick` has something to do next.
     virtual int64_t next_ns() const { return INT64_MAX; }
 };
 
-// A limit or a scale: the reactor bounds the commands by itself.
+// A limit or a scale: the reactor bounds the commands itself.
 class BoundTask : public Task {};
 
-// A message, once (period_ns is 0) or again and again.
+// A message, sent once (period_ns is 0) or repeatedly.
 template <class Message> class PublishTask : public Task {
 public:
     PublishTask(Middleware &middleware, const std::string &topic, int64_t period_ns,
@@ -50,7 +50,7 @@ public:
 
     void tick(int64_t now_ns) override
     {
-        // Where time jumped back, the rhythm begins anew.
+        // After a jump back in time, the period begins anew.
         if (now_ns >= next_ns_ || (next_ns_ != INT64_MAX && next_ns_ - now_ns > period_ns_))
             send(now_ns);
     }
@@ -69,7 +69,7 @@ private:
     Message message_;
 };
 
-// Poses of the past, one message each: the reactor says which, and when.
+// Poses of the past, one per message: the reactor decides which, and when.
 template <class Message> class RetraceTask : public Task {
 public:
     using Put = std::function<void(Message &message, const double *pose)>;
@@ -93,7 +93,7 @@ private:
     Put put_;
 };
 
-// Whether a response means success: it does unless it has a field `success` that is false.
+// True if a response means success: it does unless it has a field `success` that is false.
 template <class Response>
 auto is_success(const Response &response, int) -> decltype(bool(response.success))
 {
@@ -123,7 +123,7 @@ public:
         });
     }
 
-    // What comes of the call does not matter any more.
+    // The result of the call does not matter any more.
     void stop() override { ++run_; }
 
 private:
@@ -133,7 +133,7 @@ private:
     Client<Service> client_;
 };
 
-// Anything that is done at the start, at the end, or at both.
+// A function at the start, at the end, or at both.
 class DoTask : public Task {
 public:
     explicit DoTask(

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What the node tells: verdicts, its state, and diagnostics.
+// The reports of the node: verdicts, its state, and diagnostics.
 #include "guard.h"
 
 #include <utility>
@@ -165,8 +164,8 @@ void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
         add(found, "action " + reports::of_task(task), DiagnosticStatus::ERROR, lacking);
 }
 
-// Whoever commands the robot past the filter cannot be held back: the node does not add to it,
-// sends 0 itself, and says so.
+// Another node that commands the robot past the filter cannot be stopped: this node does not add
+// commands, sends 0 itself, and reports the other node.
 void Guard::take_findings(const Findings &found)
 {
     for (const auto &[topic, by] : found.bypassed)
@@ -191,8 +190,8 @@ void Guard::take_findings(const Findings &found)
     }
 }
 
-// Finds out, without waiting, whether what the node needs is there: topics with the types that are
-// expected, services, action servers, controllers.
+// Checks, without waiting, whether the node's requirements are met: topics with the expected types,
+// services, action servers, controllers.
 void Guard::check_others()
 {
     is_checking_ = true;

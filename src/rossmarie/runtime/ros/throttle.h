@@ -1,13 +1,12 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Keeps what may happen a thousand times a second from filling the log.
+// Limits the rate of frequent log lines.
 #pragma once
 
 #include <chrono>
 
 class Throttle {
 public:
-    // True once a second at most.
+    // True at most once a second.
     bool is_due()
     {
         const auto now = std::chrono::steady_clock::now();

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Transforms between frames: a message on /tf has any number of them, for anybody.
+// Transforms between frames: a message on /tf has any number of them, from any node.
 #pragma once
 
 #include <cmath>
@@ -8,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-// Whether a text is the name of a frame. Older programs write a slash in front, which tf2 leaves
+// True if a text is the name of a frame. Older programs write a slash in front, which tf2 leaves
 // out.
 inline bool is_frame(const std::string &text, const char *name)
 {
@@ -19,7 +18,7 @@ inline bool is_frame(const std::string &text, const char *name)
 template <class Message>
 using Transform = std::decay_t<decltype(std::declval<const Message &>().transforms[0].transform)>;
 
-// The transform of a frame that somebody says is in another parent: nobody knows where it is.
+// The transform of a frame with another parent than declared: its place is unknown.
 template <class Message> const Transform<Message> &unknown_transform()
 {
     static const Transform<Message> unknown = [] {

@@ -1,7 +1,7 @@
-"""The text of the user, as a tree. Every node remembers its span; nothing is resolved or checked.
+"""The syntax tree of the user's text. Every node stores its span. No name is resolved or checked.
 
-Comes out of `parse`; goes into `check` and `format`. `Broken` stands where text could not be
-parsed: the finding is already reported and later stages pass over it in silence.
+`parse` creates the tree; `check` and `format` read it. `Broken` marks text that could not be
+parsed: its finding is reported already, and later stages ignore it.
 """
 
 from rossmarie.syntax.ast.effects import (

@@ -1,5 +1,4 @@
-"""The effects in the body of an action, which say what it does. Times are expressions, not yet
-known to be times.
+"""The effects in the body of an action. Times are expressions whose type is not checked yet.
 
 `topic` is a topic as written, or its alias; services, action servers, controller managers and nodes
 are named in the same way.
@@ -31,7 +30,7 @@ class FieldPath:
 
 @dataclass(frozen=True)
 class Target:
-    """`/cmd_vel : geometry_msgs/Twist`; without a type, it is known from elsewhere."""
+    """`/cmd_vel : geometry_msgs/Twist`. Without a type, another statement gives it."""
 
     name: Name
     type: Name | None

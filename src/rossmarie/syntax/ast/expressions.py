@@ -18,7 +18,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit as written behind a number, `m/s`; not yet known to exist."""
+    """A written unit after a number, `m/s`, whose existence is not checked yet."""
 
     text: str
     span: Span
@@ -80,7 +80,7 @@ class Text:
 @dataclass(frozen=True)
 class Bracket:
     """`[-10, 10] deg`: an interval (2 numbers) or a box (6: min and max per axis). In a test also
-    any number of elements, or none.
+    any number of elements, including none.
     """
 
     elements: tuple[Expression, ...]
@@ -128,7 +128,7 @@ class Arc:
 
 @dataclass(frozen=True)
 class Sector:
-    """`scan.ranges[-30 deg .. 30 deg]`: what a scan has measured between two angles."""
+    """`scan.ranges[-30 deg .. 30 deg]`: the readings of a scan between two angles."""
 
     value: Expression
     arc: Arc
@@ -167,8 +167,8 @@ class Oscillates:
 
 @dataclass(frozen=True)
 class ListFold:
-    """`any(o in objects: o.size.x > 1 m)`: a function of what `body` says of each element of a
-    list of messages, which is called `variable` there.
+    """`any(o in objects: o.size.x > 1 m)`: a function of the values of `body` for the elements of a
+    list of messages; `variable` stands for the element.
     """
 
     function: Name
@@ -267,7 +267,7 @@ class Doing:
 
 @dataclass(frozen=True)
 class Parenthesized:
-    """`(x)`; kept so that the formatter can keep it."""
+    """`(x)`, kept for the formatter."""
 
     inner: Expression
     span: Span

@@ -1,4 +1,4 @@
-"""Imports, and the parameters of files that they give values to."""
+"""Imports, and the parameters of files that get values from imports."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
 
 @dataclass(frozen=True)
 class Given:
-    """`braking = 1.2 m/s^2`, `scan = /front/scan`: what a parameter stands for. A name is a topic;
-    a name of a rules file, or a frame, is an expression.
+    """`braking = 1.2 m/s^2`, `scan = /front/scan`: the value of a parameter. A topic is a name; a
+    name of a rules file, or a frame, is an expression.
     """
 
     name: Name
@@ -33,7 +33,7 @@ class Import:
 
 
 class Meaning(enum.Enum):
-    """The kind of what a parameter stands for; the value is its name in messages."""
+    """The kind of a parameter's value. The enum value is its name in messages."""
 
     VALUE = "a value"
     TOPIC = "a topic"
@@ -46,7 +46,7 @@ class Parameter:
     `parameter base = frame base_link;`.
 
     `default` is a name if it is a topic or a frame; a value without one has a `unit`. `tightens` is
-    the word behind `tightens` of a number that the running node may set, None if it may not.
+    the word behind `tightens` for a number that the running node may set, else None.
     """
 
     name: Name

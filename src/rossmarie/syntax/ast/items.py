@@ -15,7 +15,7 @@ from rossmarie.syntax.ast.zones import Zone
 @dataclass(frozen=True)
 class TopicDeclaration:
     """`topic Wrench = /ft/wrench : geometry_msgs/Wrench from tool at 100 Hz;` -- alias, unit, frame
-    and rate are optional. `source` is the frame that the headers of its messages say.
+    and rate are optional. `source` is the frame in the headers of its messages.
     """
 
     alias: Name | None
@@ -79,8 +79,8 @@ class UnitDeclaration:
 @dataclass(frozen=True)
 class FrameDeclaration:
     """`frame camera = "front/camera_link" in base_link at [0.3, 0, 0.5] m turned [0, 20, 180] deg;`
-    -- `at` and `turned` where it stays there; else the frame comes with /tf (it has a timeout) or
-    with /tf_static.
+    -- `at` and `turned` for a fixed frame; other frames arrive on /tf (with a timeout) or on
+    /tf_static.
     """
 
     alias: Name | None
@@ -116,7 +116,7 @@ SystemMember = (
 
 @dataclass(frozen=True)
 class System:
-    """`system husky { ... }` -- a system model: what topics there are, and of what type."""
+    """`system husky { ... }` -- a system model: the topics of a robot with their types."""
 
     name: Name
     members: tuple[SystemMember, ...]
@@ -126,7 +126,7 @@ class System:
 
 @dataclass(frozen=True)
 class LatchedUntilReset:
-    """`latched until reset`: released by an operator, while the rule's condition is false."""
+    """`latched until reset`: an operator releases the rule, while its condition is false."""
 
     span: Span
 
@@ -157,8 +157,8 @@ class Skills:
 
 @dataclass(frozen=True)
 class Constant:
-    """`const maxSpeed = 0.5 m/s`. One that stands for a `parameter` has its value, and nobody wrote
-    it as a constant.
+    """`const maxSpeed = 0.5 m/s`. A constant for a `parameter` has the value of the parameter; it
+    is not written as a constant.
     """
 
     name: Name
@@ -178,8 +178,8 @@ class ElementNames:
 
 @dataclass(frozen=True)
 class SkillNumber:
-    """`Push.Object.Weight`: a number of a skill that runs; `steps` are the parameter, and a
-    property of the thing that it is.
+    """`Push.Object.Weight`: a number of a running skill. `steps` are the parameter, and a property
+    of the thing in it.
     """
 
     skill: Name
@@ -191,12 +191,12 @@ class SkillNumber:
 class Input:
     """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
 
-    In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
-    a system model knows it. `bound` is the number behind `up to`. `number` is what stands behind
-    `= doing` instead of a topic, which has no text then. `source` is the frame behind `from`,
-    `frame` the one behind `in`; a bare name behind the only `in` is the `unit`, though it may be
-    meant as a frame. A `setting` is the value of a parameter that the running node may set, which
-    is no message of a topic.
+    In the short form `topic Wrench.force`, the topic is a plain name and `message_type` is None,
+    because a system model declares it. `bound` is the number behind `up to`. `number` is the number
+    behind `= doing` in place of a topic, which has no text then. `source` is the frame behind
+    `from`, `frame` the one behind `in`; a bare name behind the only `in` is the `unit`, though it
+    may be meant as a frame. A `setting` is the value of a parameter that the running node may set,
+    which is no message of a topic.
     """
 
     name: Name
@@ -257,7 +257,7 @@ class Keeps:
 
 @dataclass(frozen=True)
 class ClearWhen:
-    """`clear when COND`: released once the rule's condition is false and COND is true."""
+    """`clear when COND`: the rule is released when its condition is false and COND is true."""
 
     condition: Expression
     span: Span
@@ -265,7 +265,7 @@ class ClearWhen:
 
 @dataclass(frozen=True)
 class ClearFor:
-    """`clear for 2.0 sec`: released once the rule's condition has been false for that long."""
+    """`clear for 2.0 sec`: the rule is released when its condition has been false for that long."""
 
     duration: Expression
     span: Span
@@ -276,8 +276,8 @@ ResumeContract = ClearWhen | ClearFor | LatchedUntilReset
 
 @dataclass(frozen=True)
 class Step:
-    """`ACTION`, or `also ACTION else ACTION`: `also` puts it beside the step before it, `otherwise`
-    is what follows if it fails.
+    """`ACTION`, or `also ACTION else ACTION`. `also` starts the step together with the step before
+    it. `otherwise` is the action after a failure.
     """
 
     is_beside: bool
@@ -288,7 +288,9 @@ class Step:
 
 @dataclass(frozen=True)
 class Feedback:
-    """`1.0 per activation`, `0.5 per sec`; `time` is the unit behind `per`, None at the former."""
+    """`1.0 per activation`, `0.5 per sec`. `time` is the unit behind `per`, None for the first
+    form.
+    """
 
     amount: Expression
     time: Unit | None
@@ -297,7 +299,7 @@ class Feedback:
 
 @dataclass(frozen=True)
 class Margin:
-    """`margin in N`; without a unit it is a plain number."""
+    """`margin in N`. Without a unit, the margin is a plain number."""
 
     unit: Unit | None
     span: Span
@@ -305,9 +307,9 @@ class Margin:
 
 @dataclass(frozen=True)
 class Exemption:
-    """`unless doing SKILL then if COND then { STEP; ... }`: while the skill runs, the rule does not
-    do what it does otherwise. `steps` is what it does instead, None if nothing; `condition` is
-    what it looks at instead, None if that stays.
+    """`unless doing SKILL then if COND then { STEP; ... }`: while the skill runs, the rule is not
+    applied. `steps` are the steps that replace its own, None if there are none. `condition`
+    replaces its condition, None if the condition stays.
     """
 
     doing: Doing
@@ -323,7 +325,7 @@ class Rule:
     HAZARD` -- all but the condition and the steps is optional.
 
     More than one contract is reported by the checker. `always` is the place of that word. A rule
-    that was `made_from` an exemption stands for it; nobody wrote it.
+    that was `made_from` an exemption stands for it and has no text of its own.
     """
 
     name: Name | None
@@ -350,7 +352,7 @@ class Rule:
 
     @property
     def head(self) -> Span:
-        """The place that stands for the rule in messages: its name, or its condition."""
+        """The place of the rule in messages: its name, or its condition."""
         return self.condition.span if self.name is None else self.name.span
 
 
@@ -364,7 +366,7 @@ class Priority:
 
 @dataclass(frozen=True)
 class Hazard:
-    """`hazard H1 "collision with person";` -- what may happen, in words."""
+    """`hazard H1 "collision with person";` -- a possible harm, in words."""
 
     name: Name
     text: Text
@@ -380,8 +382,8 @@ Item = (
 
 @dataclass(frozen=True)
 class Module:
-    """One parsed file. `is_whole` is False if it could not be read to its end: then nobody knows
-    what it declares.
+    """One parsed file. `is_whole` is False if it could not be read to its end, so that its
+    declarations are not all known.
     """
 
     file: SourceFile

@@ -1,4 +1,4 @@
-"""Tests: what arrives when, and what is expected of the rules."""
+"""Tests: messages with their instants, and expectations about the rules."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rossmarie.syntax.ast.expressions import Arc, Doing, Expression, Name, Text
 
 @dataclass(frozen=True)
 class Stretch:
-    """`from 1 sec to 5 sec`; `from 1 sec until 5 sec` leaves the last instant out."""
+    """`from 1 sec to 5 sec`. `from 1 sec until 5 sec` excludes the last instant."""
 
     first: Expression
     last: Expression
@@ -30,7 +30,7 @@ class SettingPath:
 
 @dataclass(frozen=True)
 class Setting:
-    """`orientation.pitch = 12 deg`; `speed = unknown`; a bare `speed` keeps what was set."""
+    """`orientation.pitch = 12 deg`; `speed = unknown`; a bare `speed` repeats the last value."""
 
     path: SettingPath
     value: Expression | None

@@ -1,4 +1,4 @@
-"""The C99 target: a machine as one header and one source that need no library but math.h."""
+"""The C99 target: a machine as one header and one source that need only the library math.h."""
 
 from rossmarie.targets.base import Target
 from rossmarie.targets.c99.engine import version

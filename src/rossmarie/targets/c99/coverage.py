@@ -1,8 +1,8 @@
-"""Find what guards make superfluous.
+"""Checks that guards make superfluous.
 
-Takes a layout. A number inside its guard is finite, so a scalar that nothing but guards look at
-need not be checked on arrival. A guarded number that never arrived, or expired, is outside its
-guard, so the state of its input needs no look of its own.
+The input is a layout. A number inside its guard is finite, so a scalar that only guards use need
+not be checked on arrival. A guarded number that never arrived, or expired, is outside its guard, so
+the state of its input needs no separate check.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rossmarie.targets.c99.layout import Layout
 
 def covered_values(layout: Layout) -> frozenset[int]:
     """Values that may be kept as they arrive while all guards of their channel are satisfied:
-    guarded scalars, and their absolute and negated values, which nothing else is computed from.
+    guarded scalars, and their absolute and negated values, if no other value is computed from them.
     """
     machine = layout.machine
     looked_at = _looked_at_freely(layout)
@@ -53,9 +53,7 @@ def _is_mirror(machine: ir.Machine, signal: int) -> bool:
 
 
 def _looked_at_freely(layout: Layout) -> set[int]:
-    """The values that tests, oscillations and elements look at, which have no guard of their own
-    there.
-    """
+    """The values that tests, oscillations and elements use without a guard."""
     propositions = [*layout.value_of_test, *layout.oscillations]
     nodes = [layout.machine.propositions[proposition].node for proposition in propositions]
     signals = {signal for node in nodes for signal in ir.compared_signals(node)}

@@ -1,4 +1,4 @@
-"""Words of the generated C about its rules, for whoever runs it."""
+"""Texts of the generated C about its rules, for its users."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def rule_enumeration(layout: Layout) -> str:
 
 
 def text_declaration(layout: Layout) -> str:
-    """The texts that rules compare with, for whoever gives texts to a monitor."""
+    """The texts that rules compare with, for programs that give texts to a monitor."""
     texts = layout.machine.texts
     if not texts:
         return ""
@@ -41,7 +41,7 @@ def text_declaration(layout: Layout) -> str:
 
 
 def descriptions(layout: Layout) -> str:
-    """The tables of what each rule says, and of texts."""
+    """The tables with the texts of each rule, and of compared texts."""
     machine = layout.machine
     propositions = [proposition.name or proposition.text for proposition in machine.propositions]
     terms = [[propositions[index] for index in rule.terms] for rule in machine.rules]
@@ -60,7 +60,7 @@ def descriptions(layout: Layout) -> str:
 
 
 def _texts(declared: str, named: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table of texts; those of rule i stand one after another, as its numbers do elsewhere."""
+    """A table of texts. The texts of rule i are adjacent; other tables give their numbers."""
     quoted = [
         f"/* {comments.in_c(name)} */ {', '.join(map(names.string, row))},"
         for name, row in zip(named, rows, strict=True)

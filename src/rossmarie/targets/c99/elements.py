@@ -1,7 +1,7 @@
-"""Loops over arrays and lists: one pass for all that is asked of the elements of one of them.
+"""Loops over arrays and lists: one pass for all results over the elements of one of them.
 
-Takes a layout and the expressions of its machine; gives statements. Elementwise nodes use one
-array, or columns of one list, and numbers that are known before.
+The input is a layout and the expressions of its machine; the result is statements. Elementwise
+nodes use one array, or columns of one list, and numbers that are known before.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ _CALLS = {ir.Quantifier.ANY: "some", ir.Quantifier.ALL: "every"}
 
 @dataclass
 class _Loop:
-    """The statements before, in and after the loop over an array or a list, and the locals it has;
-    these are in capitals, so that no field of a message is named like one. `columns` are the
-    parameters by array, `count` is how many elements there are; `most` is the bound of a list.
+    """The statements before, in and after the loop over an array or a list, and its local
+    variables. These are in capitals, so that no field of a message has the same name. `columns` are
+    the parameters by array, `count` is the number of elements; `most` is the bound of a list.
     """
 
     columns: Mapping[int, str]
@@ -41,7 +41,7 @@ class _Loop:
 
     @property
     def end(self) -> str:
-        """The number of elements to go through."""
+        """The number of elements in the loop."""
         return self.count if self.most is None else "ELEMENTS"
 
 
@@ -54,8 +54,8 @@ class Elements:
         self._expressions = expressions
 
     def loop(self, columns: Mapping[int, str], count: str) -> list[str]:
-        """All that is computed from the elements of an array, or of a list with these columns;
-        nothing if nothing is. The columns are parameters.
+        """The statements for everything that is computed from the elements of an array, or of a
+        list with these columns; empty if there is nothing. The columns are parameters.
         """
         first = min(columns)
         its_list = self._machine.arrays[first].list
@@ -103,7 +103,7 @@ class Elements:
         loop.after.append(f"{target} = {loop.known(name)};")
 
     def _counted(self, loop: _Loop, element: int) -> None:
-        """Count for how many elements a proposition holds and is unknown."""
+        """Count the elements for which a proposition is true, and for which it is unknown."""
         if element in loop.counted:
             return
         loop.counted.add(element)
@@ -125,7 +125,7 @@ class Elements:
     # --- one element -------------------------------------------------------------------------
 
     def _signal(self, loop: _Loop, index: int) -> str:
-        """The number of the element at hand, as a local computed once."""
+        """The number of the current element, as a local variable that is computed once."""
         if self._layout.elements.signals[index] is None:
             return self._beside(loop, index)
         if index not in loop.signals:
@@ -141,7 +141,7 @@ class Elements:
         return loop.signals[index]
 
     def _beside(self, loop: _Loop, index: int) -> str:
-        """A number beside the elements (S74), as a local as well."""
+        """A number beside the elements (S74), also as a local variable."""
         if isinstance(self._machine.signals[index].node, ir.Constant):
             return self._expressions.operand(index)
         if index not in loop.signals:

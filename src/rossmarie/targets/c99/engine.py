@@ -1,8 +1,8 @@
-"""The part of monitors and reactors that is the same for all rules: C files that are copied, and
-the functions of numbers and of samples, which are written from the core.
+"""The part of monitors and reactors that is the same for all rules: copied C files, and the
+functions of numbers and of samples, which are generated from the core.
 
-Generated files name the version of the engine that they need, so that none is compiled with another
-one that a later build put in its place.
+Generated files name the version of the engine that they need, so that they are not compiled with
+another version that a later build has copied.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def _functions() -> str:
 
 
 def version() -> str:
-    """A number in C that differs from one version to another: the beginning of a hash."""
+    """A number in C that identifies the version: the beginning of a hash."""
     return f"0x{sha256(_copies()[copies.SUMS].encode()).hexdigest()[:8]}"
 
 

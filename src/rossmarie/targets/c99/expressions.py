@@ -1,7 +1,7 @@
 """Signals and tests as C expressions and statements.
 
-Takes a layout. Everything is given as *pieces*: statements together with the channels whose
-messages make them necessary, in an order in which operands come first.
+The input is a layout. The results are *pieces*: statements with the channels whose messages require
+them, in an order in which operands come first.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rossmarie.targets.formulas import Definition, definition_of, definition_of_
 
 @dataclass(frozen=True)
 class Piece:
-    """Statements that a message on any of the channels makes necessary."""
+    """Statements that a message on any of the channels requires."""
 
     channels: frozenset[int]
     lines: tuple[str, ...]
@@ -47,11 +47,13 @@ class Expressions:
         return self.kept(self._layout.value_of_signal[signal])
 
     def kept(self, value: int) -> str:
-        """A value where the monitor keeps it."""
+        """A value in the memory of the monitor."""
         return f"m->value[{self._layout.values[value].name}]"
 
     def arrival(self, slot: int, raw: str, *, is_raw: bool) -> str:
-        """A scalar of a message, converted to SI, and unknown if not finite unless `is_raw`."""
+        """A scalar of a message, converted to SI, and unknown if it is not finite, unless
+        `is_raw`.
+        """
         declared = self._machine.slots[slot]
         text = converted(raw, declared.scale, declared.offset)
         if not is_raw:
@@ -59,8 +61,8 @@ class Expressions:
         return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
-        """The computed signals, but those over arrays and beside elements, and what remembers their
-        samples.
+        """The computed signals, without those over arrays and beside elements, and the statements
+        that store their samples.
         """
         remembered: set[str] = set()
         for index, signal in enumerate(self._machine.signals):
@@ -84,7 +86,7 @@ class Expressions:
                 yield Piece(channels, (replaced,))
 
     def prepared(self) -> Iterator[Piece]:
-        """The signals beside elements, which are computed before anything is asked of these."""
+        """The signals beside elements, which are computed before any result over the elements."""
         for index, signal in enumerate(self._machine.signals):
             channels = self._layout.supports.signals[index].channels
             if channels and index in self._prepared and isinstance(signal.node, ir.Apply):
@@ -112,7 +114,9 @@ class Expressions:
         return {signal: value for signal, value in kept.items() if signal not in slots}
 
     def _taken(self, index: int, node: ir.Sampled) -> str:
-        """The statement that takes a sample; where it feeds back, the result replaces that."""
+        """The statement that takes a sample. For a function that feeds back, the result replaces
+        the sample.
+        """
         x = self.operand(node.signal)
         if sampling_row(node.function).has_window:
             return f"sample_window(m, {self._window(node)}, {x}, t_ns);"
@@ -158,7 +162,7 @@ class Expressions:
                 return number(float(node.window_ns) / 1e9)
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
-        """A function of operands that `write` writes, unknown where it is not finite (S4)."""
+        """A function of operands that `write` writes; unknown if it is not finite (S4)."""
         text = self.called(node.function, [write(operand) for operand in node.operands])
         is_infinite = any(self._infinite[operand] for operand in node.operands)
         if not may_be_infinite(node.function, len(node.operands), of_infinite=is_infinite):

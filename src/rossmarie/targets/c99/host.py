@@ -1,4 +1,6 @@
-"""The blanks of `host.c.j2`: how columns and packed values become the calls of a monitor."""
+"""The placeholders of `host.c.j2`: the conversion of columns and packed values to calls of a
+monitor.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,7 @@ from rossmarie.targets.c99.text import call, indented, table
 
 
 def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
-    """The blanks that the template leaves open."""
+    """The values for the placeholders of the template."""
     return {
         "value_of_signal": _value_of_signal(layout),
         "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
@@ -34,7 +36,7 @@ def _channels(layout: Layout) -> range:
 
 
 def _update(layout: Layout, messages: Messages, channel: int) -> str:
-    """One message, every scalar as a double."""
+    """One message, with every scalar as a double."""
     fields = messages.fields[channel]
     parameters = ["host *h", "int64_t t_ns"]
     arguments = ["&h->machine", "t_ns"]
@@ -75,7 +77,7 @@ def _step(layout: Layout, messages: Messages) -> list[str]:
 
 
 def _flag_values(machine: ir.Machine) -> str:
-    """The third value is for a flag that a message lacks: NaN, which is unknown."""
+    """The third value is for a missing flag: NaN, which is unknown."""
     if not any(slot.kind is ir.Kind.FLAG for slot in machine.slots):
         return ""
     return "\nstatic const double flag_values[] = {0.0, 1.0, NAN};\n"

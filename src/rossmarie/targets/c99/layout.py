@@ -1,14 +1,14 @@
-"""Where everything of a machine lives in the generated C.
+"""The places of all parts of a machine in the generated C.
 
-Takes a machine that `ir.verify` has passed. Gives the numbers and names of all parts:
+The input is a machine that `ir.verify` has passed. The result is the numbers and names of all
+parts:
 
 - *values* are the doubles that a monitor keeps: slots, computed signals, and *tests*, which are the
-  comparisons that have no fixed limits, as numbers (0, 1 or NaN);
+comparisons that have no fixed limits, as numbers (0, 1 or NaN);
 - *literals* are the propositions that never change;
 - a *guard* watches one value and owns the *leaves* that compare it with limits;
-- *nodes* are the propositions, leaves first, and behind them the rules; what depends on a node
-  stands behind it. Oscillations are no leaves here: they are evaluated when marked, as derived
-  propositions are.
+- *nodes* are the propositions, leaves first, followed by the rules; each node follows its operands.
+  Oscillations are no leaves here: they are evaluated when marked, as derived propositions are.
 """
 
 from __future__ import annotations
@@ -90,8 +90,8 @@ class Layout:
 
     @property
     def leaf_count(self) -> int:
-        """The number of propositions that are set where a number or an age is looked at, without
-        being marked.
+        """The number of propositions that are set when a number or an age is tested, without being
+        marked.
         """
         return len(self.node_of_proposition) - len(self.oscillations) - len(self.derived)
 
@@ -112,7 +112,7 @@ class Layout:
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
     def remark(self, proposition: int) -> str:
-        """The place and the words of a proposition."""
+        """The place and the words of a proposition, for a comment."""
         declared = self.machine.propositions[proposition]
         return f"{names.place(declared.span)}  {declared.text}"
 
@@ -125,7 +125,7 @@ class Layout:
         return self.machine.inputs[used].timeout_ns is not None
 
     def value_index(self, signal: int) -> int | None:
-        """Where a signal is kept; None for a constant."""
+        """The index of the value of a signal; None for a constant."""
         return self.value_of_signal.get(signal)
 
     def guards_of(self, channel: int) -> list[ValueGuard]:
@@ -133,7 +133,9 @@ class Layout:
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
     def blamed(self, support: ir.Support) -> list[int]:
-        """The values whose NaN means: unknown for lack of an input with a timeout (S30)."""
+        """The values whose NaN means that the result is unknown because an input with a timeout is
+        missing (S30).
+        """
         slots = [
             index
             for index, value in enumerate(self.values)
@@ -149,7 +151,7 @@ class Layout:
         return slots + folds
 
     def excuses(self, support: ir.Support) -> list[int]:
-        """The values that, if they are not there or infinite, make a result unknown and not stale
+        """The values that make a result unknown and not stale if they are missing or infinite
         (S30): slots of inputs without a timeout, folds and samples.
         """
         slots = [
@@ -250,7 +252,7 @@ class _Builder:
         return len(self.values) - 1
 
     def _slots(self) -> None:
-        """A signal that reads a slot is kept where the slot is."""
+        """A signal that reads a slot shares the place of the slot."""
         kept: dict[int, int] = {}
         known_as, _ = ir.field_names(self.machine)
         for index, slot in enumerate(self.machine.slots):
@@ -277,7 +279,9 @@ class _Builder:
                 )
 
     def _sampled(self) -> tuple[int, ...]:
-        """The signals whose last two samples are remembered: of what feeds back its own results."""
+        """The signals whose last two samples are stored; for functions that feed back, their
+        results.
+        """
         rows = [(i, node, sampling_row(node.function)) for i, node in self._samplings()]
         last = {
             index if row.feeds_back else node.signal
@@ -292,7 +296,7 @@ class _Builder:
         return tuple(sorted({Window(node.signal, node.window_ns) for node in nodes}))
 
     def _samplings(self) -> Iterator[tuple[int, ir.Sampled]]:
-        """The functions of samples; a number that rests on no input is never sampled."""
+        """The functions of samples. A number that depends on no input is never sampled."""
         for index, signal in enumerate(self.machine.signals):
             node = signal.node
             if isinstance(node, ir.Sampled) and self.supports.signals[node.signal].channels:
@@ -305,7 +309,7 @@ class _Builder:
         return tuple(i for i in self.whole if isinstance(self.machine.propositions[i].node, kinds))
 
     def _is_still(self, index: int) -> bool:
-        """Say whether an oscillation rests on no input, so that it never swings (S32)."""
+        """Say whether an oscillation depends on no input, so that it never swings (S32)."""
         return not self.supports.propositions[index].channels
 
     def _proposition_name(self, index: int) -> str:
@@ -340,7 +344,7 @@ class _Builder:
 
 
 def _sort(guard: ValueGuard) -> None:
-    """Limits from low to high, leaves in the order of their lowest limits."""
+    """Sort limits from low to high, and leaves by their lowest limits."""
     guard.limits.sort(key=lambda limit: limit.at)
     lowest: dict[int, int] = {}
     for number, limit in enumerate(guard.limits):

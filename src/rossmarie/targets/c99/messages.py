@@ -1,6 +1,6 @@
-"""The functions that take messages in: one for each channel, and one for several at once.
+"""The functions that process messages: one for each channel, and one for several at once.
 
-Takes a layout and the expressions of its machine; gives C text.
+The input is a layout and the expressions of its machine; the result is C text.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rossmarie.targets.c99.text import block, boolean, call, indented
 
 
 class Messages:
-    """Writes what happens when messages arrive."""
+    """Writes the processing of messages."""
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
@@ -85,7 +85,9 @@ class Messages:
         return "\n".join(parts)
 
     def _constants(self) -> str:
-        """Compute, once, what rests on constants only, or on a parameter that has its default."""
+        """Compute, once, the signals that depend only on constants, or on a parameter with its
+        default.
+        """
         made = self.expressions
         pieces = (*made.prepared(), *made.signals(), *made.tests())
         given = {each.channel for each in ir.settings_of(self._layout.machine)}
@@ -100,8 +102,8 @@ class Messages:
         return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"
 
     def _prepare(self) -> Iterator[str]:
-        """Compute what elements are looked at beside, where there is such, after all numbers of
-        messages are stored and before anything is asked of elements.
+        """Compute the numbers beside elements, if there are any, after all numbers of messages are
+        stored and before any result over elements.
         """
         lines = list(self._guarded(self.expressions.prepared()))
         if lines:
@@ -112,7 +114,9 @@ class Messages:
             )
 
     def _compute(self) -> str:
-        """Compute what rests on the numbers of messages, once all of them are stored."""
+        """Compute the signals that depend on the numbers of messages, after all of them are
+        stored.
+        """
         lines = list(self._guarded(self._computed()))
         unused = [] if lines else ["    (void)arrived;\n"]
         return (
@@ -122,7 +126,7 @@ class Messages:
         )
 
     def _head(self, kind: str, channel: int) -> str:
-        """A function that takes in one message of a channel."""
+        """A function that processes one message of a channel."""
         parameters = ["monitor *m", "int64_t t_ns"]
         for field in self.fields[channel]:
             parameters += types.plain_parameters(field)
@@ -136,7 +140,7 @@ class Messages:
         return call(function, arguments)
 
     def _receive(self, channel: int, name: str) -> str:
-        """Store what a message brings."""
+        """Store the content of a message."""
         lines = [*self._stamps(channel)]
         for field in self.fields[channel]:
             lines += self._received(field, channel)
@@ -150,7 +154,7 @@ class Messages:
         )
 
     def _fold(self, channel: int, name: str) -> Iterator[str]:
-        """Ask of elements what rests on numbers beside them, too."""
+        """Compute the results over elements that also depend on numbers beside them."""
         lines = [
             line
             for field in self.fields[channel]
@@ -161,7 +165,7 @@ class Messages:
             yield f"{self._fold_head(channel, name)}\n{{\n{indented(lines)}\n}}\n"
 
     def _folded(self, channel: int) -> list[types.Field]:
-        """The arrays of a channel whose elements are looked at beside numbers."""
+        """The arrays of a channel whose elements are compared with numbers beside them."""
         return [field for field in self.fields[channel] if self._is_beside_numbers(field)]
 
     def _fold_head(self, channel: int, name: str) -> str:
@@ -273,7 +277,9 @@ class Messages:
                 yield f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
 
     def _received(self, field: types.Field, channel: int) -> list[str]:
-        """A field where the monitor keeps it; numbers that are watched are left as they arrive."""
+        """The assignment of a field in the memory of the monitor. Numbers with guards are stored as
+        they arrive.
+        """
         if field.slot is not None:
             is_raw = self._layout.value_of_slot[field.slot] in self._covered
             return [self.expressions.arrival(field.slot, field.name, is_raw=is_raw)]
@@ -290,7 +296,7 @@ class Messages:
         return array if its_list is None else ir.columns_of(self._machine, its_list)[0]
 
     def _loop(self, field: types.Field, channel: int) -> list[str]:
-        """The loop over the elements of an array; of a list, where its last column stands."""
+        """The loop over the elements of an array; for a list, at its last column."""
         assert field.array is not None, "a field is a slot or an array"
         if field.count is None:
             return []

@@ -1,9 +1,9 @@
-"""A machine as C99: `generate` gives the header and the source; `generate_loadable` gives also
-what `rossmarie.native` needs to run a monitor in its own process, `generate_guard` what it needs to
-run one with its reactor.
+"""A machine as C99: `generate` gives the header and the source; `generate_loadable` gives also what
+`rossmarie.native` needs to run a monitor in its own process, `generate_guard` what it needs to run
+one with its reactor.
 
 Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing. The C behaves
-as the interpreter does, bit for bit; `docs/decisions/0004-c99-target.md` says how it is made fast.
+exactly like the interpreter; `docs/decisions/0004-c99-target.md` explains how it is made fast.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from rossmarie.targets.formulas import definitions, fixed_definitions
 
 
 def generate(machine: ir.Machine) -> dict[str, str]:
-    """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules do
-    anything, NAME_reactor.h and NAME_reactor.c; and those of the engine.
+    """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules have
+    actions, NAME_reactor.h and NAME_reactor.c; and those of the engine.
     """
     return {**own_files(machine), **engine.files()}
 
 
 def own_files(machine: ir.Machine) -> dict[str, str]:
-    """The same without the engine: the rules' own part."""
+    """The same files without the engine: the code of these rules."""
     writer = _Writer(machine)
     return {**writer.monitor_files(), **writer.reactor_files()}
 
@@ -109,7 +109,7 @@ class _Writer:
         return self._templates.get_template(template).render(**known, **blanks)
 
     def _defined(self) -> Iterator[str]:
-        """The functions of any number of operands that are called; all others are in the engine."""
+        """The called functions with any number of operands. All others are in the engine."""
         names = self._messages.expressions.functions - {each.name for each in fixed_definitions()}
         called = definitions(self._layout.machine, lambda each: each.name in names)
         yield from map(functions.function, called)

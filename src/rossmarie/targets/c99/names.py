@@ -1,7 +1,7 @@
-"""All names that the generated C invents.
+"""All names that the generated C introduces.
 
-Takes any text; gives identifiers that are unique within their family, readable, and no words of
-C or C++.
+The input is any text; the results are identifiers that are unique within their family, readable,
+and not reserved in C or C++.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from rossmarie.naming import c_identifier
 
 
 class Family:
-    """Identifiers that must differ from each other, all with one prefix, and in capitals if the
-    prefix is: what is in capitals is a constant and differs from all that is not.
+    """Identifiers that must be distinct, all with one prefix, and in capitals if the prefix is: a
+    name in capitals is a constant, and differs from all other names.
     """
 
     def __init__(self, prefix: str = "", taken: Iterable[str] = ()) -> None:
@@ -24,7 +24,7 @@ class Family:
         self._numbers: dict[str, int] = {}
 
     def name(self, text: str, *endings: str) -> str:
-        """A new identifier that reminds of the text; with each of the endings it is new, too."""
+        """A new identifier that resembles the text. It is also unique with each of the endings."""
         word = self._prefix + c_identifier(text)
         if self._prefix.isupper():
             word = word.upper()
@@ -42,7 +42,9 @@ def place(span: Span) -> str:
 
 
 def string(text: str) -> str:
-    """The text as a string literal, in UTF-8. Bytes of a file name that are no text are escaped."""
+    """The text as a string literal, in UTF-8. Bytes of a file name that are not valid text are
+    escaped.
+    """
     escaped = []
     for byte in text.encode("utf-8", "backslashreplace"):
         letter = chr(byte)

@@ -1,4 +1,6 @@
-"""Propositions that are evaluated when marked, as C: those made of others, and oscillations."""
+"""Propositions that are evaluated when marked, as C: combinations of other propositions, and
+oscillations.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +11,8 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def derive(layout: Layout) -> str:
-    """The function that evaluates one derived proposition; its words stand where its name is
-    declared.
+    """The function that evaluates one derived proposition. Its words are at the declaration of its
+    name.
     """
     marked = (*layout.oscillations, *layout.derived)
     cases = []

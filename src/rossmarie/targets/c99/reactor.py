@@ -1,6 +1,8 @@
-"""The blanks of the templates of the reactor: sizes, and the tables of tasks, plans and limits.
+"""The placeholders of the templates of the reactor: sizes, and the tables of tasks, plans and
+limits.
 
-Takes a layout; gives C text. Every entry that a user's words stand behind carries them.
+The input is a layout; the result is C text. Every entry that stands for a user's text contains the
+text as a comment.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def blanks(layout: Layout) -> dict[str, object]:
-    """The blanks that both templates leave open."""
+    """The values for the placeholders of both templates."""
     found = layout.machine.reactions
     return {
         "guard": f"{layout.name.upper()}_REACTOR_H",
@@ -35,7 +37,7 @@ def blanks(layout: Layout) -> dict[str, object]:
 
 
 def _counts(found: reactions.Reactions) -> dict[str, int]:
-    """The sizes of what a reactor has; of what is not named here it has none."""
+    """The sizes of the parts of a reactor. A part that is not named here has size 0."""
     used = {
         "COMMANDS": len(found.commands),
         "SCALES": sum(isinstance(task.effect, reactions.Scale) for task in found.tasks),
@@ -76,7 +78,7 @@ def _tables(found: reactions.Reactions) -> list[str]:
 
 
 def _task_tables(found: reactions.Reactions) -> str:
-    """A row for each task, and what starts when each fails."""
+    """A row for each task, and the tasks that start after a failure of each."""
     rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
     rows = [(_task_row(found, index, rules[index]), _remark(found, index)) for index in rules]
     otherwise = [task.otherwise for task in found.tasks]
@@ -92,13 +94,13 @@ def _task_tables(found: reactions.Reactions) -> str:
 
 
 def _escalation_table(otherwise: Sequence[Sequence[int]]) -> list[str]:
-    """The tasks that start when each fails, if any do."""
+    """The tasks that start after a failure of each task, if there are any."""
     rows = _named("task", otherwise)
     return [lists("task_escalations", "escalations", rows)] if any(otherwise) else []
 
 
 def _task_row(found: reactions.Reactions, index: int, rule: int) -> str:
-    """A task as `plan` of the engine has it."""
+    """A task in the format of `plan` in the engine."""
     task = found.tasks[index]
     numbers = _numbers_of_deeds(found)
     needed = task.resource
@@ -118,7 +120,7 @@ def _task_row(found: reactions.Reactions, index: int, rule: int) -> str:
 
 
 def _numbers_of_deeds(found: reactions.Reactions) -> dict[overruled.Deed | None, int]:
-    """A number for each thing that tasks do."""
+    """A number for each deed of tasks."""
     deeds = (overruled.deed(task.effect) for task in found.tasks)
     known = dict.fromkeys(deed for deed in deeds if deed is not None)
     return {deed: number for number, deed in enumerate(known)}
@@ -148,13 +150,13 @@ def _plan_tables(found: reactions.Reactions) -> str:
 
 
 def _unless_table(found: reactions.Reactions) -> list[str]:
-    """The rules while one of which is active another one is not carried out, if any are."""
+    """The rules that suspend each rule while they are active, if there are any."""
     others = [plan.unless for plan in found.plans]
     return [lists("rule_unless", "others", _named("rule", others))] if _is_yielding(found) else []
 
 
 def _is_yielding(found: reactions.Reactions) -> bool:
-    """Say whether any rule is not carried out while another one is active."""
+    """Say whether any rule gives way to another one."""
     return any(plan.unless for plan in found.plans)
 
 
@@ -213,7 +215,7 @@ def _most_numbers(found: reactions.Reactions) -> int:
 
 
 def _memory_tables(found: reactions.Reactions) -> str:
-    """The memories of poses, the rules that retrace each, and the tasks that do."""
+    """The memories of poses, the rules that retrace each, and the tasks that retrace."""
     rows = []
     first = reading = 0
     for each in found.memories:
@@ -287,7 +289,9 @@ def _command_tables(found: reactions.Reactions) -> str:
 def _limit_tables(
     found: reactions.Reactions, rows: list[list[tuple[int, reactions.Bound]]]
 ) -> list[str]:
-    """The bounds of each command: those of command c stand in [command_limits[c], ...[c + 1])."""
+    """The bounds of each command. The bounds of command c are in [command_limits[c], ...[c +
+    1]).
+    """
     listed = [
         (
             f"{{{task}, {bound.field}, {number(bound.low)}, {number(bound.high)}, "

@@ -1,6 +1,6 @@
-"""The constant tables of what is counted within a window: turning points, and edges.
+"""The constant tables of events that are counted within a window: turning points, and edges.
 
-Takes a layout; gives C text.
+The input is a layout; the result is C text.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def recent_tables(layout: Layout) -> list[str]:
-    """The windows, the places and the propositions of both, and what oscillations have besides."""
+    """The windows, the places and the propositions of both, and the additional data of
+    oscillations.
+    """
     windows = [(duration(_window_ns(layout, i)), layout.remark(i)) for i in layout.recent]
     propositions = [layout.proposition_names[index] for index in layout.recent]
     return [

@@ -1,4 +1,6 @@
-"""The memory of a monitor: the members of its struct. A machine pays only for what it uses."""
+"""The memory of a monitor: the members of its struct. A machine needs memory only for the features
+that it uses.
+"""
 
 from __future__ import annotations
 
@@ -13,15 +15,15 @@ def is_small(layout: Layout) -> bool:
 
 
 def recent_counts(layout: Layout) -> list[int]:
-    """The number of turning points that each oscillation remembers, and that of the edges that each
-    count of them does.
+    """The number of turning points that each oscillation stores, followed by the number of edges
+    that each count of edges stores.
     """
     nodes = [layout.machine.propositions[index].node for index in layout.recent]
     return [node.count for node in nodes if isinstance(node, ir.Oscillates | ir.Recurs)]
 
 
 def members(layout: Layout) -> list[str]:
-    """The members of the struct of a monitor; those that every message looks at come first."""
+    """The members of the struct of a monitor. Members that every message uses come first."""
     machine, propositions = layout.machine, layout.proposition_count
     words = (propositions + len(machine.rules) + 63) // 64
     found = [

@@ -1,6 +1,7 @@
 """The sizes, the names and the constant tables of a monitor.
 
-Takes a layout; gives C text. Every entry that a user's words stand behind carries them.
+The input is a layout; the result is C text. Every entry that stands for a user's text contains the
+text as a comment.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from rossmarie.targets.limits import true_below, twins
 
 
 def tables(layout: Layout) -> str:
-    """All that the engine is told of a machine."""
+    """All data of a machine for the engine."""
     parts = [
         sizes(_sizes(layout)),
         _value_names_listed(layout),
@@ -38,7 +39,7 @@ def tables(layout: Layout) -> str:
 
 
 def _sizes(layout: Layout) -> dict[str, int]:
-    """The sizes of what a monitor has; of what is not named here it has none."""
+    """The sizes of the parts of a monitor. A part that is not named here has size 0."""
     machine = layout.machine
     always = {
         "INPUTS": len(machine.inputs),
@@ -83,7 +84,9 @@ def _section(title: str, parts: Sequence[str]) -> str:
 
 
 def _input_tables(layout: Layout) -> str:
-    """Their names, how long each is fresh (0: always), and what one that expires takes with it."""
+    """The names of inputs, the time for which each is fresh (0: always), and the values that expire
+    with each.
+    """
     machine = layout.machine
     if not machine.inputs:
         return ""
@@ -128,7 +131,7 @@ def _of_inputs(layout: Layout, rows: list[Sequence[object]]) -> list[tuple[str, 
 
 
 def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
-    """The places of those signals that rest on an input that expires."""
+    """The places of the signals that depend on an input that expires."""
     if not layout.has_timeout(used):
         return []
     supports = layout.supports.signals
@@ -269,8 +272,8 @@ def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
 
 
 def _blame_tables(layout: Layout) -> str:
-    """The values whose lack makes a guard stale, and those whose lack leaves it unknown; then the
-    same for the oscillations.
+    """The values that make a guard stale if they are missing, and those that make it unknown; then
+    the same for oscillations.
     """
     swings = [layout.supports.propositions[index] for index in layout.oscillations]
     blames = [layout.guard_blames(guard) for guard in layout.guards]
@@ -291,7 +294,7 @@ def _blame_tables(layout: Layout) -> str:
 
 
 def _excuses(layout: Layout) -> list[list[int]]:
-    """The values whose lack leaves each guard, and then each oscillation, unknown."""
+    """The values that make each guard, and then each oscillation, unknown if they are missing."""
     supports = [layout.values[guard.value].support for guard in layout.guards]
     supports += [layout.supports.propositions[index] for index in layout.oscillations]
     return [layout.excuses(support) for support in supports]
@@ -344,7 +347,7 @@ def _sample_tables(layout: Layout) -> str:
 
 
 def _sampled_values(layout: Layout) -> list[str]:
-    """The values that rest on samples, which a jump in time takes away."""
+    """The values that depend on samples, which a jump in time deletes."""
     rests: set[int] = set()
     for index, signal in enumerate(layout.machine.signals):
         operands = ir.signal_operands(signal.node)

@@ -10,17 +10,17 @@ from rossmarie.targets import comments
 
 
 def indented(lines: Iterable[str], levels: int = 1) -> str:
-    """Lines, each moved to the right."""
+    """Indented lines."""
     return "\n".join("    " * levels + line for line in lines)
 
 
 def block(lines: Iterable[str], levels: int = 1) -> str:
-    """Lines, each moved to the right and ended; nothing if there are none."""
+    """Indented lines, each with a line end; empty if there are none."""
     return "".join("    " * levels + line + "\n" for line in lines)
 
 
 def table(kind: str, name: str, entries: Sequence[object]) -> str:
-    """A constant table; C has no empty ones, so that one gets an entry nobody reads."""
+    """A constant table. C has no empty tables, so an empty one gets an unused entry."""
     listed = ", ".join(map(str, entries)) or "0"
     opening = f"static const {kind} {name}[{max(1, len(entries))}] = {{"
     if len(opening) + len(listed) + 2 <= 100:
@@ -38,7 +38,7 @@ def remarked_table(kind: str, name: str, rows: Sequence[tuple[str, str]]) -> str
 
 
 def sizes(rows: Mapping[str, int]) -> str:
-    """Names for numbers that parts of the engine are chosen by."""
+    """Names for numbers that select parts of the engine."""
     return "".join(f"#define {name} {size}\n" for name, size in rows.items())
 
 
@@ -54,7 +54,9 @@ def boolean(value: bool) -> str:
 
 
 def starts_of(counts: Iterable[int]) -> list[int]:
-    """Where lists of such lengths begin if they stand one after another; the end of the last."""
+    """The first index of each list in the concatenation of lists with such lengths, and the end of
+    the last list.
+    """
     return list(accumulate(counts, initial=0))
 
 
@@ -79,7 +81,7 @@ def _listed(name: str, row: Sequence[object]) -> str:
 
 
 def call(head: str, arguments: Sequence[str]) -> str:
-    """`head(arguments)`, on several lines if need be."""
+    """`head(arguments)`, on several lines if necessary."""
     lines = [f"{head}("]
     for place, argument in enumerate(arguments):
         ending = ")" if place + 1 == len(arguments) else ", "

@@ -29,8 +29,8 @@ def duration(nanoseconds: int) -> str:
 @dataclass(frozen=True)
 class Field:
     """A slot, an array, or a column of a list of a channel's message, under the name of its
-    parameter. `count` is the parameter behind it with the number of elements: the columns of a list
-    share one, which stands behind the last of them.
+    parameter. `count` is the parameter after it with the number of elements. The columns of a list
+    share one, after the last column.
     """
 
     name: str
@@ -90,7 +90,7 @@ def plain_parameters(field: Field) -> list[str]:
 
 
 def arguments(field: Field, prefix: str = "") -> list[str]:
-    """The field handed on as plain parameters."""
+    """The arguments that pass the field on as plain parameters."""
     counts = [] if field.count is None else [field.count]
     return [f"{prefix}{name}" for name in (field.name, *counts)]
 

@@ -1,4 +1,4 @@
-"""Limits of the C99 target: machines that its tables cannot hold."""
+"""Limits of the C99 target: machines that are too large for its tables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rossmarie.targets.c99.state import recent_counts
 from rossmarie.targets.errors import MonitorTooLarge
 
 MOST_INDEXES = 0xFFFE
-"""The greatest index but one: the greatest means "none"."""
+"""The greatest usable index. One more means "none"."""
 
 _NAME = "C99"
 

@@ -1,4 +1,4 @@
-"""The Python target: a machine as one module that needs nothing but Python's standard library."""
+"""The Python target: a machine as one module that needs only Python's standard library."""
 
 from __future__ import annotations
 

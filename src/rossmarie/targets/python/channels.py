@@ -1,9 +1,9 @@
-"""The functions that take in the messages of one channel.
+"""The functions that process the messages of one channel.
 
-Takes a layout. A message is *calm* if the last one on its channel is still valid, no timer is due,
-every number is inside its guard and every other comparison says what it said: then nothing can
-change, and its numbers are kept for later. Channels of which arrays are read or samples are taken
-have no calm messages.
+Takes a layout. A message is *calm* if the last message on its channel is still valid, no timer is
+due, every number is inside its guard, and every other comparison has its old value. Then nothing
+can change, and the numbers are stored for later. Channels of which arrays are read or samples are
+taken have no calm messages.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def calm_channels(layout: Layout) -> list[int]:
 
 
 def receive(layout: Layout, channel: int) -> list[str]:
-    """The function that converts what a message carries, which may fail: nothing changes (S7)."""
+    """The function that converts the content of a message. If it fails, nothing changes (S7)."""
     parameters = _parameters(layout, channel)
     function = Function(f"receive_{channel}({', '.join(parameters)})")
     _convert(layout, channel, function)
@@ -38,7 +38,7 @@ def receive(layout: Layout, channel: int) -> list[str]:
 
 
 def arrive(layout: Layout, channel: int) -> list[str]:
-    """The function that takes in what `receive` gave."""
+    """The function that processes the result of `receive`."""
     function = Function(f"arrive_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})")
     _take(layout, channel, function)
     return function.text()
@@ -130,7 +130,7 @@ def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.PropositionNo
 
 
 class _Calm:
-    """Writes the way of a calm message through its function."""
+    """Writes the code for a calm message."""
 
     def __init__(self, layout: Layout, channel: int) -> None:
         self._layout = layout
@@ -149,7 +149,7 @@ class _Calm:
         self._looked_at = {layout.value(signal) for signal in looked_at}
 
     def write(self, function: Function) -> None:
-        """The conditions, and what is done if they hold."""
+        """The conditions, and the statements for a calm message."""
         conditions = [f"now <= at_ns < calm_{self._channel}"]
         self._arrivals(function)
         for slot in self._slots:
@@ -190,7 +190,7 @@ class _Calm:
     # --- conditions --------------------------------------------------------------------------
 
     def _is_inside(self, name: str) -> list[str]:
-        """That a number is known, and inside its guard if it has one."""
+        """The conditions that a number is known, and inside its guard if it has one."""
         local = self._local[name]
         if (guard := self._layout.guard_of.get(name)) is not None:
             return [f"{guard.low} < {local} <= {guard.high}"]
@@ -208,16 +208,16 @@ class _Calm:
 
     @cached_property
     def _shown(self) -> set[int]:
-        """The signals that are reported without an evaluation before: by verdicts of resets (S38),
-        and margins with all that they are made of.
+        """The signals that are reported without an evaluation before: in verdicts of resets (S38),
+        and margins with all their operands.
         """
         machine = self._layout.machine
         resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}
         return resets | ir.below_margins(machine)
 
     def is_only_compared(self, name: str) -> bool:
-        """Say whether only guards look at a number or at its absolute value. Then it may stay the
-        integer that it may be, for that is compared alike.
+        """Say whether only guards use a number or its absolute value. Then it may stay an integer,
+        because it is compared in the same way.
         """
         for index, node in self._users.get(name, ()):
             is_absolute = node.function is ir.Function.ABSOLUTE

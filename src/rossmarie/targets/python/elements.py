@@ -1,5 +1,5 @@
-"""Functions over the elements of an array or a list: one pass for all that is asked of it (S22 to
-S26, S51 to S54), beside numbers that are known before (S74).
+"""Functions over the elements of an array or a list: one pass for all its results (S22 to S26, S51
+to S54), beside numbers that are known before (S74).
 
 Takes a layout. What is found stays until the next message or the expiry of its input.
 """
@@ -19,7 +19,7 @@ _STARTS = {ir.Folding.MINIMUM: "INF", ir.Folding.MAXIMUM: "-INF"}
 
 
 def results(layout: Layout, array: int) -> dict[str, str]:
-    """The variables that rest on an array, and what they are without elements."""
+    """The variables that depend on an array, with their values without elements."""
     return {
         **{f"s{signal}": "NAN" for signal in (*_folds(layout, array), *_counts(layout, array))},
         **{f"q{proposition}": "2" for proposition in _quantifiers(layout, array)},
@@ -33,8 +33,8 @@ def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
 
 
 def look(layout: Layout, array: int) -> list[str]:
-    """The function that takes in the elements of an array, or of the list whose first column it is;
-    nothing for other columns.
+    """The function that processes the elements of an array, or of the list whose first column it
+    is; empty for other columns.
     """
     columns = layout.beside(array)
     if array != columns[0]:

@@ -1,6 +1,6 @@
 """One evaluation: inputs expire, every signal, every proposition, then what the rules do (S11).
 
-Takes a layout. A number that is still inside its guard is passed over, with all comparisons of it.
+Takes a layout. A number that is still inside its guard is skipped, with all its comparisons.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Layout, ValueLimits, memory
 
 _MOST_LINES = 2000
-"""Python's compiler takes more than its share of time for functions that are longer by far."""
+"""The most lines of a function. Python's compiler takes disproportionately long for much longer
+functions.
+"""
 
 
 def evaluate(layout: Layout) -> list[str]:
@@ -150,7 +152,7 @@ def _record(layout: Layout, index: int, value: str, function: Function, depth: i
 
 
 def _guard(layout: Layout, guard: ValueLimits) -> Function:
-    """A number that has left its guard has its comparisons made, and gets a new guard."""
+    """Code for a number that has left its guard: make its comparisons, and find its new guard."""
     function = Function("step()")
     value = guard.value
     for leaf in guard.leaves:
@@ -289,7 +291,9 @@ def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
 
 
 def tell(layout: Layout, number: int, change: str, function: Function) -> None:
-    """Change a rule and say so, with a snapshot of what it rests on (S41), one level deeper."""
+    """Change a rule and report it, with a snapshot of the values that it depends on (S41), one
+    level deeper.
+    """
     rule = layout.machine.rules[number]
     function.assign(f"active_{number}", "False" if change == "0" else f"{change} > 0", 1)
     snapshot = [
@@ -307,7 +311,7 @@ def tell(layout: Layout, number: int, change: str, function: Function) -> None:
 
 
 def _calm(layout: Layout, function: Function) -> None:
-    """Until when a message on a channel may find nothing to do."""
+    """Compute the instant until which a message on a channel may be calm."""
     channels = calm_channels(layout)
     if not channels:
         return

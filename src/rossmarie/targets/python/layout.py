@@ -1,9 +1,9 @@
-"""Where everything of a machine lives in the generated Python.
+"""The places of all parts of a machine in the generated Python.
 
-Takes a machine that `ir.verify` has passed. Everything goes by its index in the machine: slots are
-`x0`, computed signals `s0`, propositions `t0` (since `d0`). Inputs of one channel with one timeout
-share a state, for they live and die together. A *guard* is the gap between two limits of a number
-in which no comparison of it with constants changes.
+Takes a machine that `ir.verify` has passed. Names contain the index in the machine: slots are `x0`,
+computed signals `s0`, propositions `t0` (since `d0`). Inputs of one channel with one timeout share
+a state, because they arrive and expire together. A *guard* is the gap between two limits of a
+number in which no comparison of it with constants changes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A machine as one Python module.
 
-Takes a machine that `ir.verify` has passed. The module behaves as the interpreter does, bit for
-bit; `docs/decisions/0011-python-target.md` says how it is made fast.
+Takes a machine that `ir.verify` has passed. The module behaves exactly like the interpreter;
+`docs/decisions/0011-python-target.md` explains how it is made fast.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _ON_DEMAND = (
     parts.Recurrence,
     parts.Oscillation,
 )
-"""Each stands before those that call it."""
+"""The optional parts. Each precedes the parts that call it."""
 
 _HEAD = '''\
 """A safety monitor: plain Python 3.10 or later, which needs nothing to be installed.
@@ -174,7 +174,7 @@ _MEMBERS = """\
 
 
 def _monitor(machine: ir.Machine) -> Iterator[str]:
-    """The door of a monitor: what it can do."""
+    """The interface of a monitor: its functions."""
     yield _DOOR
     updates = names.different("update_", (channel.topic for channel in machine.channels))
     for channel, update_name in enumerate(updates):

@@ -1,7 +1,7 @@
 """All names and literals that the generated Python takes from users.
 
-Takes any text. Only the functions of topics and the file are named after what users wrote;
-everything else goes by its index in the machine, with the user's words in a comment.
+Takes any text. Only the file and the functions of topics are named after users' texts. All other
+names contain the index in the machine, with the user's words in a comment.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ def identifier(text: str) -> str:
 
 
 def file_name(program: str) -> str:
-    """The module of a program; importable, whatever the rules file is called."""
+    """The module of a program, with an importable name whatever the name of the rules file."""
     word = identifier(program)
     return f"{'n' if word[0].isdigit() else ''}{word}_monitor.py"
 
 
 def different(prefix: str, texts: Iterable[str]) -> list[str]:
-    """For each text an identifier that reminds of it; no two are the same."""
+    """A unique identifier for each text, which resembles the text."""
     found: list[str] = []
     for text in texts:
         word = candidate = prefix + identifier(text)

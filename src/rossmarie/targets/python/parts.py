@@ -1,8 +1,7 @@
-"""Parts that a generated module may need, word for word: the generator copies these by their
-source.
+"""Optional parts of a generated module: the generator copies their source.
 
-They mean what `docs/explanation/semantics.md` says, with 0 for false, 1 for true, 2 for unknown and
-3 for stale.
+They implement `docs/explanation/semantics.md`, with 0 for false, 1 for true, 2 for unknown and 3
+for stale.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ class TimeJump(NamedTuple):
 
 
 class Rule(NamedTuple):
-    """What a rule is called, what it asks for, and what its verdicts speak of."""
+    """The name of a rule, its actions, and the terms of its verdicts."""
 
     name: str
     actions: tuple[str, ...]
@@ -50,35 +49,35 @@ class Rule(NamedTuple):
 
 
 def known(value: float) -> float:
-    """Not finite is not known."""
+    """A number that is not finite is unknown."""
     return value if value - value == 0.0 else NAN
 
 
 def divide(a: float, b: float) -> float:
-    """A quotient as IEEE 754 has it, where Python raises."""
+    """A quotient as IEEE 754 defines it, where Python raises an error."""
     if b != 0.0:
         return a / b
     return NAN if a == 0.0 or a != a else math.copysign(INF, a) * math.copysign(1.0, b)
 
 
 def square_root(x: float) -> float:
-    """A square root; NaN below zero, where Python raises."""
+    """A square root; NaN below zero, where Python raises an error."""
     return math.sqrt(x) if x >= 0.0 else NAN
 
 
 class Samples:
-    """The last two samples of a signal, or with a window those in it, 64 at the most."""
+    """The last two samples of a signal or, with a window, the samples in it, at most 64."""
 
     def __init__(self, window_ns: int = 0) -> None:
         self.window_ns = window_ns
         self.kept: deque[tuple[int, float]] = deque(maxlen=64 if window_ns else 2)
 
     def forget(self) -> None:
-        """There are none."""
+        """Forget all samples."""
         self.kept.clear()
 
     def take(self, value: float, at_ns: int) -> None:
-        """A sample; at an equal instant it replaces the last one."""
+        """Take a sample. At an equal instant it replaces the last sample."""
         kept = self.kept
         if kept and kept[-1][0] == at_ns:
             kept.pop()
@@ -87,7 +86,7 @@ class Samples:
         kept.append((at_ns, value))
 
     def newest(self) -> float:
-        """NaN if there is none."""
+        """The newest sample; NaN if there is none."""
         return self.kept[-1][1] if self.kept else NAN
 
     def before(self) -> float:
@@ -95,15 +94,15 @@ class Samples:
         return self.kept[-2][1] if len(self.kept) > 1 else NAN
 
     def seconds(self) -> float:
-        """The time between these two; NaN if they are not there."""
+        """The time between these two; NaN if they are missing."""
         return (self.kept[-1][0] - self.kept[-2][0]) / 1e9 if len(self.kept) > 1 else NAN
 
     def lower(self) -> float:
-        """The middle by size, of two the lower; NaN if any sample is, or there is none."""
+        """The middle sample by size, of two the lower; NaN if any sample is, or there is none."""
         return self.ranked((len(self.kept) - 1) // 2)
 
     def upper(self) -> float:
-        """The middle by size, of two the upper; NaN if any sample is, or there is none."""
+        """The middle sample by size, of two the upper; NaN if any sample is, or there is none."""
         return self.ranked(len(self.kept) // 2)
 
     def total(self) -> float:
@@ -114,11 +113,13 @@ class Samples:
         return total
 
     def count(self) -> float:
-        """How many there are."""
+        """The number of samples."""
         return float(len(self.kept))
 
     def ranked(self, rank: int) -> float:
-        """The sample with so many others before it by size; of equals, the earlier."""
+        """The sample that has `rank` smaller samples before it. Among equal samples, the earlier
+        comes first.
+        """
         values = [value for _, value in self.kept]
         if not values or any(value != value for value in values):
             return NAN
@@ -126,8 +127,9 @@ class Samples:
 
 
 class Recent:
-    """The instants of the last few turning points or edges, counted within a window. `gap` is what
-    their source was when it was last unknown, and `gap_end_ns` when that ended, None if it lasts.
+    """The instants of the last few turning points or edges, counted within a window. `gap` is the
+    value of their source when it was last unknown, and `gap_end_ns` the instant at which that
+    ended, None while it lasts.
     """
 
     def __init__(self, count: int, window_ns: int) -> None:
@@ -137,13 +139,13 @@ class Recent:
         self.gap_end_ns: int | None = 0
 
     def forget(self, at_ns: int) -> None:
-        """Nothing is known of what was before."""
+        """Forget the past."""
         self.instants.clear()
         self.gap = 2
         self.gap_end_ns = at_ns
 
     def look(self, source: int, at_ns: int) -> int:
-        """Say if enough lie in the window, the source of them being known or not."""
+        """Say whether enough instants lie in the window, given whether their source is known."""
         if source > 1:
             self.gap = source
             self.gap_end_ns = None
@@ -155,11 +157,13 @@ class Recent:
         return 0 if is_over else self.gap
 
     def is_full(self) -> bool:
-        """Say if there are as many as count."""
+        """Say whether there are as many instants as needed."""
         return len(self.instants) == self.instants.maxlen
 
     def wake_ns(self, proposition: int, never_ns: int) -> int:
-        """When the condition, which is `truth`, may change by itself."""
+        """The instant at which the condition, whose value is `proposition`, may change by
+        itself.
+        """
         if proposition == 1:
             return self.instants[0] + self.window_ns
         if proposition < 2 or self.gap_end_ns is None:
@@ -168,19 +172,19 @@ class Recent:
 
 
 class Recurrence:
-    """The edges of a condition, and what that was before."""
+    """The edges of a condition, and its value before."""
 
     def __init__(self, count: int, window_ns: int) -> None:
         self.recent = Recent(count, window_ns)
         self.before = 0
 
     def forget(self, at_ns: int) -> None:
-        """Nothing is known of what was before."""
+        """Forget the past."""
         self.before = 2
         self.recent.forget(at_ns)
 
     def look(self, value: int, at_ns: int) -> int:
-        """Say if there were enough edges, the condition being `value`."""
+        """Say whether there were enough edges, with `value` as the value of the condition."""
         if value == 1 and self.before == 0:
             self.recent.instants.append(at_ns)
         self.before = value
@@ -188,7 +192,7 @@ class Recurrence:
 
 
 class Oscillation:
-    """The turning points of a signal. `direction` is 1 upwards, -1 downwards, 0 not known."""
+    """The turning points of a signal. `direction` is 1 upwards, -1 downwards, 0 unknown."""
 
     def __init__(self, count: int, window_ns: int, swing: float) -> None:
         self.recent = Recent(count, window_ns)
@@ -197,18 +201,18 @@ class Oscillation:
         self.extreme = NAN
 
     def forget(self, at_ns: int) -> None:
-        """Nothing is known of what was before."""
+        """Forget the past."""
         self.clear()
         self.recent.forget(at_ns)
 
     def clear(self) -> None:
-        """Nothing is known of the signal any more."""
+        """Forget the signal."""
         self.recent.instants.clear()
         self.direction = 0
         self.extreme = NAN
 
     def take(self, x: float, at_ns: int) -> None:
-        """A finite sample."""
+        """Take a finite sample."""
         going = self.direction
         if self.extreme != self.extreme or going * x > going * self.extreme:
             self.extreme = x
@@ -218,7 +222,7 @@ class Oscillation:
             self.turn(-1, x, at_ns)
 
     def turn(self, direction: int, x: float, at_ns: int) -> None:
-        """From now on it goes this way."""
+        """Turn: the signal goes in this direction from now on."""
         if self.direction != 0:
             self.recent.instants.append(at_ns)
         self.direction = direction

@@ -1,4 +1,4 @@
-"""The memory of a monitor, how time changes it, and when (S10, S15, S17).
+"""The memory of a monitor, and its changes with time (S10, S15, S17).
 
 Takes a layout. Instants and durations are in nanoseconds.
 """
@@ -48,7 +48,9 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
 
 
 def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
-    """They are unknown, but for what a parameter of the node alone decides (S87)."""
+    """Signals, initially unknown, except for those that depend only on a parameter of the node
+    (S87).
+    """
     given = {each.channel for each in ir.settings_of(layout.machine)}
     for index in layout.signals:
         node = layout.machine.signals[index].node
@@ -64,7 +66,7 @@ def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
 
 
 def expire(layout: Layout, function: Function) -> None:
-    """S10: the inputs that reach their timeout; what they brought is forgotten."""
+    """S10: expire the inputs that reach their timeout, and forget their values."""
     for group in layout.groups:
         if group.timeout_ns is None:
             continue
@@ -83,7 +85,7 @@ def expire(layout: Layout, function: Function) -> None:
 
 
 def _sampled(layout: Layout, group: Group) -> list[str]:
-    """S21: the samples that do not outlive these inputs."""
+    """S21: the samples that expire together with these inputs."""
     supports = layout.supports.signals
     memories = layout.memories.items()
     return [name for name, node in memories if supports[node.signal].inputs & group.inputs]
@@ -93,7 +95,7 @@ def _sampled(layout: Layout, group: Group) -> list[str]:
 
 
 def earliest(layout: Layout) -> list[str]:
-    """The function that says when the next timer is due, exactly (S15)."""
+    """The function that computes the exact instant of the next timer (S15)."""
     function = Function("earliest()")
     look_for_timers(layout, function)
     function.line("return first")
@@ -101,7 +103,7 @@ def earliest(layout: Layout) -> list[str]:
 
 
 def look_for_timers(layout: Layout, function: Function) -> None:
-    """The same within a function: `first` is when the next timer is due."""
+    """The same within a function: `first` is the instant of the next timer."""
     function.line("first = NEVER")
     for group in layout.groups:
         if group.timeout_ns is not None:

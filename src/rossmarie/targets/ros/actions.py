@@ -1,4 +1,4 @@
-"""The deeds of each task, as C++: an object for each, made by `make_tasks`."""
+"""The actions of each task as C++: an object for each task, made by `make_tasks`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _STATUS_LEVELS = {
 Sending = reactions.Publish | reactions.Retrace | reactions.Call | reactions.SendGoal
 Doing = reactions.Log | reactions.Diagnose | reactions.Hook | reactions.Reset
 Sent = tuple[str, Interface]
-"""The type of what is sent, as in ROS."""
+"""The type of a sent message, request or goal, as in ROS."""
 
 
 def _sent(effect: Sending) -> Sent:
@@ -49,7 +49,7 @@ def _sent(effect: Sending) -> Sent:
 
 
 def sent_types(machine: ir.Machine, dialect: Dialect) -> list[Sent]:
-    """The types of all that tasks send, and of the goals that relays send again, sorted."""
+    """The types of everything that tasks send, and of the goals that relays send again, sorted."""
     effects = (task.effect for task in machine.reactions.tasks)
     found = {_sent(effect) for effect in effects if isinstance(effect, Sending)}
     if dialect.relay:
@@ -86,13 +86,13 @@ class TasksText:
             yield _call(head, shared.arguments, ");")
 
     def _makers(self) -> dict[int, str]:
-        """For each task that sends something the function that makes it."""
+        """The name of the function that makes the message of each sending task."""
         tasks = enumerate(self.machine.reactions.tasks)
         sending = [index for index, task in tasks if isinstance(task.effect, Sending)]
         return names.message_makers(self.machine, sending)
 
     def _message_type(self, effect: Sending) -> str:
-        """The C++ type of what is sent."""
+        """The C++ type of a sent message."""
         kind = self.dialect.cpp_type(*_sent(effect))
         match effect:
             case reactions.Publish() | reactions.Retrace():
@@ -123,7 +123,7 @@ class TasksText:
         return self._makers()[index].replace("make_", "put_", 1)
 
     def _task(self, index: int) -> list[str]:
-        """The lines that make the object of a task."""
+        """The lines that create the object of a task."""
         machine = self.machine
         task = machine.reactions.tasks[index]
         rule = machine.rules[rule_of_task(machine)[index]].name
@@ -134,7 +134,7 @@ class TasksText:
         return [f"// {index}: {comments.in_c(words)}", *lines]
 
     def _object(self, index: int) -> tuple[str, list[str]]:
-        """The class of a task, and what it is made of."""
+        """The class of a task, and the arguments of its constructor."""
         effect = self.machine.reactions.tasks[index].effect
         match effect:
             case (
@@ -184,7 +184,7 @@ class TasksText:
                 raise AssertionError(effect)
 
     def _doing(self, index: int, effect: Doing) -> list[str]:
-        """The deeds at the start of a task, and at its end if there are any."""
+        """The statements at the start of a task, and at its end if there are any."""
         match effect:
             case reactions.Log(level=level, text=text):
                 rule = self.machine.rules[rule_of_task(self.machine)[index]].name
@@ -218,7 +218,7 @@ def _assignment(assignment: reactions.Assignment) -> str:
 def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
     texts = [string(value) for value in values if isinstance(value, str)]
     if not values:
-        return f"{field} = {{}};"  # a list of texts, or of numbers: nobody can tell
+        return f"{field} = {{}};"  # a list of texts, or of numbers: the type is not certain
     if texts:
         return f"{field} = {{{', '.join(texts)}}};"
     numbers = [repr(value) for value in values if not isinstance(value, str)]
@@ -226,7 +226,7 @@ def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
 
 
 def _call(head: str, arguments: Sequence[str], tail: str) -> list[str]:
-    """A call on one line, or where that is too long with an argument on each."""
+    """A call on one line or, if that is too long, with one argument per line."""
     line = f"{head}{', '.join(arguments)}{tail}"
     if len(line) <= _WIDTH:
         return [line]
@@ -235,7 +235,7 @@ def _call(head: str, arguments: Sequence[str], tail: str) -> list[str]:
 
 
 def _is_resent(effect: reactions.SendGoal | reactions.CancelGoal) -> str:
-    """Say whether the goal that is interrupted is sent again."""
+    """Say whether the interrupted goal is sent again."""
     return str(effect.interrupted is reactions.Interrupted.RESEND).lower()
 
 

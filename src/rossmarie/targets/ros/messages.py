@@ -1,4 +1,4 @@
-"""C++ that brings messages into the monitor, and bounds the numbers of commands."""
+"""C++ that passes messages to the monitor, and bounds the numbers of commands."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ def types_of(machine: ir.Machine) -> list[str]:
 
 
 def channels(layout: Layout, dialect: Dialect) -> str:
-    """A struct for each input topic, with a function that takes the fields of a message over."""
+    """A struct for each input topic, with a function that copies the fields of a message."""
     classes = names.channel_classes(layout).items()
     return "".join(_channel(layout, dialect, channel, word) for channel, word in classes)
 
 
 def given(layout: Layout) -> str:
-    """The lines that tell the monitor what the parameters of the rules are."""
+    """The lines that pass the parameters of the rules to the monitor."""
     lines = []
     for index, each in enumerate(ir.settings_of(layout.machine)):
         name = layout.channel_names[each.channel]
@@ -39,7 +39,7 @@ def given(layout: Layout) -> str:
 
 
 def arrays(layout: Layout) -> str:
-    """The members of the struct that keeps arrays while the monitor looks at them."""
+    """The members of the struct that holds arrays while the monitor processes them."""
     machine = layout.machine
     kept = (
         _room(machine, field.array, f"{layout.channel_names[channel]}_{field.name}")
@@ -108,7 +108,7 @@ def _timeout(layout: Layout, channel: int) -> int:
 
 
 def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
-    """The lines that take one field of `message` over."""
+    """The lines that copy one field of `message`."""
     target = f"values.{channel}.{field.name}"
     if field.slot is not None:
         yield f"{target} = {_scalar(layout.machine.slots[field.slot])};"
@@ -143,7 +143,7 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
 def _points(
     layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
 ) -> Iterator[str]:
-    """The lines that take the points of a cloud over, behind the last of their fields."""
+    """The lines that copy the points of a cloud, at the last of their fields."""
     machine = layout.machine
     its_list = None if last.array is None else machine.arrays[last.array].list
     if its_list is None or last.count is None or ir.POINTS not in machine.lists[its_list].path:
@@ -160,7 +160,7 @@ def _points(
 def _beams(
     layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
 ) -> Iterator[str]:
-    """The lines that take the beams of a scan over, behind the last of their fields."""
+    """The lines that copy the beams of a scan, at the last of their fields."""
     machine = layout.machine
     its_list = None if last.array is None else machine.arrays[last.array].list
     if its_list is None or last.count is None:
@@ -198,7 +198,7 @@ def _scalar(slot: ir.Slot) -> str:
 
 
 def skill_query(step: ir.SkillStep) -> str:
-    """A query to the skills that `message` has, as a double in C++."""
+    """A query about the running skills in `message`, as a double in C++."""
     asked = f"message, {c99_names.string(step.export)}, skills::names({_texts(step.skills)})"
     match step:
         case ir.Doing(arguments=arguments, is_ahead=is_ahead):
@@ -241,7 +241,7 @@ def commands(machine: ir.Machine, dialect: Dialect) -> str:
 
 
 def sources(machine: ir.Machine) -> str:
-    """A row for each topic that commands come from."""
+    """A row for each source topic of commands."""
     topics = (unfiltered(command.topic) for command in machine.reactions.commands)
     return block(f"{names.relative(topic)}," for topic in topics)
 

@@ -1,4 +1,4 @@
-"""All names that the generated package invents, and how ROS names become C++."""
+"""All names that the generated package introduces, and the conversion of ROS names to C++."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def relative(name: str) -> str:
 
 
 def heard(channel: ir.Channel) -> str:
-    """The topic of a channel as C++. Transforms come on one topic, whatever namespace the node is
-    in, as for every listener of tf2.
+    """The topic of a channel as C++. Transforms arrive on one topic in any namespace, as for every
+    listener of tf2.
     """
     return relative(channel.topic) if channel.edge is None else names.string(channel.source)
 
 
 def channel_classes(layout: Layout) -> dict[int, str]:
-    """For each channel that is a topic the struct that describes it: `ImuDataChannel`."""
+    """The name of the struct for each channel that is a topic: `ImuDataChannel`."""
     channels = zip(layout.machine.channels, layout.channel_names, strict=True)
     return {
         index: f"{_capitalized(name)}Channel"
@@ -40,18 +40,18 @@ def channel_classes(layout: Layout) -> dict[int, str]:
 
 
 def command_members(machine: ir.Machine) -> tuple[str, ...]:
-    """For each command topic the variable of its filter: `cmd_vel`."""
+    """The name of the filter variable for each command topic: `cmd_vel`."""
     family = names.Family(taken=_VARIABLES)
     return tuple(family.name(command.topic) for command in machine.reactions.commands)
 
 
 def command_classes(machine: ir.Machine) -> tuple[str, ...]:
-    """For each command topic the struct that describes it: `CmdVelCommand`."""
+    """The name of the struct for each command topic: `CmdVelCommand`."""
     return tuple(f"{_capitalized(member)}Command" for member in command_members(machine))
 
 
 def hooks(machine: ir.Machine) -> dict[str, str]:
-    """For each hook its function."""
+    """The function of each hook."""
     effects = (task.effect for task in machine.reactions.tasks)
     used = dict.fromkeys(effect.name for effect in effects if isinstance(effect, reactions.Hook))
     family = names.Family()
@@ -59,7 +59,7 @@ def hooks(machine: ir.Machine) -> dict[str, str]:
 
 
 def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
-    """For each of the tasks that send something the function that makes it."""
+    """The name of the function that makes the message of each of these sending tasks."""
     family = names.Family("make_")
     return {
         task: family.name(machine.reactions.actions[machine.reactions.tasks[task].action].name)
@@ -68,7 +68,7 @@ def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
 
 
 def shared(machine: ir.Machine) -> dict[int, str]:
-    """For each task that shares an object with the others of its target, that object."""
+    """The name of the object that each task shares with the other tasks of its target."""
     family = names.Family(taken=(*_VARIABLES, *command_members(machine)))
     targets = [reactions.target_of(task.effect) for task in machine.reactions.tasks]
     objects = {target: family.name(str(target)) for target in dict.fromkeys(targets) if target}
@@ -85,6 +85,8 @@ def member(path: ir.Path) -> str:
 
 
 def _capitalized(word: str) -> str:
-    """`cmd_vel_2` as `CmdVel_2`: digits keep their line, so that different words stay different."""
+    """`cmd_vel_2` as `CmdVel_2`: digits keep their underscore, so that different words stay
+    different.
+    """
     parts = word.split("_")
     return "".join(part.capitalize() if part[:1].isalpha() else f"_{part}" for part in parts)

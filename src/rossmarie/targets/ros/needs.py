@@ -1,4 +1,4 @@
-"""The needs of some effects only: headers, packages, objects that tasks share, other nodes."""
+"""The needs of particular effects: headers, packages, shared objects of tasks, other nodes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
 
 
 class SharedObject(NamedTuple):
-    """An object that the tasks of a target share: a variable, its class, and what it is made of."""
+    """An object that the tasks of a target share: a variable, its class, and the arguments of its
+    constructor.
+    """
 
     name: str
     kind: str
@@ -36,7 +38,7 @@ class SharedObject(NamedTuple):
 
 
 def shared_objects(machine: ir.Machine, dialect: Dialect) -> list[SharedObject]:
-    """In the order of the tasks that need them first."""
+    """The shared objects, in the order of the tasks that first need them."""
     tasks = machine.reactions.tasks
     effects = {name: tasks[index].effect for index, name in names.shared(machine).items()}
     relays = relayed_servers(machine) if dialect.relay else {}
@@ -69,7 +71,7 @@ def _shared_kind(
 
 
 class Other(NamedTuple):
-    """An offer that another node has to make: a service, or a topic that says that it is there."""
+    """A requirement on another node: a service, or a topic that shows its presence."""
 
     title: str
     name: str
@@ -77,7 +79,7 @@ class Other(NamedTuple):
 
 
 def others(machine: ir.Machine, dialect: Dialect) -> list[Other]:
-    """The things that have to be there besides the node, in the order of the tasks."""
+    """The requirements on other nodes, in the order of the tasks."""
     found: dict[str, Other] = {}
     for task in machine.reactions.tasks:
         offered = _offered(task.effect, dialect)

@@ -1,4 +1,4 @@
-"""A machine as a package for ROS: the files that ROS 1 and ROS 2 share, and what fills them in.
+"""A machine as a package for ROS: the files that ROS 1 and ROS 2 share, and their content.
 
 Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
 """
@@ -76,28 +76,28 @@ class PackageWriter:
         return self._templates.get_template(f"{template}.j2").render(**known, **blanks)
 
     def shared_files(self) -> dict[str, str]:
-        """All files but those that say how to build and to start the node."""
+        """All files except those for building and starting the node."""
         core = {f"src/{name}": text for name, text in c99.generate(self._machine).items()}
         settings = [(each.name, *tables.words_of(each)) for each in ir.settings_of(self._machine)]
         fixed = {path: self.fill(path, own_parameters=settings) for path in _FIXED}
         return fixed | self._source_files() | core | runtime.files(self._dialect.folder)
 
     def packages(self) -> set[str]:
-        """The packages of what the node takes and sends, and of what it tells."""
+        """The packages of all types that the node receives, sends and reports."""
         used = [*messages.types_of(self._machine)]
         used += [sent for sent, _ in actions.sent_types(self._machine, self._dialect)]
         found = {message_package(each) for each in used} | {"diagnostic_msgs"}
         return found.union(*(part.packages for part in self._parts()))
 
     def needs(self, used: set[str]) -> dict[str, str]:
-        """The settings of how the node is built, in its own package or in another."""
+        """The build settings of the node, in its own package or in another one."""
         hooks = "".join(f" {hook}" for hook in names.hooks(self._machine).values())
         components = "\n  ".join(sorted(used))
         return {"needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components)}
 
     def own_package(self, used: set[str], **blanks: object) -> dict[str, str]:
-        """The files that only a package of its own has: they say how to build it. `used` are the
-        packages that the node needs.
+        """The files that only a separate package has: its build files. `used` are the packages that
+        the node needs.
         """
         if self._placed.part_of is not None:
             return {}
@@ -129,7 +129,7 @@ class PackageWriter:
         return {path: self.fill(path, **each) for path, each in blanks.items()}
 
     def _rules(self) -> dict[str, object]:
-        """The blanks that the template of `rules.cpp` leaves open."""
+        """The values for the placeholders of the template of `rules.cpp`."""
         machine, dialect = self._machine, self._dialect
         return {
             "includes": "\n".join(f"#include <{header}>" for header in self._message_headers()),
@@ -144,7 +144,7 @@ class PackageWriter:
         }
 
     def _core(self) -> dict[str, object]:
-        """The blanks that the template of `rules.h` leaves open."""
+        """The values for the placeholders of the template of `rules.h`."""
         has_commands = bool(self._machine.reactions.commands)
         return {
             "arrays": messages.arrays(self._layout),
@@ -155,7 +155,7 @@ class PackageWriter:
         }
 
     def _message_headers(self) -> list[str]:
-        """The headers of all that the node takes and sends."""
+        """The headers of all types that the node receives and sends."""
         taken = ((each, Interface.MESSAGE) for each in messages.types_of(self._machine))
         used = {*taken, *actions.sent_types(self._machine, self._dialect)}
         return sorted(self._dialect.header(*each) for each in used)

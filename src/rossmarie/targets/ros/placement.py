@@ -1,4 +1,4 @@
-"""The meaning of a placement for a node: the blanks that name its package, and its package.xml."""
+"""The effect of a placement: the placeholders for the package of a node, and its package.xml."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _MAIL = "nobody@example.org"
 def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The package with the messages, launch file, settings and policy of the node, and their names.
 
-    Several nodes may be parts of one package, so there their files are called like the node.
+    Several nodes may be parts of one package, so their files there have the name of the node.
     """
     node = node_name(machine)
     if placement.part_of is None:
@@ -34,7 +34,7 @@ def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 
 def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
-    """The fields of package.xml that the manifest says, as XML; `files` are those of the rules."""
+    """The fields of package.xml from the manifest, as XML. `files` are the rules files."""
     nobody = Person(f"whoever maintains {files}", _MAIL)
     maintainers = manifest.maintainers or (nobody,)
     licenses = manifest.licenses or (_LICENSE,)

@@ -1,4 +1,4 @@
-"""The blanks of the generated test: what the rules say that happens at once."""
+"""The placeholders of the generated test: the immediate reactions of the rules."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ from rossmarie.targets.c99.text import indented
 
 
 def blanks(machine: ir.Machine, name: str) -> dict[str, object]:
-    """The blanks of the template; C has no empty tables, so each has a row at least."""
+    """The values for the placeholders of the template. C has no empty tables, so each table has at
+    least one row.
+    """
     starts = [_start(machine, rule, task) for rule, task in _first(machine)]
     limits = [row for rule, task in _first(machine) for row in _limits(machine, rule, task)]
     commands = machine.reactions.commands
@@ -39,7 +41,7 @@ def _first(machine: ir.Machine) -> Iterator[tuple[int, int]]:
 
 
 def _start(machine: ir.Machine, rule: int, task: int) -> str:
-    """A row of `starts`. What is awaited is in force, too, while it runs."""
+    """A row of `starts`. An awaited task is also in force while it runs."""
     effect = machine.reactions.tasks[task].effect
     stops = reactions.is_lasting(effect) or reactions.timeout_ns(effect) is not None
     return f"{rule}, {task}, {str(stops).lower()}"

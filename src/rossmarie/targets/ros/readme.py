@@ -1,4 +1,4 @@
-"""The blanks of the README of a generated package."""
+"""The placeholders of the README of a generated package."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rossmarie.targets.ros.dialect import Dialect
 
 
 def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
-    """The blanks that the template leaves open."""
+    """The values for the placeholders of the template."""
     return {
         "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
         "commands": "\n".join(_ways(machine, dialect)) or "- none",

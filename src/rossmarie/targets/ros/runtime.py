@@ -1,4 +1,4 @@
-"""The part of the node that is the same for all rules: files that are copied, and their hashes."""
+"""The part of the node that is the same for all rules: copied files, and their hashes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables of `rules.cpp`: what rules, values, inputs and tasks are called."""
+"""The tables of `rules.cpp`: the names of rules, values, inputs and tasks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _KINDS = {
 
 
 def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object]:
-    """The blanks that the template leaves open; `name` is that of the C."""
+    """The values for the placeholders of the template. `name` is the prefix in C."""
     rules = range(len(machine.rules))
     return {
         "texts": block(f"{name}_texts[{index}]," for index in range(len(machine.texts))),
@@ -34,7 +34,7 @@ def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object
 
 
 def words_of(setting: ir.NodeParameter) -> tuple[str, str]:
-    """The default of a parameter of the rules, and what may be given instead."""
+    """The default of a parameter of the rules, and its allowed values."""
     unit = f" in {setting.unit}" if setting.unit else ""
     direction = "greater" if setting.is_up else "smaller"
     about = f"A number{unit} of the rules, or a {direction} one, which is stricter."
@@ -54,7 +54,7 @@ def rule_of_task(machine: ir.Machine) -> dict[int, int]:
 
 
 def _latched_rules_key(machine: ir.Machine) -> str:
-    """Tells sets of latched rules apart, in the name of a file."""
+    """A key that distinguishes sets of latched rules, for the name of a file."""
     latched = sorted(rule.name for rule in machine.rules if rule.release is None)
     return sha256("\n".join(latched).encode()).hexdigest()[:8]
 

@@ -1,4 +1,4 @@
-"""The ROS 1 target: a catkin package with a node that monitors, and filters commands."""
+"""The ROS 1 target: a catkin package with a node that monitors, acts, and filters commands."""
 
 from rossmarie.targets.base import Target
 from rossmarie.targets.ros.package import OWNED_BY_USER

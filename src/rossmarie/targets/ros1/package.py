@@ -18,7 +18,7 @@ _ALWAYS = {"roscpp", "std_msgs"}
 
 
 def next_step(_: ir.Machine) -> str:
-    """Say how the package is built."""
+    """The build instructions of the package."""
     return "build it where ROS 1 is: `catkin_make` in its workspace"
 
 
@@ -42,7 +42,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 
 def _remaps(topic: str) -> Iterator[str]:
-    """The lines that put what is sent to a topic behind the filter."""
+    """The lines that put commands for a topic behind the filter."""
     pair = (topic, unfiltered(topic))
     for sent, behind in (tuple(name.removeprefix("/") for name in pair), map(_in_namespace, pair)):
         yield f'    <remap from="{sent}" to="{behind}"/>'

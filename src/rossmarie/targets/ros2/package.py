@@ -12,7 +12,7 @@ from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
 
-# The words behind the name of an action server: ROS 2 renames topics and services, not actions.
+# The suffixes of the name of an action server: ROS 2 renames topics and services, not actions.
 _OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
 
 # The packages that the node itself uses.
@@ -23,7 +23,7 @@ _ALWAYS = {
 
 
 def next_step(machine: ir.Machine) -> str:
-    """Say how the package is built."""
+    """The build instructions of the package."""
     package = node_name(machine)
     return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
 
@@ -47,7 +47,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 
 def _remappings(machine: ir.Machine) -> dict[str, str]:
-    """The names that commands and goals go by, and where they enter the node."""
+    """The names of commands and goals, and the names at which they enter the node."""
     topics = (command.topic for command in machine.reactions.commands)
     found = {topic: unfiltered(topic) for topic in topics}
     for server in relayed_servers(machine):

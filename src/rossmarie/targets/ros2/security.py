@@ -1,4 +1,4 @@
-"""The access control policy of a node for SROS2: what the node uses, and nothing else.
+"""The access control policy of a node for SROS2: it allows only the interfaces that the node uses.
 
 Version 0.2.0 of the format (https://design.ros2.org/articles/ros2_access_control_policies.html).
 Names of the rules are relative, so they follow the namespace of a profile, as in the node.
@@ -31,7 +31,7 @@ _SERVICES_OF_EACH = (
 _PUBLISHED_BY_EACH = ("/parameter_events", "/rosout")
 _SUBSCRIBED_BY_EACH = ("/clock", "/parameter_events")
 
-# The services that the node has besides: the life cycle, the bond with its manager, and its own.
+# The additional services of the node: the life cycle, the bond with its manager, and its own.
 _SERVICES = (
     "change_state", "get_available_states", "get_available_transitions", "get_state",
     "get_transition_graph", "exempt", "reset", "why",
@@ -59,7 +59,7 @@ _KINDS = {
 
 
 def policy(machine: ir.Machine) -> str:
-    """The policy, as XML: an enclave for the node, and one for whatever sends commands."""
+    """The policy, as XML: an enclave for the node, and one for the senders of commands."""
     package = node_name(machine)
     root = ET.Element("policy", version=_VERSION)
     enclaves = ET.SubElement(root, "enclaves")

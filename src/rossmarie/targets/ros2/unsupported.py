@@ -13,7 +13,7 @@ from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """A finding for everything that the generated node would have to leave out."""
+    """A finding for every feature that the generated node would have to leave out."""
     yield from c99.unsupported(machine)
     if machine.rules and not machine.reactions.tasks:
         yield NothingToDo(target="ros2").at(machine.rules[0].span)

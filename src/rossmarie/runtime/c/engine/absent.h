@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Parts that these rules do not use: their file tells the sizes of those that they use. */
+/* Parts that these rules do not use. The files of used parts define these sizes themselves. */
 #ifndef TIMEOUTS
 #define TIMEOUTS 0
 #endif

@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Numbers are IEEE 754 binary64, evaluated as written: what compilers and processors do otherwise
- * is refused here, or reported by arithmetic_fault.
+/* Numbers are IEEE 754 binary64, evaluated as written. Compilers and processors that deviate are
+ * rejected here, or reported by arithmetic_fault.
  */
 #ifndef ROSSMARIE_BINARY64_H
 #define ROSSMARIE_BINARY64_H
@@ -26,8 +26,8 @@ static volatile const double given[] = {
     NAN, INFINITY, 1.0, 3.0, -0.0, 1.0 + 0x1p-27, 1.0 + 0x1p-26, DBL_EPSILON / 4.0, DBL_MIN,
 };
 
-/* Why numbers are not those of IEEE 754 here, NULL if they are. Flags of compilers that no macro
- * tells show in results, as do the modes of the processor in this thread.
+/* The reason why numbers are not those of IEEE 754 here, NULL if they are. Compiler flags without a
+ * macro show in results, and so do the processor modes of this thread.
  */
 static const char *arithmetic_fault(void)
 {

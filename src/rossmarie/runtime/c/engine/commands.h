@@ -1,10 +1,10 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Commands: what lies on the numbers of a command that passes. */
+/* Commands: the bounds on the numbers of a command. */
 
 #if COMMANDS
 
-/* How far what a limit bounds has moved out of its way. */
+/* The distance by which a bound of a limit has moved outward. */
 static double moved(const reactor *r, unsigned task, double ramp, int64_t t_ns)
 {
     const int64_t since_ns = r->since_ns[task];

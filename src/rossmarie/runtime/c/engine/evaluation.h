@@ -1,13 +1,11 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Evaluation: what is marked is evaluated in order, at the instants at which timers fall due and at
- * those of messages.
- */
+/* Evaluation: marked nodes are evaluated in order, at the instants of timers and of messages. */
 
-/* The value of a proposition that was marked: the rules' own part of a monitor. */
+/* The value of a marked proposition: the rules' own part of a monitor. */
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns);
 
-/* The next that is marked: a proposition gets its value, a rule is judged. */
+/* Evaluate the next marked node: a proposition gets its value, a rule is judged. */
 static int visit(monitor *m, unsigned node, int64_t t_ns)
 {
     if (node >= PROPOSITIONS)
@@ -16,7 +14,7 @@ static int visit(monitor *m, unsigned node, int64_t t_ns)
     return 0;
 }
 
-/* Everything that is marked, in order: what depends on a proposition stands behind it. */
+/* Evaluate all marked nodes, in order: each node follows its operands. */
 static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
@@ -68,7 +66,7 @@ static int64_t earliest_timer(const monitor *m)
 
 #if TIMEOUTS
 
-/* An input reached its timeout: what it brought is forgotten. */
+/* An input has reached its timeout: forget its values. */
 static void expire(monitor *m, unsigned input)
 {
     m->state[input] = EXPIRED;
@@ -106,7 +104,7 @@ static void expire_due(monitor *m, int64_t t_ns)
 
 #endif
 
-/* Mark what is due at an instant. */
+/* Mark the nodes that are due at an instant. */
 static void tick(monitor *m, int64_t t_ns)
 {
 #if TIMEOUTS
@@ -134,7 +132,7 @@ static void tick(monitor *m, int64_t t_ns)
     (void)t_ns;
 }
 
-/* What is measured against a clock is forgotten. */
+/* Forget everything that was measured against a clock. */
 static void forget_times(monitor *m, int64_t t_ns)
 {
 #if HELD
@@ -178,7 +176,7 @@ static void forget_times(monitor *m, int64_t t_ns)
     (void)t_ns;
 }
 
-/* Begin, or begin again after time went backwards: of inputs no more than their ages is known. */
+/* Begin, or begin again after time went backwards: only the ages of inputs are kept. */
 static void restart(monitor *m, int64_t t_ns)
 {
     for (unsigned node = 0; node != PROPOSITIONS; node++)

@@ -11,7 +11,7 @@
 #define LONGEST (INT64_C(1) << 61)
 #define NEVER INT64_MAX
 
-/* What tables count with. */
+/* The type of indices in tables. */
 typedef uint16_t index_t;
 
 enum { NONE = 0xFFFF };

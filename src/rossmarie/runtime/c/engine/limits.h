@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Guards: every number that conditions look at has one, the range around its present value in which
+/* Guards: every number in a condition has one, the range around its present value in which
  * none of its comparisons changes. Guard g watches guard_value[g]. It owns the propositions from
  * guard_leaves[g] up to, but without, guard_leaves[g + 1], and the limits between the ends
  * guard_limits[g] and guard_limits[g + 1] - 1, from low to high.
@@ -8,7 +8,7 @@
 
 #if EXCUSES
 
-/* Whether a number that something rests on is missing: it is unknown, or beyond all numbers; the
+/* True if a number that something rests on is missing: it is unknown, or beyond all numbers; the
  * least or greatest of a list without elements is so on either side.
  */
 static bool is_missing(const monitor *m, unsigned excuse)
@@ -25,7 +25,7 @@ static bool is_missing(const monitor *m, unsigned excuse)
 
 #if GUARDS || OSCILLATIONS
 
-/* Whether a number is unknown for lack of an input with a timeout: its value is missing, or nothing
+/* True if a number is unknown for lack of an input with a timeout: its value is missing, or nothing
  * is missing and no number comes out (a division by zero).
  */
 static unsigned char unknown_kind(const monitor *m, unsigned row)
@@ -49,7 +49,9 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
 
 #if COVERED
 
-/* Numbers that are kept as they arrive while they are inside their guards: one is not finite. */
+/* Numbers that are stored as they arrive while they are inside their guards: mark one as unknown if
+ * it is not finite.
+ */
 RARE double or_unknown(monitor *m, unsigned g)
 {
     for (unsigned i = 0; i != COVERED; i++)
@@ -59,7 +61,8 @@ RARE double or_unknown(monitor *m, unsigned g)
 
 #else
 
-/* A number that is not finite may be an infinity out of an array, which is as good as any. */
+/* A number that is not finite may be an infinite element of an array, which is an ordinary number.
+ */
 static double or_unknown(const monitor *m, unsigned g) { return m->value[guard_value[g]]; }
 
 #endif
@@ -93,7 +96,7 @@ static void settle_at(monitor *m, unsigned g, unsigned place)
     m->high[g] = limits[place + 1].at;
 }
 
-/* A number that was unknown is known: every proposition starts below its limits. */
+/* A number that was unknown has become known: every proposition starts below its limits. */
 static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = guard_limits[g];

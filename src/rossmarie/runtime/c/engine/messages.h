@@ -1,14 +1,14 @@
 /* Part of ROSSMARie, the same for all rules. */
 
 /* Messages: time passes up to a message, its numbers are stored by the rules' own part of a
- * monitor, and what they change is evaluated. A calm message costs no more than looking at its
- * numbers: no timer is due, and all numbers stay inside their guards.
+ * monitor, and what they change is evaluated. A calm message costs only a check of its numbers: no
+ * timer is due, and all numbers stay inside their guards.
  */
 
 /* Before a message: that it is calm, or how many events there were. */
 enum { REFUSED = -1, CALM = -2 };
 
-/* Whether a message at this instant can change nothing but by its numbers. */
+/* True if a message at this instant can change nothing but by its numbers. */
 INLINE bool is_calm(const monitor *m, int64_t t_ns)
 {
     return t_ns >= m->now_ns && t_ns < m->wake_ns;
@@ -49,7 +49,8 @@ static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns
 
 #endif
 
-/* Time passes up to messages, which may be late: a timer may be due, or time begins, or goes back.
+/* Let time pass up to messages, which may be late: a timer may be due, or time begins, or goes
+ * back.
  */
 RARE int begin(monitor *m, const bool arrived[], int64_t t_ns)
 {
@@ -68,7 +69,7 @@ RARE int begin(monitor *m, const bool arrived[], int64_t t_ns)
 
 #if GUARDS && CHANNELS
 
-/* Look at the numbers that a message on a channel may have changed. */
+/* Check the numbers that a message on a channel may have changed. */
 static void look(monitor *m, unsigned channel, int64_t t_ns)
 {
     for (unsigned i = channel_guards[channel]; i != channel_guards[channel + 1]; i++) {
@@ -80,8 +81,8 @@ static void look(monitor *m, unsigned channel, int64_t t_ns)
 
 #endif
 
-/* Evaluate what messages changed. Returns how many events there were, those before the messages
- * included.
+/* Evaluate the nodes that messages have marked. Returns the number of events, including those
+ * before the messages.
  */
 RARE int settle(monitor *m, const bool arrived[], int64_t t_ns, int before)
 {

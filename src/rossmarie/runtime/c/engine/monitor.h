@@ -7,9 +7,8 @@
  *
  * How it works: every number that conditions look at has a guard, the range around its present
  * value in which none of its comparisons changes. A message whose numbers stay inside their guards
- * costs no more than looking at them. A number that leaves its guard crosses one or more limits;
- * that flips the propositions at these limits, and only what depends on them is evaluated, in
- * order.
+ * costs only a check of them. A number that leaves its guard crosses one or more limits; that flips
+ * the propositions at these limits, and only what depends on them is evaluated, in order.
  */
 #ifdef ROSSMARIE_MONITOR
 #error "a file includes the engine of one monitor only"
@@ -40,7 +39,7 @@
 
 #include "messages.h"
 
-/* What is computed from constants alone: the rules' own part of a monitor. */
+/* Compute the numbers that depend only on constants: the rules' own part of a monitor. */
 static void set_constants(monitor *m);
 
 const char *NAMED(init)(monitor *m, NAMED(callback) on_event, void *user)
@@ -55,7 +54,7 @@ const char *NAMED(init)(monitor *m, NAMED(callback) on_event, void *user)
     return arithmetic_fault();
 }
 
-/* Time passes without a message. */
+/* Let time pass without a message. */
 int NAMED(advance)(monitor *m, int64_t t_ns)
 {
     int events = catch_up(m, t_ns);

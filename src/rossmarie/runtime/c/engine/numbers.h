@@ -1,12 +1,14 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Numbers that are not finite are unknown, which is NaN; and what is asked of the elements of
- * arrays. */
+/* Numbers that are not finite are unknown, which is NaN; and results over the elements of arrays.
+ */
 
-/* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
+/* A number that is not finite is unknown: x - (x - x) is exactly x if x is finite, and NaN if it is
+ * not.
+ */
 static inline double known(double x) { return x - (x - x); }
 
-/* The outcome of a comparison as a number: 0 or 1, or NaN if an operand is. */
+/* The result of a comparison as a number: 0 or 1, or NaN if an operand is NaN. */
 static inline double outcome(bool is_unknown, bool value)
 {
     return is_unknown ? NAN : value ? 1.0 : 0.0;
@@ -18,25 +20,27 @@ static inline unsigned char element_proposition(bool is_unknown, bool value)
     return is_unknown ? UNKNOWN : value ? TRUE : FALSE;
 }
 
-/* Some of the elements, given how many are true, are unknown, and are. */
+/* "For some element", given the numbers of true, of unknown, and of all elements. */
 static inline double some(size_t trues, size_t unknowns, size_t count)
 {
     return trues != 0 ? 1.0 : unknowns != 0 || count == 0 ? NAN : 0.0;
 }
 
-/* All of the elements, given how many are true, are unknown, and are. */
+/* "For all elements", given the numbers of true, of unknown, and of all elements. */
 static inline double every(size_t trues, size_t unknowns, size_t count)
 {
     return trues + unknowns != count ? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0;
 }
 
-/* How many elements a proposition holds for, given how many are true, are unknown, and are. */
+/* The number of elements for which a proposition is true, given the numbers of true, of unknown,
+ * and of all elements.
+ */
 static inline double how_many(size_t trues, size_t unknowns, size_t count)
 {
     return unknowns != 0 || count == 0 ? NAN : (double)trues;
 }
 
-/* The same of the elements of a list, of which there may be none, if they are known. */
+/* The same for the elements of a list, which may be empty, if they are known. */
 static inline double some_of_list(size_t trues, size_t unknowns, bool is_known)
 {
     return outcome(!is_known || (trues == 0 && unknowns != 0), trues != 0);

@@ -11,7 +11,7 @@ static void forget_turns(monitor *m, unsigned k)
     forget_recent(m, k);
 }
 
-/* Whether enough turning points lie within the window. */
+/* True if enough turning points lie within the window. */
 static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 {
     if (!isfinite(m->value[turn_value[k]])) {

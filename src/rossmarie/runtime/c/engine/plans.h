@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The words in which the tables of a reactor are written. */
+/* The types of the tables of a reactor. */
 #ifndef ROSSMARIE_PLANS_H
 #define ROSSMARIE_PLANS_H
 
@@ -43,10 +43,10 @@ enum {
     OVERDUE = NAMED(TASK_OVERDUE)
 };
 
-/* A task: the rule whose it is; how long its end is awaited (0: it is not), and its state then;
- * whether it waits while another rule has what it needs, and whether it fails at once then; what it
- * needs; what it does to that, as a number, and the same if its rule does nothing else to it; the
- * condition that confirms its end. NONE is nothing of each.
+/* A task: its rule; the time for which its end is awaited (0: not at all), and its state then;
+ * whether it waits while another rule has its resource, and whether it fails at once then; its
+ * resource; its deed on the resource, as a number, and the same if its rule has no other deed on
+ * it; the condition that confirms its end. NONE means that there is none.
  */
 typedef struct plan {
     index_t rule;
@@ -60,8 +60,8 @@ typedef struct plan {
     index_t watch;
 } plan;
 
-/* What a task does to a field of a command while it is in force: the number is at least and at most
- * this; and by how much that fades in a second when it is not in force (0: at once).
+/* The bounds of a task on a field of a command while the task is in force: the least and the
+ * greatest number; and the speed at which the bounds open afterwards, per second (0: at once).
  */
 typedef struct bound {
     index_t task;
@@ -71,9 +71,9 @@ typedef struct bound {
     double ramp;
 } bound;
 
-/* A memory: where its poses begin among the numbers of all, and its readings among those of all;
- * how many poses it keeps at most, and how many numbers each has; how far a pose has to be from the
- * one before it, in m and in ns.
+/* A memory: the index of its first number among all poses, and of its first reading among all
+ * readings; its greatest number of poses, and the count of numbers in each; the least distance of a
+ * pose from the one before it, in m and in ns.
  */
 typedef struct memory {
     unsigned first;
@@ -84,14 +84,14 @@ typedef struct memory {
     int64_t pose_gap_ns;
 } memory;
 
-/* A task that sends the poses of a memory, one in each period. */
+/* A task that sends the poses of a memory, one per period. */
 typedef struct retrace {
     index_t task;
     index_t memory;
     int64_t pose_period_ns;
 } retrace;
 
-/* By what a task multiplies all fields of a command, and how that fades. */
+/* The factor of a task on all fields of a command, and the speed at which it returns to 1. */
 typedef struct scale {
     index_t task;
     double factor;

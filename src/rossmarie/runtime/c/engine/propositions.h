@@ -1,12 +1,12 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Propositions, who depends on them, and three-valued logic: Kleene's, in which what is stale is
- * unknown, too. Propositions and rules are nodes: what depends on a node stands behind it.
+/* Propositions, the nodes that depend on them, and Kleene's three-valued logic, in which stale is a
+ * form of unknown. Propositions and rules are nodes: each node follows its operands.
  */
 
 #if NODES <= 64
 
-/* A node is evaluated again: something that it depends on changed. */
+/* Mark a node for evaluation: one of its operands has changed. */
 INLINE void mark(monitor *m, unsigned node) { m->dirty |= BIT(node); }
 
 INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
@@ -42,7 +42,7 @@ INLINE unsigned lowest(uint64_t bits)
 #endif
 }
 
-/* A proposition has a value; if that is new, what depends on it is marked. */
+/* Set a proposition. If its value is new, mark the nodes that depend on it. */
 INLINE void set_truth_value(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 {
     if (value == m->truth_value[node])
@@ -83,7 +83,7 @@ static inline unsigned char opposite(unsigned char a)
 
 #if SINCES
 
-/* `held since begun`; its memory is what it was when it was last evaluated. */
+/* `held since begun`. Its memory is its value at the last evaluation. */
 static unsigned char since(monitor *m, unsigned k, unsigned held, unsigned begun)
 {
     const unsigned char before = either(m->truth_value[begun], m->since_before[k]);

@@ -1,8 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
 /* The engine of a reactor: it turns the activity of rules into orders to start and to stop tasks.
- * The file that includes it has the rules' own part before this line: what tasks need, and what
- * follows them, as tables in the words of plans.h.
+ * The file that includes it has the rules' own part before this line: tables of tasks and
+ * escalations, in the types of plans.h.
  */
 #ifdef ROSSMARIE_REACTOR
 #error "a file includes the engine of one reactor only"
@@ -34,7 +34,7 @@ static void give_orders(reactor *r)
 
 /* --- time ---------------------------------------------------------------------------------- */
 
-/* Whether the instant is in range. When the clock is set back, what was a old stays a old. */
+/* True if the instant is in range. When the clock is set back, what was a old stays a old. */
 static bool set_clock(reactor *r, int64_t t_ns)
 {
     if (t_ns <= EARLIEST || t_ns >= LATEST)
@@ -53,7 +53,7 @@ static bool set_clock(reactor *r, int64_t t_ns)
     return true;
 }
 
-/* When a task that runs or waits runs out of time. */
+/* The instant at which a task that runs or waits times out. */
 static int64_t due(const reactor *r, unsigned task)
 {
     const bool is_open = r->state[task] == RUNNING || r->state[task] == WAITING;
@@ -68,8 +68,8 @@ static bool is_in_force(const reactor *r, unsigned task)
     return r->state[task] == RUNNING || r->state[task] == HOLDING;
 }
 
-/* The engaged rule that has what a task needs, -1 if that is the rule of the task, or publishes the
- * same. Only what is published is done without being awaited.
+/* The engaged rule that has the resource of a task, -1 if it is the rule of the task, or publishes
+ * the same. Only publications are effects that are not awaited.
  */
 static int32_t overruler(const reactor *r, unsigned task)
 {
@@ -87,7 +87,7 @@ static int32_t overruler(const reactor *r, unsigned task)
     return -1;
 }
 
-/* A task is the last of its rule that started. */
+/* Record a task as the last started task of its rule. */
 static void append_started(reactor *r, unsigned task)
 {
     const unsigned rule = tasks[task].rule;
@@ -122,7 +122,7 @@ static void fail(reactor *r, unsigned task, unsigned char state)
     r->failed_count++;
 }
 
-/* Another rule has what a task needs. Of a task that runs the time goes on. */
+/* Another rule has the resource of a task. The time of a running task goes on. */
 static void give_way(reactor *r, unsigned task)
 {
     if (r->state[task] != RUNNING)
@@ -132,7 +132,9 @@ static void give_way(reactor *r, unsigned task)
         fail(r, task, OVERDUE);
 }
 
-/* Tasks begin, but for those whose resource another rule has, and those that have begun before. */
+/* Start tasks, except for those whose resource another rule has, and those that have started
+ * before.
+ */
 static void start(reactor *r, const index_t *first, const index_t *end)
 {
     for (const index_t *task = first; task != end; task++) {
@@ -151,7 +153,7 @@ static void start(reactor *r, const index_t *first, const index_t *end)
     }
 }
 
-/* What follows from failures, those that follow from these included. */
+/* Start the escalations of failed tasks, including escalations of failed escalations. */
 static void escalate(reactor *r)
 {
     for (unsigned i = 0; i != r->failed_count; i++) {
@@ -166,7 +168,7 @@ static void escalate(reactor *r)
 
 /* --- rules --------------------------------------------------------------------------------- */
 
-/* What is in force is undone, last started first, and all is forgotten. */
+/* Undo everything that is in force, in reverse order of the start, and forget it. */
 static void release(reactor *r, unsigned rule)
 {
     for (unsigned i = r->started_count[rule]; i != 0; i--) {
@@ -192,7 +194,7 @@ static void give_up(reactor *r, unsigned task)
         r->state[task] = DONE;
 }
 
-/* First all that is given up, then what follows from that, then what begins again. */
+/* First give resources up, then start the consequences, then start waiting tasks again. */
 static void pass_resources_on(reactor *r)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -208,7 +210,7 @@ static void pass_resources_on(reactor *r)
             begin(r, task);
 }
 
-/* The stage that a rule is at, if it is not at the end. */
+/* Start the current stage of a rule, unless its plan is finished. */
 static void start_stage(reactor *r, unsigned rule)
 {
     const unsigned stage = rule_stages[rule] + r->stage[rule];
@@ -231,7 +233,7 @@ static bool is_stage_over(const reactor *r, unsigned rule)
     return true;
 }
 
-/* Whether the condition that confirms the end of a task holds, if it has one. */
+/* True if the condition that confirms the end of a task holds, if it has one. */
 static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
 {
 #if CONFIRMED
@@ -243,7 +245,7 @@ static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
     return true;
 }
 
-/* Whether what a waiting task is there for is so without it. */
+/* True if the goal of a waiting task is reached without it. */
 static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned task)
 {
     const int32_t owner = overruler(r, task);
@@ -259,7 +261,7 @@ static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned tas
     return false;
 }
 
-/* What waits when its time is over fails, unless it is answered for. */
+/* A waiting task fails when its time is over, unless its goal is reached without it. */
 static void settle_waits(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -269,7 +271,7 @@ static void settle_waits(reactor *r, const NAMED(monitor) * m)
     }
 }
 
-/* Ends of tasks, then the stages that follow. */
+/* Handle ends of tasks, then start the stages that follow. */
 static void settle(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -319,13 +321,13 @@ const char *NAMED(reactor_init)(reactor *r, NAMED(perform) perform, void *user)
 
 void NAMED(reactor_open)(reactor *r) { r->opened = true; }
 
-/* Whether a rule is to be carried out. */
+/* True if a rule is to be carried out. */
 static bool engages(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
 {
     return NAMED(is_active)(m, (int)rule) && !(exempted && exempted[rule]);
 }
 
-/* Whether another rule is, while which this one is not. */
+/* True if a rule is active that suspends this one. */
 static bool yields(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
 {
 #if YIELDING

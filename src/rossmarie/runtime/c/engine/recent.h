@@ -23,14 +23,14 @@ static int64_t recent_end(const monitor *m, unsigned k)
     return m->recent_ns[recent_first[k] + m->recent_next[k]] + recent_windows[k];
 }
 
-/* Whether enough of them lie within the window. */
+/* True if enough of them lie within the window. */
 static bool is_enough(const monitor *m, unsigned k, int64_t t_ns)
 {
     return m->recent_count[k] == recent_first[k + 1] - recent_first[k] && t_ns < recent_end(m, k);
 }
 
-/* What is known of them, given their source, of which it matters whether it is unknown, or stale:
- * too few tell nothing until the source has been known throughout the window.
+/* The result, given the source, which matters only if it is unknown or stale: too few instants give
+ * no answer until the source has been known throughout the window.
  */
 static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source, bool is_enough,
                                    int64_t t_ns)
@@ -52,7 +52,7 @@ static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source,
     return m->gap[k];
 }
 
-/* When what is known of them changes by itself. */
+/* The instant at which the result changes by itself. */
 static int64_t recent_due(const monitor *m, unsigned k)
 {
     const unsigned char value = m->truth_value[recent_proposition[k]];

@@ -4,7 +4,7 @@
 
 #if RETRACES
 
-/* Pose i that a memory keeps, the oldest first. */
+/* Pose i in a memory, the oldest first. */
 static unsigned pose_place(const reactor *r, unsigned k, unsigned i)
 {
     return memories[k].first + (r->poses_oldest[k] + i) % memories[k].most * memories[k].numbers;
@@ -18,7 +18,7 @@ static bool is_known_pose(unsigned k, const double *pose)
     return true;
 }
 
-/* Whether a pose is far enough from the last one, which is that old. */
+/* True if a pose is far enough from the last one, which is that old. */
 static bool is_apart(unsigned k, const double *pose, const double *last, int64_t age_ns)
 {
     const double x = pose[0] - last[0];
@@ -31,7 +31,7 @@ static bool is_apart(unsigned k, const double *pose, const double *last, int64_t
            age_ns >= memories[k].pose_gap_ns;
 }
 
-/* Whether a pose is far enough from the last one that is kept. */
+/* True if a pose is far enough from the last one that is kept. */
 static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
 {
     double last[MOST_NUMBERS] = {0.0};
@@ -44,7 +44,7 @@ static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
     return is_apart(k, pose, last, r->now_ns - r->pose_recorded_ns[k]);
 }
 
-/* Record the poses of the monitor; of a memory that is full the oldest makes room. */
+/* Record the poses of the monitor. In a full memory, the new pose replaces the oldest. */
 static void pose_record(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned k = 0; k != MEMORIES; k++) {
@@ -70,8 +70,8 @@ static void pose_record(reactor *r, const NAMED(monitor) * m)
     }
 }
 
-/* From when on a task sends its next pose; NEVER if it has none, or nobody knows where the robot
- * is.
+/* The instant from which a task may send its next pose; NEVER if it has none, or if the robot's
+ * position is unknown.
  */
 static int64_t pose_due(const reactor *r, unsigned i)
 {
@@ -81,7 +81,7 @@ static int64_t pose_due(const reactor *r, unsigned i)
     return r->pose_sent_ns[i] == NEVER ? EARLIEST : r->pose_sent_ns[i] + retraces[i].pose_period_ns;
 }
 
-/* The earlier one of an instant and when a task sends its next pose. */
+/* The earlier of an instant and the instant of a task's next pose. */
 static int64_t pose_wake(const reactor *r, int64_t wake_ns)
 {
     for (unsigned i = 0; i != RETRACES; i++)

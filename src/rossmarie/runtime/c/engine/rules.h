@@ -1,13 +1,13 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Rules: when they become active, when they clear, and what is reported of it. */
+/* Rules: their activation, their clearing, and the reports of both. */
 
 static bool is_active(const monitor *m, unsigned rule)
 {
     return (m->active[rule / 8] >> (rule % 8) & 1) != 0;
 }
 
-/* Report a change of a rule with what it rests on. */
+/* Report a change of a rule, with the values that it depends on. */
 static void report(const monitor *m, unsigned rule, int32_t change, int64_t t_ns)
 {
     NAMED(event) event;
@@ -38,7 +38,7 @@ static int change_rule(monitor *m, unsigned rule, int32_t change, int64_t t_ns)
     return 1;
 }
 
-/* What an evaluation does to a rule; returns how many changes. */
+/* Change a rule after an evaluation. Returns the number of changes. */
 static int judge(monitor *m, unsigned rule, int64_t t_ns)
 {
     const unsigned char condition = m->truth_value[rule_condition[rule]];

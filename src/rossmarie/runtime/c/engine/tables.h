@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The words in which the tables of a monitor are written. */
+/* The types of the tables of a monitor. */
 #ifndef ROSSMARIE_TABLES_H
 #define ROSSMARIE_TABLES_H
 
@@ -26,12 +26,12 @@ enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };
 
 enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
-/* A rule that clears only if an operator resets it: the proposition that it waits for. */
+/* A rule that only an operator's reset clears: the proposition that it waits for. */
 enum { LATCHED = NONE };
 
 /* A limit of a number: above it, the proposition has this value, and up to it the opposite. If the
- * proposition has another limit, that one is so many limits on, or back if negative; 0 if it has
- * none.
+ * proposition has another limit, `other` is its distance in the table, negative if it comes before;
+ * 0 if there is none.
  */
 typedef struct limit {
     double at;
@@ -44,7 +44,7 @@ typedef struct limit {
 #define BELOW_ALL {-INFINITY, 0, FALSE, 0}
 #define ABOVE_ALL {DBL_MAX, 0, FALSE, 0}
 
-/* Where there are few propositions and rules: a set of them. */
+/* A set of propositions and rules, if there are few. */
 #define BIT(node) ((uint64_t)1 << (node))
 #define NOBODY ((uint64_t)0)
 

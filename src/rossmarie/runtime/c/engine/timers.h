@@ -4,7 +4,7 @@
 
 static inline int64_t earlier(int64_t a, int64_t b) { return a < b ? a : b; }
 
-/* A timer was started. `wake_ns` is never later than the earliest timer; it may be earlier. */
+/* Record a new timer. `wake_ns` is never later than the earliest timer; it may be earlier. */
 static inline void wake_by(monitor *m, int64_t due_ns)
 {
     if (due_ns < m->wake_ns)
@@ -13,8 +13,9 @@ static inline void wake_by(monitor *m, int64_t due_ns)
 
 #if HELD
 
-/* `operand for duration`: true once the operand has been true that long; until then what the
- * operand was before. (Next to no branches: whether an operand rose or fell is badly predictable.)
+/* `operand for duration`: true once the operand has been true that long; until then the earlier
+ * value of the operand. (Next to no branches: whether an operand rose or fell is badly
+ * predictable.)
  */
 static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
@@ -30,7 +31,7 @@ static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 
 #if AGES
 
-/* How long ago the last message of an input was. */
+/* The age of the last message of an input. */
 static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned input = age_input[k];

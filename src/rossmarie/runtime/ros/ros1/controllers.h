@@ -29,7 +29,8 @@ public:
     {
     }
 
-    // A manager refuses to start what runs; what this node has done already is left out.
+    // A manager refuses to start a running controller; changes that this node has already made are
+    // left out.
     bool apply(const Change &change)
     {
         const Change rest{undone(change.start, true), undone(change.stop, false)};
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    // Either all is done, or nothing.
+    // Either all changes are made, or none.
     bool call(const Change &change)
     {
         if (change.start.empty() && change.stop.empty())

@@ -1,7 +1,7 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The goals of one action server: those of others, which tasks interrupt, and those that tasks
-// send. All that is said between an action server and its clients goes over topics; goals of others
+// send. Action servers and their clients communicate over topics; goals of others
 // are kept as bytes, so that this works for actions of any type.
 #pragma once
 
@@ -35,7 +35,7 @@ public:
     {
     }
 
-    // `look` is called whenever anything is heard of the goals.
+    // `look` is called whenever there is news about the goals.
     void watch(std::function<void()> look) { watchers_.push_back(std::move(look)); }
 
     // A task has the server from now on.
@@ -46,8 +46,8 @@ public:
         interrupt();
     }
 
-    // A task has it no longer. When none has it, what the last one said counts: whether the goal
-    // that was interrupted is sent again.
+    // A task does not have the server any more. When no task has it, the last task decides whether
+    // the interrupted goal is sent again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty() && !resend)
@@ -84,7 +84,7 @@ public:
         cancel_.publish(cancelled);
     }
 
-    // Whether no goal is pursued; not before the server has said so.
+    // True if no goal is pursued; false before the server has reported its goals.
     bool is_free() const
     {
         return has_reported_ && !latest_.is_known() &&
@@ -99,10 +99,10 @@ public:
                   traits::definition<ActionGoal>());
     }
 
-    // Whether the server hears what is sent: whoever tells the status subscribes to goals.
+    // True if the server hears what is sent: whoever tells the status subscribes to goals.
     bool is_connected() const { return subscribers_.count(server_node_) > 0; }
 
-    // How often a server has gone: what it was asked for before, it does not answer any more.
+    // The number of times that a server has gone: it does not answer earlier requests any more.
     int losses() const { return losses_; }
 
     // Sends a goal of a task; returns its name.
@@ -115,7 +115,7 @@ public:
         return message.goal_id.id;
     }
 
-    // What the server says of a goal; null if it does not list it.
+    // The server's report about a goal; null if it does not list the goal.
     const Status *find(const std::string &id) const
     {
         const auto found = std::find_if(listed_.begin(), listed_.end(), [&id](const Status &each) {
@@ -146,7 +146,7 @@ private:
         bool is_known() const { return message != nullptr; }
     };
 
-    // Whether a goal is pursued, or will be, and has not been cancelled.
+    // True if a goal is pursued, or will be, and has not been cancelled.
     static bool is_untouched(const Status &status)
     {
         return status.status == Status::PENDING || status.status == Status::ACTIVE;
@@ -172,7 +172,7 @@ private:
         for (const Status &each : listed_)
             if (is_over(each))
                 own_.erase(each.goal_id.id);
-        // A server that has forgotten a goal, for it was started anew, does not pursue it.
+        // A server that has forgotten a goal, because it was restarted, does not pursue it.
         const Status *latest = find(latest_.id.id);
         if (latest == nullptr ? latest_.is_listed : is_over(*latest))
             latest_ = Goal();
@@ -283,8 +283,8 @@ private:
     ros::Time newest_;
     int sent_ = 0;
     int losses_ = 0;
-    bool has_reported_ = false;    // since a task took the server
-    ros::Publisher publisher_; // of goals
+    bool has_reported_ = false; // since a task took the server
+    ros::Publisher publisher_;  // of goals
     ros::Publisher cancel_;
     ros::Subscriber goal_;
     ros::Subscriber status_;

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What this node tells and is asked: its own messages and services, and diagnostics.
+// The interfaces of this node: its own messages and services, and diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>

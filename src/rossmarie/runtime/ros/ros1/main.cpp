@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// The node: lets the guard work.
+// The node: runs the guard.
 #include <ros/ros.h>
 
 #include <csignal>
@@ -18,7 +17,7 @@ static volatile std::sig_atomic_t is_ended = 0;
 
 int main(int argc, char **argv)
 {
-    // Whoever ends the node does not leave the robot with the last command: 0 is sent before.
+    // If a signal ends the node, 0 is sent first, so that the robot does not keep the last command.
     ros::init(argc, argv, NODE, ros::init_options::NoSigintHandler);
     std::signal(SIGINT, [](int) { is_ended = 1; });
     std::signal(SIGTERM, [](int) { is_ended = 1; });

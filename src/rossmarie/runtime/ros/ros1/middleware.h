@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// All that the node asks of ROS, in the words of this node.
+// The functions of ROS that the node uses, under its own names.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -21,7 +20,7 @@
 #include "need.h"
 #include "worker.h"
 
-// What the log says.
+// The lines of the log.
 namespace say {
 inline void debug(const std::string &text) { ROS_DEBUG("%s", text.c_str()); }
 inline void information(const std::string &text) { ROS_INFO("%s", text.c_str()); }
@@ -124,8 +123,8 @@ public:
     // False from when the check finds a master that was started anew: nobody finds this node then.
     bool is_known_to_master() const { return is_known_; }
 
-    // Finds out what is missing, and who else publishes the topics that this node commands. The
-    // master is asked in another thread.
+    // Finds missing requirements, and other publishers of the topics that this node commands.
+    // Another thread queries the master.
     void check(const std::vector<Need> &needs, const std::vector<std::string> &commanded,
                std::function<void(const Findings &)> tell)
     {
@@ -142,7 +141,7 @@ public:
                 if (const std::string problem = problem_of(need, types); !problem.empty())
                     found.problems[need.title] = problem;
             const auto published = publishers(commanded);
-            if (!published) // whoever passes the filter by may be there all the same
+            if (!published) // another publisher may exist all the same
                 return [this] { is_known_ = false; };
             for (const auto &[topic, nodes] : *published)
                 for (const std::string &node : nodes)
@@ -181,7 +180,7 @@ private:
         return found;
     }
 
-    // The master goes on to name nodes that were killed.
+    // The master continues to list nodes that were killed.
     static bool is_alive(const std::string &node)
     {
         XmlRpc::XmlRpcValue asking, response, address, process;
@@ -227,7 +226,7 @@ private:
     Worker worker_{queue_};
 };
 
-// Calls a service; what comes of it is reported later, on the queue of the node.
+// Calls a service. The result is reported later, on the queue of the node.
 template <class Service> class Client {
 public:
     using Answer = std::function<void(bool has_answered, const typename Service::Response &)>;
@@ -237,7 +236,7 @@ public:
     {
     }
 
-    // Whether the next call need not wait for an earlier one.
+    // True if the next call need not wait for an earlier one.
     bool is_free() const { return open_calls_ == 0; }
 
     void call(const typename Service::Request &request, Answer tell)

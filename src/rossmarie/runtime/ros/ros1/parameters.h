@@ -21,7 +21,7 @@ public:
             given_ = XmlRpc::XmlRpcValue();
     }
 
-    // A master that was started anew has none; whoever starts the node again finds them there.
+    // A restarted master has none; the program that restarts the node sets them again.
     void give_to_master() const
     {
         if (given_.valid())

@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// Sends a goal to an action server, in the place of the one that is pursued.
+// Sends a goal to an action server, in place of the pursued one.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What several tasks change by service calls; it is changed back when none of them has it any more.
+// A state that several tasks change by service calls; it is restored when none of them needs it any
+// more.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 class Task;
 
-// `Thing` has `bool apply(Change)`, and `restore()`, which brings back what was there before the
-// first of these. Both may take long: they run in another thread, one after the other.
+// `Thing` has `bool apply(Change)`, and `restore()`, which restores the state before the first
+// change. Both may take long: they run in another thread, one after the other.
 template <class Thing> class Shared {
 public:
     template <class... Arguments>
@@ -34,10 +34,10 @@ public:
         });
     }
 
-    // A task has it no longer.
+    // A task does not need it any more.
     void release(const Task *task) { tasks_.erase(task); }
 
-    // To be called when all orders of a call have been given.
+    // Call it when all orders of a call have been given.
     void tick()
     {
         if (!is_changed_ || !tasks_.empty())

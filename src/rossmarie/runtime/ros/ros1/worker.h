@@ -1,7 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// A thread for what may take long, so that the node never waits. What came of a job returns as a
-// callback on the one queue of the node.
+// A thread for slow work, so that the node never waits. The result of a job returns as a callback
+// on the one queue of the node.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -32,7 +31,7 @@ public:
     Worker(const Worker &) = delete;
     Worker &operator=(const Worker &) = delete;
 
-    // `job` runs in the thread; what it returns runs in the node.
+    // `job` runs in the thread; the function that it returns runs in the node.
     void begin(Job job)
     {
         {

@@ -29,7 +29,8 @@ public:
     {
     }
 
-    // A manager refuses to start what runs; what this node has done already is left out.
+    // A manager refuses to start a running controller; changes that this node has already made are
+    // left out.
     void apply(const Change &change, Then then)
     {
         const Change rest{undone(change.start, true), undone(change.stop, false)};
@@ -55,7 +56,7 @@ public:
 private:
     using SwitchController = controller_manager_msgs::srv::SwitchController;
 
-    // Either all is done, or nothing.
+    // Either all changes are made, or none.
     void call(const Change &change, const Then &then)
     {
         if (change.start.empty() && change.stop.empty())

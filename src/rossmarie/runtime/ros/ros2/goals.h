@@ -37,7 +37,7 @@ public:
     }
     virtual ~Goals() = default;
 
-    // `look` is called whenever anything is heard of the goals.
+    // `look` is called whenever there is news about the goals.
     void watch(std::function<void()> look) { watchers_.push_back(std::move(look)); }
 
     // A task has the server from now on.
@@ -49,8 +49,8 @@ public:
         cancel_all();
     }
 
-    // A task has it no longer. When none has it, what the last one said counts: whether the goal
-    // that was interrupted is sent again.
+    // A task does not have the server any more. When no task has it, the last task decides whether
+    // the interrupted goal is sent again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty())
@@ -80,7 +80,7 @@ public:
         }
     }
 
-    // Whether no goal of others is pursued; not before the server has said so.
+    // True if no goal of others is pursued; false before the server has reported its goals.
     bool is_free() const
     {
         const auto is_no_other = [this](const Status &each) {
@@ -99,7 +99,8 @@ public:
     }
     void forget(const GoalName &own) { own_.erase(own); }
 
-    // How often a server has gone. A goal from before that is not listed now has gone with it.
+    // The number of times that a server has gone. An earlier goal that is not listed now has gone
+    // with it.
     int losses() const { return losses_; }
     bool is_listed(const GoalName &name) const
     {
@@ -119,7 +120,7 @@ protected:
     // A server has gone.
     virtual void lose() {}
 
-    // Whether they wait.
+    // True if they wait.
     bool is_held() const { return !tasks_.empty() || is_resent_; }
 
 private:
@@ -136,7 +137,7 @@ private:
         return !is_untouched(status) && status.status != Status::STATUS_CANCELING;
     }
 
-    // Whether a goal is pursued, or will be, and has not been cancelled.
+    // True if a goal is pursued, or will be, and has not been cancelled.
     static bool is_untouched(const Status &status)
     {
         return status.status == Status::STATUS_ACCEPTED ||
@@ -163,7 +164,7 @@ private:
     {
         CancelGoal::Request request;
         request.goal_info.goal_id.uuid = name;
-        cancel_.call(request, [](bool, const Answer &) {}); // the status tells what comes of it
+        cancel_.call(request, [](bool, const Answer &) {}); // the status reports the result
     }
 
     void ask_again()
@@ -175,7 +176,8 @@ private:
         middleware_.later([this] { tell_watchers(); }); // not while the guard is at work
     }
 
-    // That a server was killed is known late, when the one after it may have told of its goals.
+    // The end of a killed server is detected late, possibly after its successor has reported its
+    // goals.
     void on_gone()
     {
         say::warning("an action server " + server_ + " has gone, and its goals with it");

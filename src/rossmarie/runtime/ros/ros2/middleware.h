@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// All that the node asks of ROS, in the words of this node.
+// The functions of ROS that the node uses, under its own names.
 #pragma once
 
 #include <builtin_interfaces/msg/duration.hpp>
@@ -136,7 +135,7 @@ public:
             node_, full(topic), rclcpp::QoS(1).transient_local()));
     }
 
-    // `Kept` says whether a message that was published earlier may come, too.
+    // `Kept` says whether an earlier message may arrive, too.
     enum class Kept { TAKEN, LEFT };
     template <class Message>
     void subscribe(const std::string &topic, size_t depth, Kept kept,
@@ -187,7 +186,7 @@ public:
             }));
     }
 
-    // Finds out what is missing, and who else publishes the topics that this node commands.
+    // Finds missing requirements, and other publishers of the topics that this node commands.
     void check(const std::vector<Need> &needs, const std::vector<std::string> &commanded,
                std::function<void(const Findings &)> tell)
     {
@@ -264,7 +263,7 @@ private:
     std::vector<rclcpp::ServiceBase::SharedPtr> services_;
 };
 
-// Calls a service; what comes of it is reported later.
+// Calls a service. The result is reported later.
 template <class Service> class Client {
 public:
     using Request = typename Service::Request;
@@ -279,7 +278,7 @@ public:
 
     bool is_there() const { return client_->service_is_ready(); }
 
-    // Whether the next call need not wait for an earlier one.
+    // True if the next call need not wait for an earlier one.
     static bool is_free() { return true; }
 
     void call(const Request &request, Answer tell)

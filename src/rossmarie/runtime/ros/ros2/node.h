@@ -1,6 +1,5 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// The node: a component with a life cycle. While it is active it lets the guard work; else no
+//  The node: a component with a life cycle. While it is active, the guard runs; otherwise no
 // command passes.
 #pragma once
 
@@ -103,7 +102,7 @@ private:
     using State = lifecycle_msgs::msg::State;
     using Steady = std::chrono::steady_clock;
 
-    // Nothing that goes wrong ends the process: others may live in it.
+    // No error ends the process, because other components may live in it.
     template <class Job> CallbackReturn attempt(Job job)
     {
         const say::As as(get_logger());
@@ -125,8 +124,7 @@ private:
         bond_->start();
     }
 
-    // The robot is not left with the last command, whoever ends the process and in whichever
-    // thread.
+    // The robot is not left with the last command, whichever program and thread ends the process.
     void stop_robot()
     {
         const std::lock_guard<std::mutex> lock(guarding_);

@@ -16,7 +16,7 @@
 
 class Parameters : public ParameterSource {
 public:
-    // Throws nothing for values that cannot be meant: `read` does, when the node is configured.
+    // Invalid values raise no error here: `read` reports them when the node is configured.
     explicit Parameters(rclcpp_lifecycle::LifecycleNode &node) : node_(node)
     {
         declare(
@@ -117,7 +117,8 @@ private:
         return rclcpp::ParameterValue();
     }
 
-    // A node that cannot be made cannot say why, so a value that ROS refuses is kept for later.
+    // A node that cannot be created cannot report the reason, so a value that ROS rejects is stored
+    // for later.
     void declare(const std::string &name, const rclcpp::ParameterValue &value,
                  const Descriptor &descriptor)
     {

@@ -1,7 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// An action server that stands before another one: goals pass through it, so that it can send one
-// again that was interrupted. Who sent the goal sees one goal, which goes on all the while.
+// An action server in front of another one. Goals pass through it, so that it can send an
+// interrupted goal again. The client sees one goal, which stays active all the time.
 #pragma once
 
 #include <rclcpp_action/rclcpp_action.hpp>
@@ -17,7 +16,7 @@
 
 template <class Action> class Relay : public Goals {
 public:
-    // `front` is where goals come from. It opens when the server is there, so that those who wait
+    // `front` is the name for clients. It opens when the server is there, so that clients that wait
     // for a server wait for that one.
     Relay(Middleware &middleware, const std::string &server, const std::string &front)
         : Goals(middleware, server), front_name_(front),
@@ -50,7 +49,7 @@ protected:
             entry.is_held = true;
     }
 
-    // The last goal is sent again; those before it are over.
+    // Sends the last goal again; earlier goals are over.
     void let_go(bool resend) override
     {
         resent_ = 0;
@@ -85,13 +84,13 @@ private:
     static constexpr std::chrono::milliseconds PERIOD{100};
 
     struct Entry {
-        Handle here;                     // for whoever sent the goal
+        Handle here;                     // for the client
         int number = 0;                  // in the order in which goals came
         int attempt = 0;                 // how often it has been sent to the server
         typename There::SharedPtr there; // at the server, while it is known there
         bool is_away = false;            // sent to the server, which has not said how it ended
         bool is_held = false;            // for the sake of a rule
-        bool is_cancelled = false;       // by whoever sent it
+        bool is_cancelled = false;       // by the client
     };
 
     void open()
@@ -145,7 +144,7 @@ private:
             client_->async_cancel_goal(entry.there);
     }
 
-    // What becomes of a goal that had to wait.
+    // Decides about a goal that had to wait.
     void settle(const GoalName &name)
     {
         if (is_held() || entries_[name].is_away)
@@ -196,7 +195,7 @@ private:
         on_result(name, entry.attempt, Code::ABORTED, std::make_shared<Result>());
     }
 
-    // What `attempt` has come to, if it still matters.
+    // The result of `attempt`, if it still matters.
     void on_response(const GoalName &name, int attempt, const typename There::SharedPtr &there)
     {
         const auto found = entries_.find(name);

@@ -1,6 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//
-// What several tasks change by service calls; it is changed back when none of them has it any more.
+// A state that several tasks change by service calls; it is restored when none of them needs it any
+// more.
 #pragma once
 
 #include <chrono>
@@ -13,8 +13,8 @@
 
 class Task;
 
-// `Thing` has `apply(Change, Then)`, and `restore(Then)`, which brings back what was there before
-// the first of these. Both tell `Then` later whether they succeeded. They run one after the other.
+// `Thing` has `apply(Change, Then)`, and `restore(Then)`, which restores the state before the first
+// change. Both call `Then` later with their success. They run one after the other.
 template <class Thing> class Shared {
 public:
     using Then = std::function<void(bool success)>;
@@ -33,10 +33,10 @@ public:
         begin({[this, change](Then tell) { thing_.apply(change, tell); }, std::move(then)});
     }
 
-    // A task has it no longer.
+    // A task does not need it any more.
     void release(const Task *task) { tasks_.erase(task); }
 
-    // To be called when all orders of a call have been given, and regularly.
+    // Call it when all orders of a call have been given, and regularly.
     void tick()
     {
         if (is_changed_ && tasks_.empty()) {

@@ -17,7 +17,7 @@ class AnySubscription {
 public:
     virtual ~AnySubscription() = default;
 
-    // Adapts to the publishers that are there; what is wrong with them, if anything.
+    // Adapts to the present publishers. Returns the problem with them, if there is one.
     virtual std::string match() = 0;
     virtual const std::string &topic() const = 0;
 };
@@ -57,7 +57,7 @@ public:
 private:
     using Publishers = std::vector<rclcpp::TopicEndpointInfo>;
 
-    // What all of these offer.
+    // The settings that all of these offer.
     rclcpp::QoS offered_by_all(const Publishers &publishers) const
     {
         const auto all = [&publishers](auto is_so) {
@@ -78,7 +78,7 @@ private:
         return offered;
     }
 
-    // What every publisher offers, whoever it is.
+    // The settings that every publisher offers.
     rclcpp::QoS unpretentious() const
     {
         return rclcpp::QoS(depth_).best_effort().durability_volatile();
