@@ -95,7 +95,7 @@ study: $(READY) compiler
 
 # The tests build the site too, strictly, and follow its links.
 site: $(READY)
-	@$(RUN)/python tools/website/build.py
+	@$(RUN)/python tools/website/build_site.py
 
 # Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
 # the order of tests/support/order.py.

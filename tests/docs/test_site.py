@@ -108,7 +108,7 @@ def test_lists_in_lists_and_tables_are_those_of_the_pages(built: Path) -> None:
 def test_the_first_page_leads_to_the_newest_version(built: Path) -> None:
     out = built.parent
     offered = [each["version"] for each in json.loads((out / "versions.json").read_text("utf-8"))]
-    assert offered == [program("build").version_of(PROJECT)]
+    assert offered == [program("build_site").version_of(PROJECT)]
     assert read(out / "index.html").links == [f"{offered[0]}/index.html"]
     assert not broken(out / "index.html", f"{offered[0]}/index.html")
 
@@ -116,7 +116,7 @@ def test_the_first_page_leads_to_the_newest_version(built: Path) -> None:
 def test_versions_stand_newest_first(tmp_path: Path) -> None:
     for name in ("0.9", "0.10", "1.0", ".work", "images"):
         (tmp_path / name).mkdir()
-    assert program("build").versions_in(tmp_path) == ["1.0", "0.10", "0.9"]
+    assert program("build_site").versions_in(tmp_path) == ["1.0", "0.10", "0.9"]
 
 
 def test_a_link_to_no_anchor_ends_the_build(
@@ -130,7 +130,7 @@ def test_a_link_to_no_anchor_ends_the_build(
         (project / "docs" / name).write_text("# One\n", encoding="utf-8")
     (project / "docs" / "README.md").write_text("[a](gallery.md#two)\n", encoding="utf-8")
     (project / "pyproject.toml").write_text('version = "2.3.4"\n', encoding="utf-8")
-    build = program("build")
+    build = program("build_site")
     monkeypatch.setattr(build, "PROJECT", project)
     with pytest.raises(SystemExit, match="does not contain an anchor '#two'"):
         build.build(tmp_path / "out")
