@@ -60,7 +60,7 @@ class UnknownArgument(Error, code="EZS523", name="unknown-argument"):
     spelled: str
 
     class Known(Remark):
-        says = "`{skill}` has {known}"
+        says = "the skill has {known}"
         known: str
 
 

@@ -141,10 +141,7 @@ class ConstantPart(Warning, code="ROSS705", name="constant-part"):
 class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
     """A rule that does the same as another rule whenever it is active."""
 
-    title = (
-        "rule `{rule}` adds nothing: whenever it is active, `{other}` is active with the same "
-        "actions"
-    )
+    title = "rule `{rule}` adds nothing: `{other}` is always active with it, and does the same"
     label = "removing this rule changes nothing"
     help = "remove the rule, or give the rule actions of its own"
     rule: str

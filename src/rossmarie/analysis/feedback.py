@@ -210,9 +210,7 @@ class Circle:
         return z3.And(found)
 
     def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
-        """The fact that a leg brings a message of a rule, and otherwise the messages of the leg
-        before.
-        """
+        """The fact that a leg brings a message of a rule, beside those of the leg before."""
         machine = self._machine
         values = values_of(machine, message.task, message.channel)
         found = []
@@ -309,9 +307,7 @@ class _Played(Replays):
         return None
 
     def _outsides(self, messages: Mapping[int, ChannelValues], period_ns: int) -> Iterator[Outside]:
-        """The possible outside messages on the topics of the rules, as the environment allows
-        them.
-        """
+        """The possible messages from outside on the topics of the rules."""
         commanded = {each.topic for each in self._whole.reactions.commands}
         own = frozenset(
             each.channel

@@ -242,9 +242,7 @@ class Guard:
             self._begin()
 
     def batch(self, count: int) -> GuardBatch:
-        """A batch of `count` guards with the same rules and declarations, in their initial
-        state.
-        """
+        """A batch of `count` guards with the same rules and declarations, in the first state."""
         return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
@@ -343,18 +341,14 @@ class Guard:
         self._allow = self._engine.allow_call(wiring)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
-        """Perform a step whose arrays have to be copied first. Raises the errors of the
-        arguments.
-        """
+        """Perform a step with copies of its arrays. Raises the errors of the arguments."""
         self._require_fit(at_ns, observation, action)
         return self.step(
             as_instant(at_ns), np.ascontiguousarray(observation), np.ascontiguousarray(action)
         )
 
     def _require_fit(self, at_ns: int, observation: Array | None, action: Array | None) -> None:
-        """Raise an error for arguments that do not fit. With the first action, connect again for
-        its size.
-        """
+        """Raise an error for misfits. With the first action, connect again for its size."""
         assert self._sizes is not None
         if action is not None and self._sizes[1] is None:
             require_array("action", action)

@@ -1,9 +1,7 @@
 """Verify that a machine is well formed: it runs between passes, so that targets need no checks.
 
-Takes any machine. When `verify` returns, every index is in range, every operand stands before its
-user, elementwise nodes stand only below a fold, a count or a quantifier, beside them only functions
-of slots and constants, constants and scales are finite, and durations lie between one nanosecond
-and `LONGEST_NS`.
+When `verify` returns: every index is in range; every operand is before its user; elementwise nodes
+are below a fold, a count or a quantifier; constants and scales are finite; durations are valid.
 """
 
 from __future__ import annotations
@@ -350,9 +348,7 @@ def _compares_flags(machine: ir.Machine, node: ir.PropositionNode) -> bool:
 
 
 def _compares_text(machine: ir.Machine, node: ir.PropositionNode) -> bool:
-    """Say whether a node compares texts. Two unknown texts have the same number, so one side has to
-    be a literal.
-    """
+    """Say whether a node compares texts. One is a literal: unknown texts have the same number."""
     if not isinstance(node, ir.Compare):
         return False
     is_of_text = kind_of(machine, node.left) is ir.Kind.TEXT

@@ -166,9 +166,7 @@ class Numbers:
         return self._places.place(node)
 
     def elements_of(self, node: ast.ListFold) -> AbstractContextManager[None]:
-        """While the context is active, the variable of a fold stands for the current element of its
-        list.
-        """
+        """A context in which the variable of a fold is the current element of its list."""
         return self._places.elements_of(node)
 
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:

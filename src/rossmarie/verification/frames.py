@@ -114,9 +114,9 @@ class Frames:
     def _propositions(self, nodes: Iterable[int]) -> Iterator[str]:
         """Propositions with any values, known since they changed."""
         for node in nodes:
-            yield f"if (m->truth_value[{node}] != old.proposition[{node}])"
+            yield f"if (m->truth_value[{node}] != old.truth_value[{node}])"
             yield f"    expected.since_ns[{node}] = t_ns;"
-            yield f"expected.proposition[{node}] = m->truth_value[{node}];"
+            yield f"expected.truth_value[{node}] = m->truth_value[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
         """Numbers that change under some conditions."""

@@ -185,7 +185,7 @@ class GuardChecks:
     def _consequences(self, guard: Watched) -> Iterator[str]:
         for proposition in guard.leaves:
             node = self._layout.node_of_proposition[proposition]
-            yield f"    if (m->truth_value[{node}] != old.proposition[{node}]) {{"
+            yield f"    if (m->truth_value[{node}] != old.truth_value[{node}]) {{"
             yield f"        m->since_ns[{node}] = t_ns;"
             for user in users_of(self._layout, proposition):
                 yield f"        mark(m, {user});"

@@ -1,8 +1,7 @@
 """The support of a number, a proposition or a rule, computed from the nodes of a machine.
 
-`docs/explanation/semantics.md` uses it in four rules: a message computes it anew (S7), an input
-that is missing makes it unknown (S9), it makes a proposition stale (S30), and a verdict reports it
-(S41).
+`docs/explanation/semantics.md` uses it: a message computes it anew (S7), a missing input makes it
+unknown (S9), it makes a proposition stale (S30), and a verdict reports it (S41).
 """
 
 from __future__ import annotations

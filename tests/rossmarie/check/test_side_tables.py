@@ -141,4 +141,4 @@ def test_the_program_has_the_name_of_its_file(program: CheckedProgram) -> None:
 )
 def test_propositions_of_constants_are_worked_out(written: str, value: bool) -> None:
     program = program_of(f"const other = true\nconst proposition = {written}\n")
-    assert program.symbols.constants["truth"].boolean is value
+    assert program.symbols.constants["proposition"].boolean is value

@@ -12,6 +12,7 @@ import pytest
 from rossmarie.driver.robots import Robot, robots
 from support import command_line
 from support.first_drives import ARM, BASE, Spoken, drive
+from support.parts import A_DRIVE, needs
 from support.recordings import KINDS, ROS1, store_of, write_kind, write_ros1
 from support.shared import HUSKY_DRIVE
 
@@ -58,10 +59,9 @@ def test_robots_in_the_box(robot: Robot, tmp_path: Path) -> None:
     assert (tmp_path / "robot" / "robot.ross").is_file()
 
 
+@needs(A_DRIVE)
 def test_a_minute_is_enough_for_a_real_drive(tmp_path: Path) -> None:
     """A recording of six minutes is begun, checked, tested and replayed."""
-    if not HUSKY_DRIVE.is_file():
-        pytest.skip(f"the recording of a real robot is not there: {HUSKY_DRIVE.name}")
     begun_s = time.monotonic()
     done = run(tmp_path, HUSKY_DRIVE)
     follow(done, tmp_path)

@@ -82,7 +82,7 @@ def test_lost_events_are_reported() -> None:
     assert start in files["host.c"]
     starved = files["host.c"].replace(start, f"{start}#define realloc(old, size) NULL\n")
     monitor = load_native(MACHINE, {**files, "host.c": starved})
-    with pytest.raises(MemoryError, match="stale"):
+    with pytest.raises(MemoryError, match="lost"):
         monitor.take(batch(), [0])
 
 

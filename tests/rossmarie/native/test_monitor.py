@@ -279,7 +279,7 @@ def without_memory() -> NativeMonitor:
 
 def test_lost_events_are_reported_even_if_none_is_left() -> None:
     creeping = {0: ChannelValues({0: 0.15, 1: 0.0})}
-    with pytest.raises(MemoryError, match="stale"):
+    with pytest.raises(MemoryError, match="lost"):
         without_memory().update(0, creeping)
     with pytest.raises(MemoryError):
         without_memory().run(TIMES, columns())
@@ -289,12 +289,12 @@ def test_lost_events_of_fast_calls_are_reported(monkeypatch: pytest.MonkeyPatch)
     monitor = without_memory()
     with pytest.raises(MemoryError):
         monitor.update_call(0)(0, 0.15, False)
-    with pytest.raises(MemoryError, match="stale"):
+    with pytest.raises(MemoryError, match="lost"):
         monitor.take_events()
     monkeypatch.setattr(native_monitor, "_HEADERS", Path("/nowhere"))
     monitor = without_memory()
     monitor.update_call(0)(0, 0.15, False)
-    with pytest.raises(MemoryError, match="stale"):
+    with pytest.raises(MemoryError, match="lost"):
         monitor.take_events()
 
 

@@ -114,11 +114,11 @@ int main(void)
     CHECK(hand_next_wake(&m) == NEVER && !hand_has_all_inputs(&m));
 
     CHECK(receive(&m, LATEST, 0.0) == -1 && receive(&m, EARLIEST, 0.0) == -1);
-    CHECK(drive(&m, 0, 1000, 2.0) == 0 && m.proposition[INSIDE] == TRUE); /* a limit is inside */
+    CHECK(drive(&m, 0, 1000, 2.0) == 0 && m.truth_value[INSIDE] == TRUE); /* a limit is inside */
     CHECK(hand_has_all_inputs(&m) && hand_input_state(&m, 0) == FRESH);
     CHECK(drive(&m, 1000, 1500, 3.0) == 0 && m.since_ns[INSIDE] == 1000);
     CHECK(receive(&m, 1500, -5.0) == 0); /* both limits are crossed: it is still outside */
-    CHECK(m.proposition[INSIDE] == FALSE && m.since_ns[INSIDE] == 1000);
+    CHECK(m.truth_value[INSIDE] == FALSE && m.since_ns[INSIDE] == 1000);
     CHECK(drive(&m, 1600, 2000, -5.0) == 0 && hand_next_wake(&m) == 2000);
     CHECK(receive(&m, 2050, -5.0) == 1); /* the timer of 2000 runs before the message */
     CHECK(last.change == hand_ACTIVATED && last.at_ns == 2000 && hand_is_active(&m, 0));
@@ -128,8 +128,8 @@ int main(void)
     CHECK(hand_next_wake(&m) == 2600 && hand_advance(&m, 2599) == 0);
     CHECK(hand_advance(&m, 2600) == 1 && last.change == hand_ACTIVATED_STALE);
     CHECK(hand_input_state(&m, 0) == EXPIRED && last.inputs[0] == EXPIRED);
-    CHECK(receive(&m, 2700, NAN) == 0 && m.proposition[INSIDE] == STALE); /* it lacks its number */
-    CHECK(receive(&m, 2800, INFINITY) == 0 && m.proposition[INSIDE] == STALE);
+    CHECK(receive(&m, 2700, NAN) == 0 && m.truth_value[INSIDE] == STALE); /* it lacks its number */
+    CHECK(receive(&m, 2800, INFINITY) == 0 && m.truth_value[INSIDE] == STALE);
     CHECK(receive(&m, 2900, 0.0) == 1 && last.change == hand_CLEARED);
 
     CHECK(receive(&m, 100, 0.0) == 1 && last.change == hand_TIME_JUMP && last.from_ns == 2900);
