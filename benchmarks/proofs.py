@@ -67,8 +67,10 @@ def proved(prover: Prover, example: str) -> Proved:
 
 
 def digest(example: str) -> str:
-    """The beginning of the SHA-256 of a rules file."""
-    return f"`{hashlib.sha256((ROOT / example).read_bytes()).hexdigest()[:12]}`"
+    """The beginning of the SHA-256 of a rules file without its comments and documentation."""
+    text = (ROOT / example).read_text(encoding="utf-8")
+    rules = re.sub(r"'''.*?'''|//[^\n]*", "", text, flags=re.DOTALL)
+    return f"`{hashlib.sha256(' '.join(rules.split()).encode()).hexdigest()[:12]}`"
 
 
 def link(example: str) -> str:

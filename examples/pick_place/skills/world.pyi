@@ -1,8 +1,9 @@
+# Written by `ezskiros stubs`. Change the ontology instead.
 # ruff: noqa
 # fmt: off
 # mypy: disable-error-code="assignment, misc, override"
 # pyright: reportIncompatibleMethodOverride=false, reportIncompatibleVariableOverride=false
-"""The ontology, for type checkers. Written by `ezskiros stubs`; change the ontology instead."""
+"""The ontology, for type checkers."""
 
 from builtins import bool as _bool, float as _float, int as _int, str as _str
 from typing import Generic as _Generic, Literal as _Literal, NoReturn as _Nothing

@@ -24,7 +24,7 @@ from ezskiros.hosts.skiros2_skills import (
     hosted_skill,
     implementation_class,
     refused_class,
-    setting_of,
+    host_of,
 )
 from ezskiros.hosts.skiros2_versions import unfit
 from ezskiros.ontology import Ontology
@@ -121,8 +121,8 @@ def _give(checked: CheckedLibrary, text: str) -> None:
         _hosted[each] = hosted_skill(known.interface, ontology, each.__module__)
         _put(each, _hosted[each].description)
     for found in checked.implementations:
-        setting = setting_of(found, _hosted[found.description], checked.library)
-        _put(found, implementation_class(setting))
+        host = host_of(found, _hosted[found.description], checked.library)
+        _put(found, implementation_class(host))
     for refused in checked.refused:
         _put(refused, refused_class(refused, text))
 

@@ -64,7 +64,7 @@ def hosted_skill(skill: SkillInterface, ontology: Ontology, module: str) -> Host
     return HostedSkill(skill, ontology, type(skill.name, bases, {**parts, "__module__": module}))
 
 
-def setting_of(
+def host_of(
     implementation: type[SkillImplementation], hosted: HostedSkill, library: Library
 ) -> HostContext:
     """The context of an implementation that SkiROS2 may load."""
@@ -74,13 +74,13 @@ def setting_of(
     return HostContext(implementation, hosted, library, lowered)
 
 
-def implementation_class(execution: HostContext) -> Any:
+def implementation_class(host: HostContext) -> Any:
     """An implementation as a class of SkiROS2, as if its module had defined it."""
-    found = execution.implementation
+    found = host.implementation
     bases: tuple[Any, ...] = (Primitive, api().PrimitiveBase)
     if hasattr(found, "expandBT"):
         bases = (Compound, api().SkillBase)
-    parts = {"execution": execution, "__doc__": found.__doc__, "__module__": found.__module__}
+    parts = {"host": host, "__doc__": found.__doc__, "__module__": found.__module__}
     return type(found.__name__, bases, parts)
 
 
@@ -145,7 +145,7 @@ class Hosted:
     which a node of a tree keeps.
     """
 
-    execution: ClassVar[HostContext]
+    host: ClassVar[HostContext]
     setDescription: Callable[..., None]  # noqa: N815
     _setProgress: Callable[[str, int], None]  # noqa: N815
     child: Any = None
@@ -154,14 +154,14 @@ class Hosted:
 
     def createDescription(self) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation."""
-        self.setDescription(self.execution.hosted.description(), type(self).__name__)
+        self.setDescription(self.host.hosted.description(), type(self).__name__)
         # SkiROS2 for ROS 1 has no such switch: its planner takes all skills.
-        if not self.execution.implementation.available_for_planning:
+        if not self.host.implementation.available_for_planning:
             getattr(self, "setAvailableForPlanning", lambda _is_available: None)(False)
 
     def modifyDescription(self, skill: Any) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation, and when a child gets it."""
-        for each in self.execution.own_conditions:
+        for each in self.host.own_conditions:
             condition = _condition(self, each)
             if isinstance(skill, Child):
                 skill.rename(condition)
@@ -170,16 +170,16 @@ class Hosted:
     def onStart(self) -> bool:  # noqa: N802
         """Start with the instance of the node."""
         users = {} if self.child is None else self.child.users
-        user = users.get(self.execution.implementation)
+        user = users.get(self.host.implementation)
         is_new = user is None
         if user is None:
-            user = self.execution.implementation()
-        self.running = Running(self.execution.hosted, user, self)
-        skiros2_context.start(self, self.execution.hosted.skill, self.running.values)
+            user = self.host.implementation()
+        self.running = Running(self.host.hosted, user, self)
+        skiros2_context.start(self, self.host.hosted.skill, self.running.values)
         # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
         is_willing = not (is_new and self.running.call("onInit", failed=False) is False)
         if is_willing:
-            users[self.execution.implementation] = user
+            users[self.host.implementation] = user
             is_willing = bool(self.running.call("onStart", failed=False))
         if not is_willing:
             skiros2_context.end(self)
@@ -220,10 +220,10 @@ class Compound(Hosted):
 
     def expand(self, skill: Any) -> None:
         """Build the tree below the node that SkiROS2 runs this skill in."""
-        known = self.execution.hosted.skill
-        tree = build(self.execution.implementation, known, _values(known, self.params))
+        known = self.host.hosted.skill
+        tree = build(self.host.implementation, known, _values(known, self.params))
         outer = skill.keys if isinstance(skill, Child) else {}
-        root = hosted(tree, Scope(known, skill.id, outer), self.execution.library)
+        root = hosted(tree, Scope(known, skill.id, outer), self.host.library)
         if isinstance(root, HostedCall):
             root = HostedNode(Flow.SERIAL_STAR.value, (root,))
         made = processor(root.processor, root.limit)

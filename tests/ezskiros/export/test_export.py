@@ -285,7 +285,7 @@ def test_nothing_is_written_if_there_are_errors(tmp_path: Path) -> None:
     out = tmp_path / "skills.json"
     out.write_text("before")
     done = command_line.run(
-        "ezskiros", "export", "a.py", "-o", out, "--ontology", HALL, folder=tmp_path
+        "ezskiros", "export", "a.py", "-o", out, "--force", "--ontology", HALL, folder=tmp_path
     )
     assert done.returncode == 1
     assert "error[EZS201]" in done.stdout

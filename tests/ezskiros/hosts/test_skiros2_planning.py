@@ -28,9 +28,9 @@ def reported(
         heard.append(is_available)
 
     hosted = SimpleNamespace(description=lambda: "description")
-    setting = SimpleNamespace(implementation=implementation, hosted=hosted)
+    host = SimpleNamespace(implementation=implementation, hosted=hosted)
     parts = {
-        "setting": setting,
+        "host": host,
         "setDescription": lambda _self, description, _label: heard.append(description),
         **({"setAvailableForPlanning": switch} if has_switch else {}),
     }

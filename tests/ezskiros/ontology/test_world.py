@@ -65,7 +65,11 @@ def findings(ask: str, **names: object) -> list[Diagnostic]:
     ("ask", "code", "help"),
     [
         ("world.skirso", "EZS110", "did you mean `skiros`?"),
-        ("world.other", "EZS110", "there are `cora`, `rparts`, `scalable`, `skiros` and `sumo`"),
+        (
+            "world.other",
+            "EZS110",
+            "the namespaces are `cora`, `rparts`, `scalable`, `skiros` and `sumo`",
+        ),
         ("world.skiros.Produkt", "EZS111", "did you mean `skiros.Product`?"),
         ("world.skiros.Robot", "EZS111", "another namespace has this name: write `cora.Robot`"),
         ("world.skiros.Robott", "EZS111", "did you mean `cora.Robot`?"),
@@ -95,7 +99,7 @@ def test_a_relation_of_several_namespaces_is_distinguished(tmp_path: Path) -> No
     thing, other = symbol(world.a.C, "It"), symbol(world.a.D, "Other")
     assert thing.p(other).statement.relation == "http://x/a.owl#p"
     (found,) = findings("thing.q(other)", thing=thing, other=other)
-    assert (found.code, found.title) == ("EZS302", "`q` can be `a:q` and `b:q`")
+    assert (found.code, found.title) == ("EZS302", "`q` is ambiguous: `a:q` and `b:q`")
     assert world.b.q(thing, other).statement.relation == "http://x/b.owl#q"
 
 

@@ -110,7 +110,7 @@ def test_two_skills_of_one_name_in_two_libraries_are_reported_with_the_rule(tmp_
         assert [Path(label.span.file.path).parent.name for label in each.labels] == [
             "first_library"
         ]
-        rule = "of two libraries SkiROS2 takes that of the first in `libraries_list`"
+        rule = "SkiROS2 takes the definition of the library that comes first in `libraries_list`"
         assert rule in (each.help or "")
 
 
@@ -187,6 +187,6 @@ def test_names_of_a_star_import_that_is_not_installed_are_explained() -> None:
     (failed,) = (each for each in result.diagnostics if each.code == "EZS003")
     assert failed.primary.span.text == "Base"
     assert failed.help == (
-        "`not_there_at_all.part` is not installed, and gives no names to `import *`: "
-        "import them by name"
+        "`not_there_at_all.part` is not installed, so `import *` defines no names: "
+        "import them one by one"
     )
