@@ -21,10 +21,10 @@ from ezskiros.hosts.skiros2_library import CheckedLibrary, check_library
 from ezskiros.hosts.skiros2_recovery import HostedTree
 from ezskiros.hosts.skiros2_skills import (
     HostedSkill,
+    host_of,
     hosted_skill,
     implementation_class,
     refused_class,
-    host_of,
 )
 from ezskiros.hosts.skiros2_versions import unfit
 from ezskiros.ontology import Ontology

@@ -21,7 +21,7 @@ from ezskiros.export.write import PERIOD
 from ezskiros.hosts import skiros2_context as context
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_library import check_library
-from ezskiros.hosts.skiros2_skills import hosted_skill, implementation_class, setting_of
+from ezskiros.hosts.skiros2_skills import host_of, hosted_skill, implementation_class
 from ezskiros.ontology import Ontology
 from ezskiros.skills.interface import SkillInterface
 from support import skiros2_api
@@ -176,7 +176,7 @@ def hosted(package: Any, name: str, **values: Any) -> Any:
     library = check_library([module], Collector())
     (description,) = library.described
     skill = hosted_skill(library.described[description].interface, Ontology(()), name)
-    made = implementation_class(setting_of(module.wait, skill, library.library))()
+    made = implementation_class(host_of(module.wait, skill, library.library))()
     params = SimpleNamespace(getParamValue=values.get, specify=lambda *_: None)
     # Where SkiROS2 is installed these are properties.
     vars(made).update(wmi=None, _wmi=None, params=params, _params=params)
