@@ -24,7 +24,7 @@ class ExemptionWithoutTree(Warning, code="CHK101", name="exemption-without-tree"
     rule: str
 
     class Described(Remark):
-        says = "`{skill}` is described here, and no tree uses it"
+        says = "the skill is described here, and no tree uses the skill"
 
 
 class WiderThanPermitted(Error, code="CHK102", name="wider-than-permitted"):
@@ -39,7 +39,7 @@ class WiderThanPermitted(Error, code="CHK102", name="wider-than-permitted"):
     limit: str
 
     class Permitted(Remark):
-        says = "`{skill}` permits only this"
+        says = "the skill permits only this"
 
 
 class NotPermitted(Error, code="CHK103", name="not-permitted"):
@@ -156,7 +156,7 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
         thing: str
 
     class Started(Remark):
-        says = "here `{skill}` restarts after a failure"
+        says = "the skill restarts here after a failure"
 
 
 class NotAllAsked(Error, code="CHK204", name="not-all-asked"):

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+import crosscheck
 import dslkit.diagnostics
 import ezskiros
 import rossmarie
@@ -97,13 +98,13 @@ def test_such_words_are_found(text: str, tmp_path: Path) -> None:
 def remarks(kind: type[Remark] = Remark) -> Iterator[type[Remark]]:
     """All remarks that are declared in what has been imported."""
     for each in kind.__subclasses__():
-        if each.__module__.startswith(("dslkit.", "ezskiros.", "rossmarie.")):
+        if each.__module__.startswith(("crosscheck.", "dslkit.", "ezskiros.", "rossmarie.")):
             yield each
         yield from remarks(each)
 
 
 def test_texts_of_remarks_name_only_fields_that_exist() -> None:
-    for package in (dslkit.diagnostics, ezskiros, rossmarie):
+    for package in (dslkit.diagnostics, crosscheck, ezskiros, rossmarie):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             if not module.name.endswith(".__main__"):
                 importlib.import_module(module.name)

@@ -24,7 +24,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of the site as `make site` builds it, with a strict generator."""
     out = tmp_path_factory.mktemp("site")
     done = subprocess.run(
-        [sys.executable, PROGRAMS / "build.py", "--out", out],
+        [sys.executable, PROGRAMS / "build_site.py", "--out", out],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

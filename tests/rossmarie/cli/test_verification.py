@@ -194,7 +194,7 @@ def test_without_a_prover_it_says_how_to_get_one(
     monkeypatch.setattr("rossmarie.verification.prover._SCRIPTS", "")
     code, printed = verify(rules)
     assert code == 1
-    assert "error[ROSS791]: nothing can be proved here" in printed
+    assert "error[ROSS791]: cannot prove anything" in printed
     assert f"| {reason}\n" in printed
     assert "install these packages" in printed
 

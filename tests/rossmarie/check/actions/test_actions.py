@@ -66,8 +66,8 @@ def test_the_work_grows_with_the_rules_with_one_resource_and_no_faster() -> None
         ),
         (
             "action a0 { publish /x : std_msgs/Float64 { data = 3 m; }; }",
-            "leave the unit out: the number is sent as it is; or say in a system model which unit "
-            "the field has, `unit PACKAGE/TYPE.data = m;`",
+            "leave the unit out (the number is sent unchanged), or declare the unit of the field "
+            "in a system model: `unit PACKAGE/TYPE.data = m;`",
         ),
         (
             "action a0 { limit /x : geometry_msgs/Twist { angular in [-1, 1] rad/s; }; }",
