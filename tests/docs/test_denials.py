@@ -179,7 +179,7 @@ DENIALS = (
     ),
     Denial(
         "docs/reference/language.md",
-        r"`in` for strings",
+        r"Strings cannot be used with `in`",
         rules_are_refused(
             "ROSS224",
             "input mode = topic /mode : std_msgs/String .data timeout 1 sec\n"

@@ -226,7 +226,7 @@ class Frames:
         lines += [
             *(f"expected.value[{value}] = NAN;" for value in rates),
             *self._values((value, "false") for value in others),
-            *self._any("now_ns", "wake_ns", "started", "quiet", "truth", "since_ns"),
+            *self._any("now_ns", "wake_ns", "started", "quiet", "truth_value", "since_ns"),
             *self._any("held_due_ns", "gap_end_ns", "swinging"),
             *self.any_marks(),
             *self._any(*_GUARDS, *_SAMPLES),

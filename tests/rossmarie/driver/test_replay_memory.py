@@ -23,7 +23,8 @@ import re, sys
 from pathlib import Path
 from rossmarie.driver import sampler
 from rossmarie.driver.replay import replay_file
-from rossmarie.report import envelope, render_timeline
+from rossmarie.report import envelope
+from rossmarie.report.timeline import render_timeline
 rules, recording = map(Path, sys.argv[1:3])
 envelope._SAMPLES //= int(sys.argv[3])
 sampler._BLOCK //= int(sys.argv[3])
