@@ -215,7 +215,7 @@ class Invariants:
         text = self._machine.propositions[proposition].text
         value = self._definitions.proposition(proposition)
         is_right = f"{value} == spec_proposition_{proposition}(m, t_ns)"
-        return Sentence(f"`{text}` has the value that the semantics defines", is_right)
+        return Sentence(f"`{text}` has its defined value", is_right)
 
     def ages(self) -> Iterator[Sentence]:
         """S31."""

@@ -212,7 +212,7 @@ static reactor any(void)
 _WATCHED = """
 static bool watched[{watches}];
 
-enum {name}_proposition {name}_watch(const {name}_monitor *m, int watch)
+enum {name}_truth_value {name}_watch(const {name}_monitor *m, int watch)
 {{
     (void)m;
     __CPROVER_assert(watch >= 0 && watch < {watches}, "what is asked about is a confirmation");
