@@ -15,7 +15,7 @@ import pytest
 
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.driver import replay as replaying
-from rossmarie.driver.pipeline import compile_file
+from rossmarie.driver.pipeline import check_file
 from rossmarie.engines import NATIVE
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Machine, Taken
@@ -29,7 +29,7 @@ from rossmarie.report.jsonl import verdict_lines
 from rossmarie.report.table import write_table
 from rossmarie.report.timeline import render_timeline
 
-_compiled = cache(compile_file)
+_checked = cache(check_file)
 
 
 def reported(rules: Path, recording: Path) -> list[str]:
@@ -37,7 +37,7 @@ def reported(rules: Path, recording: Path) -> list[str]:
     monitor: there, all replays are alike.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(replaying, "compile_file", lambda path, **_: _compiled(path))
+        patch.setattr(replaying, "check_file", lambda path, **_: _checked(path))
         try:
             replay, found = replaying.replay_file(rules, recording, topic_map={})
         except RecordingError as error:

@@ -226,7 +226,7 @@ class GuardChecks:
         """The check that a look leaves behind what the contract makes of the memory before."""
         nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
-        copied += [f"proposition[{node}]" for node in nodes]
+        copied += [f"truth_value[{node}]" for node in nodes]
         return "\n".join(
             [
                 ANY,

@@ -96,7 +96,7 @@ def test_a_conflict_is_shown_by_a_replay_with_all_sensors_at_work(
     assert conflict.witness is not None
     if pair != "age":
         assert conflict.witness.is_calm
-        note = next(text for text in conflict.diagnostic.notes if text.startswith("shown by this"))
+        note = next(text for text in conflict.diagnostic.notes if text.startswith("example"))
         last = note.removesuffix(".").rpartition("; until")[0] or note
         assert "unknown" not in last.rpartition("; at")[2]
     assert {"one", "two"} <= active_at_the_end(asked, conflict, tmp_path)
@@ -161,7 +161,7 @@ def test_the_numbers_of_a_witness_are_round(tmp_path: Path) -> None:
     rule two: if orientation.pitch() > 20 deg for 4 sec then { lower; };
     """
     (conflict,) = ask(tmp_path, rules).shown("ROSS700")
-    (note,) = (text for text in conflict.diagnostic.notes if "shown" in text)
+    (note,) = (text for text in conflict.diagnostic.notes if text.startswith("example"))
     shown = re.fullmatch(r"example: at 0 s orientation\.pitch\(\) = (\d+) deg; until 4 s", note)
     assert shown is not None, note
     assert 20 < int(shown[1]) <= 45

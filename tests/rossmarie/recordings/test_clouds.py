@@ -123,4 +123,4 @@ def test_a_table_has_no_points(tmp_path: Path) -> None:
     wanted = replace(more, arrays=cloud.arrays, lists=cloud.lists)
     _, found = replay(path, wanted)
     assert codes(found) == ["ROSS604"]
-    assert "a table holds no clouds" in str(found[0].help)
+    assert "a CSV table cannot hold point clouds" in str(found[0].help)

@@ -68,7 +68,7 @@ def test_a_length_that_never_fits_is_reported_once(tmp_path: Path, kind: str) ->
     _, found = replay(path, READS)
     assert codes(found) == ["ROSS619"]
     assert found[0].title == "`data` on `/effort_states` never has 3 elements (one for each name)"
-    assert found[0].notes == ("it has 1 or 2 elements",)
+    assert found[0].notes == ("the array has 1 or 2 elements",)
 
 
 def test_a_table_has_the_array_in_the_order_of_its_elements(tmp_path: Path) -> None:
@@ -86,7 +86,7 @@ def test_a_table_whose_array_never_fits_is_reported(tmp_path: Path) -> None:
     path.write_text("time,speed[0],speed[1]\n0,1,2\n1,3,\n")
     updates, found = replay(path, READS)
     assert codes(found) == ["ROSS619"]
-    assert found[0].notes == ("it has 1 or 2 elements",)
+    assert found[0].notes == ("the array has 1 or 2 elements",)
     assert all(math.isnan(update.channels[0].slots[0]) for update in updates)
 
 

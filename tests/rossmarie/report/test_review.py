@@ -57,7 +57,7 @@ PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "review-the-generated-c.m
 def test_the_page_shows_what_stands_beside_a_rule(tmp_path: Path) -> None:
     text = PAGE.read_text(encoding="utf-8")
     (listing,) = re.findall(r"```ross hasty.ross\n(.*?)```", text, re.DOTALL)
-    (shown,) = re.findall(r"Line 3 has these in\n`hasty_monitor.c`:\n\n((?:    .*\n)+)", text)
+    (shown,) = re.findall(r"Line 3 has these lines in `hasty_monitor.c`:\n\n((?:    .*\n)+)", text)
     rules = tmp_path / "hasty.ross"
     rules.write_text(listing, encoding="utf-8")
     compiled = compile_file(rules)
