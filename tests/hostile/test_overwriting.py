@@ -33,6 +33,7 @@ APPS = {
 READ = {
     *("rules", "files", "paths", "recordings", "recording", "system", "messages", "ontology"),
     *("scene", "values", "knowledge", "verification", "policy", "learned", "context", "guards"),
+    "compare",
 }
 """The names of arguments and options with files that commands read."""
 ELSEWHERE = {
