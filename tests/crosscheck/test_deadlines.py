@@ -102,7 +102,7 @@ def test_steps_that_only_the_rule_bounds(robot: Path, tree: str, steps: list[str
     reported = found(robot, tree, "90 sec")
     assert {each.code for each in reported} <= {"CHK209"}
     assert [each.primary.span.text for each in reported] == steps
-    assert all("it can use up the 90 s that `near` gives" in each.title for each in reported)
+    assert all("it can use all 90 s that `near` allows" in each.title for each in reported)
 
 
 @pytest.mark.parametrize(
@@ -127,7 +127,7 @@ def test_deadlines_that_add_up(robot: Path, tree: str, longest: float) -> None:
     name = tree.partition("(")[0]
     assert reported.code == "CHK210"
     assert reported.title.startswith(
-        f"the deadlines in `{name}` add up to {longest:g} s, and `near`"
+        f"the deadlines in `{name}` add up to {longest:g} s, but `near` allows "
     )
 
 

@@ -334,7 +334,7 @@ def test_what_the_system_refuses_is_reported(tmp_path: Path, attack: str) -> Non
     done = command_line.run("ezskiros", "check", "b.py", folder=tmp_path)
     assert done.returncode == 1
     assert "error[EZS003]" in done.stdout
-    assert "a check changes no file, starts no process" in done.stdout
+    assert "a check writes no files, starts no processes" in done.stdout
 
 
 OTHERS = {

@@ -33,10 +33,13 @@ APPS = {
 READ = {
     *("rules", "files", "paths", "recordings", "recording", "system", "messages", "ontology"),
     *("scene", "values", "knowledge", "verification", "policy", "learned", "context", "guards"),
+    "compare",
 }
 """The names of arguments and options with files that commands read."""
 ELSEWHERE = {
     ("ezskiros", "check", "rules"),
+    # A study log is appended to, and a file of another kind is refused: the tests of study logs.
+    *((program, "check", "study") for program in ("crosscheck", "ezskiros", "rossmarie")),
     ("rossmarie", "report", "coverage"),
     ("rossmarie", "verify", "keep"),  # the names are those of the queries: the prover's tests
 }

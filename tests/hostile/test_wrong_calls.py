@@ -26,7 +26,7 @@ CALLS = {
     "ezskiros run Pick drive.ross": "drive.ross is a rules file",
     "heron run nav --seed x": "`x` is no whole number",
     "rossmarie check drive.csv": "drive.csv is a recording, no rules file",
-    "rossmarie check drive.ross --system drive.ross": "`drive.ross` is no system model",
+    "rossmarie check drive.ross --system drive.ross": "`drive.ross` is not a system model",
     "rossmarie check drive.ross --toggle 2": "--toggle needs --thorough",
     "rossmarie check skill.py": "`ezskiros check skill.py` checks skills",
     "rossmarie explain CHK102": "run `crosscheck explain CHK102`",

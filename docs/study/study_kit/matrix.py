@@ -151,7 +151,7 @@ def _skills_row(fault: Fault, found: Answers) -> Row:
         "writing (mypy)" if found["writing", fault.id] else "not at all",
         _ours(fault, "ezskiros", found),
         _plain(fault, "skiros2", found),
-        _baseline().get(fault.baseline, _UNKNOWN),
+        _baseline()[fault.baseline] if fault.baseline else _UNKNOWN,
     )
 
 
