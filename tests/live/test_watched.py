@@ -196,6 +196,6 @@ def test_a_robot_in_a_namespace_is_reported_alone_and_time_may_stand_still(
     assert nobody.process.wait(LIMIT) == 1, nobody.said()
     assert "error[CHK403]" in nobody.said()
     assert "on /robot3/skill_context" in nobody.said()
-    assert "error[CHK404]: /robot3/skillful_safety has said nothing" in nobody.said()
+    assert "error[CHK404]: no message from /robot3/skillful_safety for" in nobody.said()
     assert "watched for 1" in nobody.said()
     watching.ended(signal.SIGTERM)

@@ -99,10 +99,10 @@ int main(void)
 """
 
 _WATCH = """\
-enum NAME_proposition NAME_watch(const NAME_monitor *m, int watch)
+enum NAME_truth_value NAME_watch(const NAME_monitor *m, int watch)
 {
     (void)m;
-    return (enum NAME_proposition)watched[watch];
+    return (enum NAME_truth_value)watched[watch];
 }
 """
 

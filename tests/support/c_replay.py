@@ -33,7 +33,7 @@ static void print(void *user, const NAME_event *e)
     }
     printf("verdict %d %" PRId64 " %d", e->rule, e->at_ns, e->change);
     for (int i = 0; i < NAME_rules[e->rule].term_count; i++)
-        printf(" %d %" PRId64, e->propositions[i], e->since_ns[i]);
+        printf(" %d %" PRId64, e->truth_values[i], e->since_ns[i]);
     for (int i = 0; i < NAME_rules[e->rule].value_count; i++) {
         uint64_t bits;
         memcpy(&bits, &e->values[i], sizeof bits);
