@@ -136,7 +136,10 @@ def test_a_trace_has_the_stamps_of_the_recording(tmp_path: Path) -> None:
         (["record", "place", "--out", "a.bag"], "has to end in .mcap"),
         (["record", "place", "--out", "there.mcap"], "is there, and heron did not write it"),
         (["record", "place", "--out", "a.mcap", "--trace", "a.mcap"], "has to end in .jsonl"),
-        (["record", "place", "--out", "a.mcap", "--trace", "there.jsonl"], "is there, and heron did not write it"),
+        (
+            ["record", "place", "--out", "a.mcap", "--trace", "there.jsonl"],
+            "is there, and heron did not write it",
+        ),
     ],
 )
 def test_what_cannot_be_recorded_is_reported_before_it_is_run(
