@@ -224,7 +224,7 @@ DENIALS = (
     ),
     Denial("docs/reference/python.md", r"batch cannot be copied", batches_are_not_copied),
 )
-"""What pages say that the programs cannot do, with a probe for each."""
+"""Features that pages deny, each with a probe that tries the feature."""
 
 
 @pytest.mark.parametrize("denial", DENIALS, ids=lambda denial: denial.pattern)

@@ -1,5 +1,6 @@
 # mypy: ignore-errors
-"""A robot and its planner for live tests: a ROS node that is reported what to do by lines of JSON.
+"""A robot and its planner for live tests: a ROS node that takes commands as lines of
+JSON.
 
 What differs between the generations of ROS stands in `ros1_robot.py` and `ros2_robot.py`.
 """
@@ -24,10 +25,10 @@ RECOVERY = 99  # the goal of the rules
 
 
 class Robot(Ears):
-    """Publishes what it is reported, and remembers what it hears.
+    """Publishes the values that it is given, and remembers the messages that it hears.
 
     `ACTION` is the type of its goals; `SWITCHED` are the fields in which a controller manager
-    is reported what to start and what to stop.
+    names the controllers to start and to stop.
     """
 
     def __init__(self, *arguments):

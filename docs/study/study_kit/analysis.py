@@ -148,7 +148,7 @@ def _faults(attempts: Iterable[Attempt]) -> Iterable[FaultLine]:
 
 
 def _opinions(study: Study) -> Mapping[tuple[str, str], Sequence[int]]:
-    """By opinion and condition: how many chose 1 to 5."""
+    """The numbers of answers 1 to 5, by opinion and condition."""
     found: dict[tuple[str, str], list[int]] = {}
     for answer in study.answers:
         for name in OPINIONS:

@@ -57,7 +57,7 @@ the wild.
 _UNKNOWN = "not measured"
 
 Answers = Mapping[tuple[str, str], Sequence[str]]
-"""By condition and fault: the codes of a check of our language, or one stage of plain tools.
+"""The codes of a check of our language, or one stage of plain tools, by condition and fault.
 
 `alone` stands for plain Python without a type checker, and `writing` for EzSkiROS in an editor.
 """

@@ -138,17 +138,17 @@ FORMS = {
     "condition": "a condition is written `NAME : EXPRESSION;`",
     "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",
     "unless": "rules that come first are written `if CONDITION unless RULE, RULE then ...`",
-    "scope": "the skills that a rule is about are written "
+    "scope": "the scope of a rule is written "
     "`if CONDITION while doing SKILL, doing SKILL then ...`",
-    "exemption": "an exemption is written behind the actions: `unless doing SKILL;`, "
+    "exemption": "an exemption is written after the actions: `unless doing SKILL;`, "
     "`unless doing SKILL then { ACTION; }` or "
     "`unless doing SKILL then if CONDITION then { ACTION; }`",
     "contract": "a resume contract is `clear when CONDITION`, `clear for 2 sec` or "
     "`latched until reset`",
     "expression": "a condition is built of names, comparisons, `and`, `or`, `not`, "
     "`for DURATION`, `since`, `once` and `after`",
-    "doing": "a skill is asked for by `doing SKILL` or `doing SKILL(PARAMETER: CLASS)`",
-    "ahead": "a skill that can start next is asked for by `ahead SKILL` or "
+    "doing": "a running skill is queried by `doing SKILL` or `doing SKILL(PARAMETER: CLASS)`",
+    "ahead": "a skill that can start next is queried by `ahead SKILL` or "
     "`ahead SKILL(PARAMETER: CLASS)`",
     "over_time": "`once` and `after` end with a time: `once CONDITION within 2 sec`, "
     "`after CONDITION, CONDITION within 2 sec`; write `once (A and B) within 2 sec`",
@@ -159,7 +159,7 @@ FORMS = {
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "frame_declaration": "a frame is declared as `frame NAME in PARENT timeout 0.2 sec;`, or as "
-    "`frame NAME in PARENT at [0.3, 0, 0.5] m turned [0, 20, 180] deg;` where it stays",
+    "`frame NAME in PARENT at [0.3, 0, 0.5] m turned [0, 20, 180] deg;` if it is fixed",
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
     "motion": "a motion is written "
@@ -171,15 +171,16 @@ FORMS = {
     "polygon [0, 1], [1, 1], [1, 2] m; }`",
     "shape": "a shape is written `box [XMIN, XMAX, YMIN, YMAX] m;`, "
     "`circle [X, Y] m radius 0.4 m;` or `polygon [X, Y], [X, Y], [X, Y] m;`",
-    "keeps": "what a rule keeps is written behind its contract: "
+    "keeps": "the guarantee of a rule is written after the resume contract: "
     "`keeps MOTION below 0.3 m/s in CLASS`",
-    "category": "the category of a rule is written behind its contract: "
+    "category": "the category of a rule is written after the resume contract: "
     "`category operation`, `category human` or `category environment`",
-    "task": "the task of a rule is written behind its category: "
+    "task": "the task of a rule is written after the category: "
     "`task dependent` or `task independent`",
-    "feedback": "what a learner is reported is written behind the contract of a rule: "
+    "feedback": "the feedback for a learner is written after the resume contract: "
     "`feedback 1.0 per activation, 0.5 per sec, margin in N`",
-    "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
+    "mitigates": "the hazards of a rule are written after the resume contract: "
+    "`mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",
     "test": "a test is written "
     '`test "NAME" { at 0 sec INPUT = VALUE; expect RULE active at 1 sec; }`',
@@ -190,7 +191,7 @@ FORMS = {
     "expectation": "an expectation is written `expect RULE active at 1 sec;` or "
     "`expect RULE inactive from 0 sec until 1 sec;`; of a command "
     "`expect /TOPIC.FIELD in [-0.2, 0.2] m/s at 1 sec;`",
-    "effect": "an effect begins with the word that says what it does, such as `limit`",
+    "effect": "an effect begins with a keyword, such as `limit` or `publish`",
     "limit": "a limit is written `limit /TOPIC { FIELD in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2;`",
     "scale": "a command is scaled by `scale /TOPIC by 50 % ramp 20 %/s;`",
     "block": "a command is held at zero by `block /TOPIC;`",
@@ -205,7 +206,7 @@ FORMS = {
     "`switch /controller_manager { stop NAME; start NAME; };`",
     "run_tree": "a behavior tree is run by "
     "`tree SKILL(PARAMETER: VALUE) within 20 sec then resume else ACTION;`; "
-    "`then retry` and `then replan` begin the task anew",
+    "`then retry` and `then replan` start the task again",
     "send_goal": "a goal is sent by "
     "`send PACKAGE/TYPE { FIELD = VALUE; } to /SERVER within 10 sec then resend;`",
     "cancel_goal": "a goal is cancelled by "

@@ -69,7 +69,7 @@ class Events:
             if rule in rules:
                 yield f"    must_report_{rule}(m, old, t_ns);"
             else:
-                yield obligation(f"reports[{rule}] == 0", "of no other rule anything is reported")
+                yield obligation(f"reports[{rule}] == 0", "nothing is reported about other rules")
         yield obligation("jumps == 0", "time does not jump")
 
 

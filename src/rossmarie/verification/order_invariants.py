@@ -48,20 +48,20 @@ class OrderInvariants:
             f"{count} <= 1 && (reported.last[{task}] == NO_ORDER || reported.last[{task}] == STOP)"
         )
         engaged = f"r->engaged[{self._rules[task]}]"
-        yield Sentence("a task of a rule that is not engaged is told to stop, or nothing",
+        yield Sentence("a task of a rule that is not engaged gets no order except stop",
                        f"{engaged} || ({stops})")  # fmt: skip
-        yield Sentence("a task that has not begun was reported nothing",
+        yield Sentence("a task that has not begun has no order",
                        f"!{engaged} || {state} != IDLE || {count} == 0")  # fmt: skip
-        yield Sentence("only what fails gets two orders",
+        yield Sentence("only a task that fails gets two orders",
                        f"{has_failed(task)} || {count} <= 1")  # fmt: skip
         fresh = f"(r->since_ns[{task}] == r->now_ns && !r->reported[{task}])"
-        yield Sentence("what is told to start starts now",
+        yield Sentence("a task with the order to start starts now",
                        f"{state} != RUNNING || {count} == 0 || {fresh}")  # fmt: skip
         is_overruled = f"spec_overruler(r, {task}) >= 0"
-        yield Sentence("what is told to wait waits for another rule",
+        yield Sentence("a task that waits does so for another rule",
                        f"!{lacks(task)} || {count} == 0 || {is_overruled}")  # fmt: skip
         if task in self._can_fail:
-            yield Sentence("what is to be told of its failure was reported once at most",
+            yield Sentence("a task with an unreported failure has at most one order",
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
 
     def _silent(self, task: int) -> Iterator[Sentence]:
@@ -71,7 +71,7 @@ class OrderInvariants:
             "orders are counted", f"({last} == NO_ORDER) == (reported.count[{task}] == 0)"
         )
         kept = f"({last} == NO_ORDER && reported.was_in_force[{task}])"
-        yield Sentence("what is in force was told to start",
+        yield Sentence("a task in force has the order to start",
                        f"!{in_force(task)} || {last} == START || {kept}")  # fmt: skip
         fine = [f"!reported.was_in_force[{task}]", in_force(task), f"{last} != NO_ORDER"]
         fine += [f"r->state[{task}] == DONE", self._is_listed(task)]
@@ -153,13 +153,13 @@ class OrderInvariants:
         for task in self._tasks:
             begins = f"(old->state[{task}] == IDLE && r->state[{task}] != IDLE)"
             may_begin = begins if task in self._follows else "false"
-            yield Sentence("what does not follow from failures stays as it is",
+            yield Sentence("a task that follows from no failure stays as it is",
                            f"{may_begin} || ({_same(task)})")  # fmt: skip
             was_listed = self._is_listed(task).replace("r->", "old->")
-            yield Sentence("what has not failed is reported nothing",
+            yield Sentence("a task that has not failed gets no order",
                            f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
             if task in self._can_fail:
-                yield Sentence("what has failed is told so at last (R6)",
+                yield Sentence("the last order of a failed task is the failure (R6)",
                                f"!{was_listed} || reported.last[{task}] == GIVEN_UP")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"
