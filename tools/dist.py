@@ -26,6 +26,11 @@ OUT = ROOT / "dist"
 SUPPORTED = ("3.10", "3.11", "3.12", "3.13", "3.14")
 """The Pythons that the distributions may be installed for, as far as this machine has them."""
 
+_PLACEHOLDER = "rossmarie.example"
+"""The address in metadata and READMEs: `.example` is reserved (RFC 2606), and nobody can own it."""
+2606).
+"""
+
 _MEGABYTE = 1_000_000
 _SHOWN = 2000  # characters of the output of a command that does not end as it should
 
@@ -182,6 +187,8 @@ def check(files: Sequence[Path]) -> None:
     """
     for file in files:
         found = Metadata.from_email(_metadata(file), validate=True)
+        if any(_PLACEHOLDER in url for url in (found.project_urls or {}).values()):
+            print(f"{file.name}: {_PLACEHOLDER} is a placeholder: give the real address to release")
         if not found.description or found.description_content_type != "text/markdown":
             sys.exit(f"{file.name} has no description in Markdown")
     wheels = [str(each) for each in files if each.suffix == ".whl"]
@@ -260,13 +267,13 @@ def try_all(files: Sequence[Path], version: str, python: Path) -> bool:
             _run([str(python), "-m", "venv", f"{name}/venv"])
             programs = Path(name, "venv", "bin")
             _install(programs / "python", trial.requirement, files)
-            told = list(failures(trial, programs, folder))
+            reported = list(failures(trial, programs, folder))
             size = sum(each.stat().st_size for each in programs.parent.rglob("*") if each.is_file())
-            state = "as expected" if not told else f"{len(told)} NOT AS EXPECTED"
+            state = "as expected" if not reported else f"{len(reported)} NOT AS EXPECTED"
             count = f"{len(trial.commands)} commands, {state}"
             print(f"{version}: {trial.requirement}: {count}; {size / _MEGABYTE:.0f} MB", flush=True)
-            print(*told, sep="\n", end="\n" if told else "")
-            is_fine = is_fine and not told
+            print(*reported, sep="\n", end="\n" if reported else "")
+            is_fine = is_fine and not reported
     return is_fine
 
 

@@ -52,7 +52,8 @@ def test_each_package_of_the_sources_is_in_one_project() -> None:
 def test_a_project_says_what_a_user_looks_for(project: Project) -> None:
     table, source = project.table, ROOT / "src" / project.module
     assert {"Homepage", "Documentation", "Issues", "Changelog"} <= table["urls"].keys()
-    assert len({url.partition("/tree")[0].split("/")[3] for url in table["urls"].values()}) == 1
+    home = table["urls"]["Homepage"]
+    assert all(url.startswith(home) for url in table["urls"].values())
     assert "Typing :: Typed" in table["classifiers"]
     assert (source / "py.typed").is_file()
     assert (source / "__main__.py").is_file() == bool(table.get("scripts"))
@@ -66,10 +67,9 @@ def test_a_project_says_what_a_user_looks_for(project: Project) -> None:
 def test_links_of_a_readme_are_absolute_and_lead_to_files(project: Project) -> None:
     text = (project.folder / "README.md").read_text(encoding="utf-8")
     home = project.table["urls"]["Homepage"]
-    raw = home.replace("github.com", "raw.githubusercontent.com")
     for link in re.findall(r"\]\(([^)]+)\)", text):
         assert link.startswith("https://"), link
-        found = re.match(rf"(?:{home}/(?:blob|tree)/main|{raw}/main)/(.+)", link)
+        found = re.fullmatch(rf"{home}/(.+)", link)
         assert found is None or (ROOT / found[1]).exists(), link
 
 

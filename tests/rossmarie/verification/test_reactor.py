@@ -190,7 +190,7 @@ FAULTS_OF_WAITING = (
     ("return is_confirmed(m, task);", "return true;", "settle_ends", "what waits in vain fails"),
 )
 FAULTS_OF_WHAT_IS_LATE = (
-    ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
+    ("give_up(r, task);", "", "pass_on", "a task in force has the order to start"),
     ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
     (
         "is_same && tasks[task].timeout_ns == 0",
@@ -202,7 +202,7 @@ FAULTS_OF_WHAT_IS_LATE = (
         "        if (r->state[*task] != IDLE)\n            continue;\n",
         "",
         "escalate",
-        "what does not follow from failures stays as it is",
+        "a task that follows from no failure stays as it is",
     ),
 )
 
