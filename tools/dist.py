@@ -28,8 +28,6 @@ SUPPORTED = ("3.10", "3.11", "3.12", "3.13", "3.14")
 
 _PLACEHOLDER = "rossmarie.example"
 """The address in metadata and READMEs: `.example` is reserved (RFC 2606), and nobody can own it."""
-2606).
-"""
 
 _MEGABYTE = 1_000_000
 _SHOWN = 2000  # characters of the output of a command that does not end as it should
