@@ -293,6 +293,26 @@ def test_the_picture_in_view_is_saved(drive: Replay, tmp_path: Path) -> None:
     assert {"rgb(207, 79, 23)", "url(#hatch)"} <= fills
 
 
+def test_the_picture_is_saved_as_pixels(drive: Replay, tmp_path: Path) -> None:
+    script = """
+      const addressOf = URL.createObjectURL;
+      URL.createObjectURL = (blob) => {
+        if (blob.type !== "image/png") return addressOf.call(URL, blob);
+        blob.slice(16, 24).arrayBuffer().then((header) => {
+          const [width, height] = [0, 4].map((at) => new DataView(header).getUint32(at));
+          document.getElementById("spoken").textContent = `${width} by ${height}`;
+        });
+        return "#";
+      };
+      document.getElementById("save-png").click();
+    """
+    document = opened(render_timeline(drive), tmp_path, script)
+    size = re.search(r'id="spoken"[^>]*>(\d+) by (\d+)<', document)
+    assert size is not None
+    assert int(size[1]) > 1000
+    assert int(size[2]) > 1000
+
+
 def test_odd_replays_are_drawn_too(drive: Replay, tmp_path: Path) -> None:
     odd = (
         Plot("constant", "m", np.array([0.0]), np.array([2.0]), ()),

@@ -114,12 +114,15 @@ function imageBlob(view) {
   return new Blob([text], { type: "image/svg+xml" });
 }
 
-// Twice as many pixels as on the page, for papers and slides.
+const LONGEST_SIDE = 16_000; // pixels: browsers draw no longer canvas
+
+// Twice as many pixels as on the page, for papers and slides; fewer for a very long page.
 function savePixels(view) {
   const address = URL.createObjectURL(imageBlob(view));
   const image = new Image();
   image.addEventListener("load", () => {
-    const canvas = html("canvas", { width: 2 * image.width, height: 2 * image.height });
+    const scale = Math.min(2, LONGEST_SIDE / Math.max(image.width, image.height));
+    const canvas = html("canvas", { width: scale * image.width, height: scale * image.height });
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     canvas.toBlob((blob) => save(blob, "png"));
     URL.revokeObjectURL(address);
