@@ -137,11 +137,11 @@ _INPUTS = (
         "t_ns - m->stamp_ns[i] > input_timeouts[i]",
     ),
     Fault(
-        "an expired input keeps its numbers", "        m->value[lost_values[i]] = NAN;", "        ;"
+        "an expired input keeps its numbers", "        m->value[stale_values[i]] = NAN;", "        ;"
     ),
     Fault(
         "an expired input keeps its samples",
-        "        forget_samples(m, lost_samples[i]);",
+        "        forget_samples(m, stale_samples[i]);",
         "        ;",
     ),
     Fault(
@@ -160,8 +160,8 @@ _INPUTS = (
         "INT64_C(500000000), /* INPUT_ORIENTATION */",
     ),
     Fault(
-        "a lost input is merely unknown",
-        "            return LOST;\n    if (row_blames",
+        "a stale input is merely unknown",
+        "            return STALE;\n    if (row_blames",
         "            return UNKNOWN;\n    if (row_blames",
     ),
     Fault(
@@ -170,7 +170,7 @@ _INPUTS = (
         "value = t_ns > due_ns ? TRUE : FALSE;",
     ),
     Fault(
-        "an age that nobody knows is reached", "age_unknown[1] = {LOST}", "age_unknown[1] = {TRUE}"
+        "an age that nobody knows is reached", "age_unknown[1] = {STALE}", "age_unknown[1] = {TRUE}"
     ),
     Fault(
         "an age of a message that arrived is forgotten",
@@ -210,7 +210,7 @@ _CONDITIONS = (
 )
 
 _RULES = (
-    Fault("a lost condition does not activate", "condition == LOST", "condition == UNKNOWN"),
+    Fault("a stale condition does not activate", "condition == STALE", "condition == UNKNOWN"),
     Fault(
         "an unknown condition activates",
         "if (!was_active && condition == TRUE)",

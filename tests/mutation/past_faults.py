@@ -85,7 +85,7 @@ PYTHON = (
     Damage("what is out of reach is a lack", "-INF < s13 < INF", "s13 < INF"),
     Damage("a since forgets", "before_2 = v", "before_2 = 0"),
     Damage(
-        "unknown beside lost is unknown at first",
+        "unknown beside stale is unknown at first",
         "v = 1 if t1 == 1 or before_2 == 1 else (t1 if t1 > before_2 else before_2)",
         "v = before_2",
     ),

@@ -41,9 +41,9 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "all_skills, next(iter(skill.parameters)), None, text",
         ),
         Damage(
-            "any number is a proposition",
-            'is_proposition = parameter.type == "bool"',
-            "is_proposition = False",
+            "any number is a boolean",
+            'is_boolean = parameter.type == "bool"',
+            "is_boolean = False",
         ),
     ),
     "ir/skills.py": (
@@ -93,7 +93,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "bool(numbers)",
         ),
         Damage(
-            "a proposition is any number", "step.is_proposition and numbers", "False and numbers"
+            "a boolean is any number", "step.is_boolean and numbers", "False and numbers"
         ),
         Damage("a number of another property", "if p.property == step.property", "if p.property"),
     ),
@@ -109,7 +109,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "return self._flag(node, used)",
         ),
         Damage(
-            "what an exemption rests on is lost",
+            "what an exemption rests on is stale",
             'self._context(f"{CONTEXT}_kept", None)',
             'self._context(f"{CONTEXT}_kept", self._skills.timeout_ns)',
         ),
@@ -250,8 +250,8 @@ NODE: Sequence[Damage] = (
     Damage("limits say nothing", " && (is_within(skill, limits) && ...)", ""),
     Damage(
         "no skill is not known",
-        "    return 0.0;\n}\n\n// Whether nobody",
-        "    return NAN;\n}\n\n// Whether nobody",
+        "    return 0.0;\n}\n\n// True if the argument",
+        "    return NAN;\n}\n\n// True if the argument",
     ),
     Damage(
         "of several skills the first is asked",
@@ -273,6 +273,6 @@ NODE: Sequence[Damage] = (
     Damage("a number of another argument", "        if (argument.parameter == parameter)\n", ""),
     Damage("a number of another property", "            if (each.property == property)\n", ""),
     Damage(
-        "a proposition is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"
+        "a boolean is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"
     ),
 )
