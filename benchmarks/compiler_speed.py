@@ -49,10 +49,10 @@ def lines(folder: Path) -> Iterator[str]:
     checked = _median(CHECK, str(rules), str(messages))
     yield f"| names, types and units of 100 rules, after import | {checked:.2f} | under 0.5 |"
     yield ""
-    queries = "[what queries cost](performance-queries.md)"
-    yield f"What `rossmarie check` asks beyond that: {queries}."
+    queries = "[the cost of queries](performance-queries.md)"
+    yield f"`rossmarie check` also asks queries: {queries}."
     yield ""
-    operators = "[what an operator costs](performance-operators.md)"
+    operators = "[the cost of operators](performance-operators.md)"
     yield f"A rule with each operator by itself: {operators}."
 
 

@@ -240,7 +240,7 @@ of this machine ({machine}); ratios carry over.
 *load* reads the files; then EzSkiROS has the model that its checks use, rdflib and owlready2 have
 triples. *ratio* compares that with ours. *ask* is for all classes and all that is above each: by
 `rdfs:subClassOf`, and where the library knows of them also by equivalent classes and intersections.
-The ontologies are generated, but for SkiROS2's own.
+The ontologies are generated, except SkiROS2's own.
 """
 
 

@@ -166,7 +166,7 @@ def page() -> str:
             "active, and while all are and limit the action. In a row there are environments, "
             f"{COUNT:,}",
             "of them, and one call of `batch.step` is a step of all; a rule counts once for each",
-            "environment. What the guard in a simulated robot costs is on",
+            "environment. The cost of the guard in a simulated robot is on",
             "[the page of the experiments](performance-heron.md).",
             "",
             kept(found),
