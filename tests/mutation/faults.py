@@ -137,7 +137,9 @@ _INPUTS = (
         "t_ns - m->stamp_ns[i] > input_timeouts[i]",
     ),
     Fault(
-        "an expired input keeps its numbers", "        m->value[stale_values[i]] = NAN;", "        ;"
+        "an expired input keeps its numbers",
+        "        m->value[stale_values[i]] = NAN;",
+        "        ;",
     ),
     Fault(
         "an expired input keeps its samples",

@@ -92,9 +92,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "bool(numbers) and all(each == numbers[0] for each in numbers[1:])",
             "bool(numbers)",
         ),
-        Damage(
-            "a boolean is any number", "step.is_boolean and numbers", "False and numbers"
-        ),
+        Damage("a boolean is any number", "step.is_boolean and numbers", "False and numbers"),
         Damage("a number of another property", "if p.property == step.property", "if p.property"),
     ),
     "lowering/skills.py": (
@@ -272,7 +270,5 @@ NODE: Sequence[Damage] = (
     ),
     Damage("a number of another argument", "        if (argument.parameter == parameter)\n", ""),
     Damage("a number of another property", "            if (each.property == property)\n", ""),
-    Damage(
-        "a boolean is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"
-    ),
+    Damage("a boolean is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"),
 )
