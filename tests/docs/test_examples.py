@@ -2,7 +2,8 @@
 
 Each page has a folder of its own, with the examples of the project and files of skills in it. A
 block with a name behind its language (a fence that says `ross arm.ross`) is saved there under that
-name. The commands of this project and Python run there, all others are taken on trust.
+name. The commands of this project, Python, `cat` and `sed` run there. All others are taken on
+trust.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from pathlib import Path
 from support import command_line
 
 _PROGRAMS = ("rossmarie", "ezskiros", "crosscheck")
-_RUN = (*(f"{program} " for program in _PROGRAMS), "heron ", "python ", "cat ", "echo $?")
+_RUN = (*(f"{program} " for program in _PROGRAMS), "heron ", "python ", "cat ", "sed ", "echo $?")
 # Of words and quotations in which nothing has a meaning of its own.
 _PLAIN = re.compile(r"""(?:[\w@%+=:,./ -]|'[^']*'|"[^"$`\\]*")+""")
 
@@ -51,8 +51,8 @@ def shows(shown: str, actual: str) -> bool:
 def run(text: str, folder: Path) -> list[str]:
     """Run the commands of a block in `folder`; what was not as shown.
 
-    Commands of this project and Python run; all others are taken on trust. A command whose output
-    is not shown has to succeed.
+    Commands of this project, Python, `cat` and `sed` run; all others are taken on trust. A command
+    whose output is not shown has to succeed.
     """
     problems = []
     exit_code = 0
