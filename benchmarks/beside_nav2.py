@@ -46,45 +46,53 @@ FOLDER = Path(__file__).parents[1] / "build" / "bench" / "course"
 PREFACE = """\
 # Rules beside Nav2's collision monitor
 
-Written by `benchmarks/beside_nav2.py`; do not edit. The same course for all guards, {runs} runs of
-each scene with other numbers, from a seed.
+Written by `benchmarks/beside_nav2.py`; do not edit. All guards drive the same course: {runs} runs
+of each scene. Random numbers from a fixed seed vary the runs of a scene.
 
 **The base** is {length:g} m long and {width:g} m wide, drives at {speed:g} m/s, and brakes at
-{braking:g} m/s². A lidar in its middle sends {beams} readings, {scans:g} times a second; a scan
-arrives {delay:g} ms after its stamp. A planner that knows nothing of walls and people sends
-{commands:g} commands a second, and a guard may change each.
+{braking:g} m/s². A lidar at its center sends {beams} readings, {scans:g} times a second. A scan
+arrives {delay:g} ms after its stamp. The planner ignores walls and people. It sends
+{commands:g} commands a second, and the guard may change each command.
 
 **The guards.** {guards}
 
-**The columns.** *Hits*: runs in which the base drove into something. *Reaction*: from the instant
-at which the brakes of an unguarded base need all of the way that is free, to the first reduced
-command: the median, and the latest of all runs; below 0 it comes before. *Gap*: the least of all
-runs. *Stops*: a run, on average; *false* are those while nothing is closer ahead than
-{near:.2f} m and the lidar is not silent for {silence:g} s, and all of them where nothing asks for
-a stop. *Slow*: seconds of a run in which commands are reduced, and would not have to be.
-*Way*: what the base covers. *Goal*: runs in which it gets where it should.
+**The columns**
+
+- *Hits*: runs in which the base drove into something.
+- *Reaction*: time from the last instant at which an unguarded base could still brake in time, to the
+  first reduced command. The table shows the median and the maximum of all runs. If the time is
+  negative, the guard reacted before this instant.
+- *Gap*: the smallest distance to an obstacle in all runs.
+- *Stops*: mean number of stops in a run.
+- *False*: mean number of false stops in a run. A stop is false if nothing is closer ahead than
+  {near:.2f} m, and if the lidar has not been silent for {silence:g} s. If the base can pass everything in
+  a scene, each stop is false.
+- *Slow*: mean time in a run during which the guard reduced commands without need.
+- *Distance*: mean distance travelled in a run.
+- *Goal*: runs in which the base reached its goal.
 """
 
 GUARDS = """\
-Nav2's collision monitor {how}, without the correction for
-the motion since a scan, which asks for transforms. It has the settings of `nav2_bringup`, which
-approach (with the outline of this base), or zones: one as long as the way of braking after
-{latency:g} s, {stop:.2f} m, in which it stops, and one twice as long in which it is slow.
+Nav2's collision monitor {how}. The correction for the motion since the scan is off,
+because this correction needs transforms. The monitor runs with two settings. *Approach* is the
+setting of `nav2_bringup`, with the outline of this base. *Zones* has two zones: in the first zone
+the base stops, and in the second zone the base slows down. The first zone is as long as the
+stopping distance with a latency of {latency:g} s, {stop:.2f} m. The second zone is twice as long.
 
-Rules are in `benchmarks/guards`. *Zones* and *approach* have the shapes and numbers of the two
-settings of Nav2. *Stopping* has no length of a zone: the base stops for what is nearer ahead than
-the way that it needs at its actual or commanded speed, and is slow at twice that way.
-*min(ranges)* has no geometry: it stops and slows down at the distances of the zones, by the least
-of all readings."""
+The rules are in `benchmarks/guards`. *Zones* and *approach* have the shapes and numbers of the two
+settings of Nav2. *Stopping* has no zone of a fixed length. The base stops for an obstacle ahead
+that is nearer than the stopping distance at the actual or commanded speed. The base slows down for
+an obstacle within twice this distance. *min(ranges)* has no geometry: the rules compare the
+smallest of all readings, in any direction, with the lengths of the zones."""
 
 COST = """\
-CPU time of the process of a node of ROS 2 in {period:g} s of the world, all transport included:
-while it hears nothing; with the clock, commands and odometry, where Nav2's node logs each time that
-it lacks a scan; and with a scan as well, of which each reading is {far:g} m. The mean of
+CPU time that the process of a ROS 2 node uses in {period:g} s, transport included: without messages;
+with the clock, commands and odometry; and with a scan as well. While scans are missing, Nav2's node
+logs this each time. Each reading of the scan is {far:g} m. The times are means of
 {seconds:g} s, on {machine}.
 """
 
-HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | way, m | goal |"
+HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | distance, m | goal |"
 
 
 @dataclass(frozen=True)
@@ -124,7 +132,7 @@ def drive(contenders: Sequence[Contender]) -> Mapping[tuple[str, str], list[Outc
 
 
 def compared(one: Sequence[Outcome], other: Sequence[Outcome]) -> Comparison:
-    """Compare runs of the node with those of the model; the time that they take is another."""
+    """Compare runs of the node and runs of the model, except for their CPU times."""
     pairs = zip(map(_driven, one), map(_driven, other), strict=True)
     return Comparison(len(one), sum(left == right for left, right in pairs))
 
@@ -159,7 +167,7 @@ def _of(count: int, runs: Sequence[Outcome]) -> str:
 
 
 def scene_lines(found: Mapping[tuple[str, str], list[Outcome]]) -> Iterator[str]:
-    """A table for each scene, under what happens in it."""
+    """A table for each scene, with a description of the scene."""
     for scene, make in SCENES.items():
         rows = {guard: runs for (where, guard), runs in found.items() if where == scene}
         yield f"## {scene.capitalize()}"
@@ -177,7 +185,7 @@ def scene_lines(found: Mapping[tuple[str, str], list[Outcome]]) -> Iterator[str]
 
 
 def _blind_lines(blind: Mapping[str, Sequence[float]]) -> Iterator[str]:
-    yield "From the silence to the first reduced command, at most:"
+    yield "Maximum time from the last message of the lidar to the first reduced command:"
     yield ""
     for guard, seconds in blind.items():
         if all(map(math.isfinite, seconds)):
@@ -186,7 +194,7 @@ def _blind_lines(blind: Mapping[str, Sequence[float]]) -> Iterator[str]:
 
 def cost_lines(folder: Path) -> Iterator[str]:
     """The CPU time of nodes."""
-    yield "## What a scan costs"
+    yield "## CPU time of a scan"
     yield ""
     lacking = nav2_node.missing()
     if lacking:
@@ -194,7 +202,7 @@ def cost_lines(folder: Path) -> Iterator[str]:
         yield ""
         return
     yield COST.format(period=PERIOD_S, far=FAR_M, seconds=COST_S, machine=processor())
-    yield "| node | nothing | clock, commands, odometry | and a scan |"
+    yield "| node | no messages | clock, commands, odometry | with a scan as well |"
     yield "|---|---|---|---|"
     makers: list[Callable[[], rules_node.Node | nav2_node.Node]] = [
         partial(nav2_node.Node, each, folder / "nav2_cost", is_checked=False) for each in ALL
@@ -237,18 +245,18 @@ def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[st
     yield "## Node and model"
     yield ""
     if lacking:
-        yield f"The node did not run here ({lacking}). The figures are those of the model,"
-        yield "`benchmarks/nav2_model.py`, which says what it follows."
+        yield f"The node did not run here ({lacking}). The figures come from a model of the node,"
+        yield "`benchmarks/nav2_model.py`, which lists its sources."
         return
     runs, same = sum(each.runs for each in found), sum(each.same for each in found)
-    yield "The figures are those of the node. A model of it, `benchmarks/nav2_model.py`, drives the"
-    yield f"same runs: in {same} of {runs} it does the same in all columns."
+    yield "The figures come from the real node. A model, `benchmarks/nav2_model.py`, drives the same runs:"
+    yield f"in {same} of {runs} runs all columns are equal."
 
 
 def lines(folder: Path) -> Iterator[str]:
     """The lines of the page."""
     lacking = nav2_node.missing()
-    how = "is the model of it" if lacking else f"{nav2_node.version()} is the node itself"
+    how = "is a model of the node" if lacking else f"{nav2_node.version()} is the real node"
     guards = GUARDS.format(how=how, latency=LATENCY_S, stop=STOP_M)
     yield PREFACE.format(
         runs=RUNS,
