@@ -59,14 +59,14 @@ arrives {delay:g} ms after its stamp. The planner ignores walls and people. It s
 **The columns**
 
 - *Hits*: runs in which the base drove into something.
-- *Reaction*: time from the last instant at which an unguarded base could still brake in time, to the
-  first reduced command. The table shows the median and the maximum of all runs. If the time is
+- *Reaction*: time from the last instant at which an unguarded base could still brake in time, to
+  the first reduced command. The table shows the median and the maximum of all runs. If the time is
   negative, the guard reacted before this instant.
 - *Gap*: the smallest distance to an obstacle in all runs.
 - *Stops*: mean number of stops in a run.
 - *False*: mean number of false stops in a run. A stop is false if nothing is closer ahead than
-  {near:.2f} m, and if the lidar has not been silent for {silence:g} s. If the base can pass everything in
-  a scene, each stop is false.
+  {near:.2f} m, and if the lidar has not been silent for {silence:g} s. If the base can pass everything
+  in a scene, each stop is false.
 - *Slow*: mean time in a run during which the guard reduced commands without need.
 - *Distance*: mean distance travelled in a run.
 - *Goal*: runs in which the base reached its goal.
@@ -86,8 +86,8 @@ an obstacle within twice this distance. *min(ranges)* has no geometry: the rules
 smallest of all readings, in any direction, with the lengths of the zones."""
 
 COST = """\
-CPU time that the process of a ROS 2 node uses in {period:g} s, transport included: without messages;
-with the clock, commands and odometry; and with a scan as well. While scans are missing, Nav2's node
+CPU time that the process of a ROS 2 node uses in {period:g} s, transport included: without
+messages; with the clock, commands and odometry; and with a scan as well. While scans are missing, Nav2's node
 logs this each time. Each reading of the scan is {far:g} m. The times are means of
 {seconds:g} s, on {machine}.
 """
@@ -249,8 +249,8 @@ def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[st
         yield "`benchmarks/nav2_model.py`, which lists its sources."
         return
     runs, same = sum(each.runs for each in found), sum(each.same for each in found)
-    yield "The figures come from the real node. A model, `benchmarks/nav2_model.py`, drives the same runs:"
-    yield f"in {same} of {runs} runs all columns are equal."
+    yield "The figures come from the real node. A model, `benchmarks/nav2_model.py`, drives the same"
+    yield f"runs: in {same} of {runs} runs all columns are equal."
 
 
 def lines(folder: Path) -> Iterator[str]:
