@@ -152,7 +152,7 @@ def test_a_policy_that_is_not_there_is_reported(
     (tmp_path / "policy.npz").write_bytes(b"PK")
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
-    assert "policy.npz is no policy of this task" in found.stderr
+    assert "policy.npz is not a policy of this task" in found.stderr
 
 
 @needs(MUJOCO)

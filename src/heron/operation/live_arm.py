@@ -66,7 +66,7 @@ class LiveArm:
 
     def _lacking(self) -> str | None:
         silent = [topic for topic in (VELOCITY, PUSH) if not self._node.hears(topic.name)]
-        return f"nobody publishes {_names(silent)}: {_GUARD}" if silent else None
+        return f"no node publishes {_names(silent)}: {_GUARD}" if silent else None
 
     def _command(self) -> Command:
         x, y, z = self._velocity.now()

@@ -77,7 +77,7 @@ def test_options_of_packages_are_for_packages(rules: Path, out: Path) -> None:
     for options in (ADA, BOTH[2:], ("--part-of", "robot")):
         done = run("build", rules, "--out", out, *options)
         assert done.returncode == 2
-        assert done.stderr == f"rossmarie: {options[0]} is for packages: --target ros1 or ros2\n"
+        assert done.stderr == f"rossmarie: {options[0]} needs --target ros1 or ros2\n"
     done = run("build", rules, "--target", "ros1", "--part-of", "robot", "--out", out, *ADA)
     assert done.stderr == (
         "rossmarie: --maintainer is not for --part-of: the package.xml of robot says it\n"

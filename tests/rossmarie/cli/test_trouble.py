@@ -169,7 +169,7 @@ def test_an_empty_path_is_no_path(rules: Path, drive: Path, command: str) -> Non
 def test_a_topic_is_mapped_once(rules: Path, drive: Path) -> None:
     twice = ["--topic-map", "/on=/a", "--topic-map", "/on=/b"]
     done = run("replay", rules, drive, *twice)
-    assert is_refused(done, "--topic-map leads from `/on` to `/a` and `/b`; keep one")
+    assert is_refused(done, "--topic-map maps `/on` to `/a` and `/b`; keep one")
 
 
 def test_a_system_model_is_written_once_and_in_the_one_layout(tmp_path: Path) -> None:

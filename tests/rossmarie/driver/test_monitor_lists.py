@@ -81,7 +81,7 @@ def test_a_field_that_a_dictionary_lacks_is_unknown(monitor: Monitor) -> None:
 @pytest.mark.parametrize(
     ("values", "said"),
     [
-        ({"path": 3.0}, "`path` is a list of messages, not 3.0"),
+        ({"path": 3.0}, "`path` takes a list of messages, not 3.0"),
         ({"path": "near"}, "`path` is a list of messages"),
         ({"path": [SimpleNamespace(pose=3.0)]}, "has no field `pose.position.x`"),
         ({"status": [{"name": 3, "level": 0}]}, "a string is wanted, not 3"),

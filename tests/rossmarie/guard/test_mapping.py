@@ -29,7 +29,7 @@ def refusal(folder: Path, observe: Any = OBSERVE, act: Any = ACT, more: str = ""
         ({"speed": (0, "furlong")}, "`speed`: there is no unit `furlong`"),
         ({"speed": (0, "meter")}, "`speed`: there is no unit `meter`; did you mean `m`?"),
         ({"held": (1, "m")}, "`held` is in 1, and cannot be in m"),
-        ({"scan": 2}, "`scan` is an array: a slice, such as slice(0, 7)"),
+        ({"scan": 2}, "`scan` is an array: give a slice, such as slice(0, 7)"),
         ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are one field"),
     ],
 )
@@ -62,7 +62,7 @@ def test_what_rules_bound_has_to_be_declared(tmp_path: Path) -> None:
 
 def test_a_text_is_no_number(tmp_path: Path) -> None:
     text = refusal(tmp_path, observe={**OBSERVE, "mode": 4}, more=MODE)
-    assert text == "`mode` is a text, which is no number of an array"
+    assert text == "`mode` is a string, which an array cannot contain"
 
 
 @needs_c

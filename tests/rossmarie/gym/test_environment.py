@@ -200,7 +200,7 @@ WRONG: list[tuple[dict[str, Any], Any, str]] = [
     ({"act": {"linear.x": [1.0]}}, Cart(kind="choice"), "a list of 4 finite numbers"),
     ({"act": {"linear.x": 0}}, Cart(kind="choice"), "a list of 4 finite numbers"),
     ({"act": {"linear.x": (0, "m")}}, None, "`linear.x` is in m/s, and cannot be in m"),
-    ({"targets": {"linear.x": 9}}, None, "9 is no single number of an observation"),
+    ({"targets": {"linear.x": 9}}, None, "9 is not a single number of an observation"),
     ({"targets": {"linear.z": 0}}, None, "`linear.z` is a target, so `act` has to have"),
     ({}, Cart(dtype=np.int32), "a guard bounds a Box of floats, or a Discrete choice"),
 ]
