@@ -192,7 +192,7 @@ def test_bz2_in_a_bag_is_reported_with_its_chunk_and_the_rest_is_used(tmp_path: 
     done = replay(path)
     assert "ROSS615" in done.stdout
     at = path.read_bytes().index(bomb)
-    reported = f"the chunk at byte {at} is not whole: {len(bomb)} bytes stand for more than 64 MiB"
+    reported = f"the chunk at byte {at} is incomplete: {len(bomb)} bytes decompress to more than 64 MiB"
     assert reported in done.stdout
     assert "9 messages could be read" in done.stdout
 
@@ -205,7 +205,7 @@ def test_zstd_in_an_mcap_is_reported_with_its_chunk_and_the_rest_is_used(
     path = mcap_with(tmp_path / "drive", {4: bomb}, size)
     done = replay(path)
     assert "ROSS615" in done.stdout
-    assert f"the chunk at byte {path.read_bytes().index(bomb)} is not whole" in done.stdout
+    assert f"the chunk at byte {path.read_bytes().index(bomb)} is incomplete" in done.stdout
     assert "9 messages could be read" in done.stdout
 
 

@@ -89,7 +89,7 @@ class _Progress:
     def begin(self, count: int, done: int) -> None:
         """Hear that the journal has `done` of `count` trainings."""
         if done:
-            self._console.print(f"{done} of {count} are already done")
+            self._console.print(f"{done} of {count} are done already")
 
     def hear(self, result: Result) -> None:
         """One more is over."""

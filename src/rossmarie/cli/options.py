@@ -75,7 +75,7 @@ def _rules(path: Path) -> Path:
     suffix = path.suffix.lower()
     if suffix in _RECORDINGS:
         raise typer.BadParameter(
-            f"{path} is a recording, not a rules file (.ross); name the rules file first, then recordings"
+            f"{path} is a recording, not a rules file (.ross); name the rules file first"
         )
     if suffix == ".py":
         raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")

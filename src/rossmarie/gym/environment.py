@@ -145,7 +145,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         """
         if self._taken == self._substeps:
             raise ValueError(
-                f"there is no step now, or the step has more than `substeps` ({self._substeps}) substeps"
+                f"there is no step now, or it has more than {self._substeps} substeps (`substeps`)"
             )
         self._taken += 1
         elapsed_ns = self._taken * self._interface.period_ns // self._substeps

@@ -163,8 +163,8 @@ def _tables(
         for other in others:
             if tables[other].shape != tables[first].shape:
                 raise ColumnError(
-                    f"columns {names[first]} and {names[other]} belong to one list, but have the shapes "
-                    f"{tables[first].shape} and {tables[other].shape}"
+                    f"columns {names[first]} and {names[other]} belong to one list, but have the "
+                    f"shapes {tables[first].shape} and {tables[other].shape}"
                 )
     for cloud in ir.point_columns(machine):
         for axis in cloud.axes:

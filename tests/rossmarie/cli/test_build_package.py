@@ -80,7 +80,7 @@ def test_options_of_packages_are_for_packages(rules: Path, out: Path) -> None:
         assert done.stderr == f"rossmarie: {options[0]} needs --target ros1 or ros2\n"
     done = run("build", rules, "--target", "ros1", "--part-of", "robot", "--out", out, *ADA)
     assert done.stderr == (
-        "rossmarie: --maintainer is not for --part-of: the package.xml of robot says it\n"
+        "rossmarie: leave out --maintainer with --part-of: edit the package.xml of robot\n"
     )
     assert not out.exists()
 

@@ -25,12 +25,12 @@ def refusal(folder: Path, observe: Any = OBSERVE, act: Any = ACT, more: str = ""
     ("changed", "words"),
     [
         ({"sped": 0}, "no rule reads `sped`; did you mean `speed`?"),
-        ({"speed": (0, "mm")}, "`speed` is in m/s, and cannot be in mm"),
+        ({"speed": (0, "mm")}, "`speed` is in m/s, not in mm"),
         ({"speed": (0, "furlong")}, "`speed`: there is no unit `furlong`"),
         ({"speed": (0, "meter")}, "`speed`: there is no unit `meter`; did you mean `m`?"),
-        ({"held": (1, "m")}, "`held` is in 1, and cannot be in m"),
+        ({"held": (1, "m")}, "`held` is in 1, not in m"),
         ({"scan": 2}, "`scan` is an array: give a slice, such as slice(0, 7)"),
-        ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are one field"),
+        ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are the same field"),
     ],
 )
 def test_observations_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
@@ -42,8 +42,8 @@ def test_observations_are_refused(tmp_path: Path, changed: Any, words: str) -> N
     [
         ({"linear.w": 1}, "no rule bounds `linear.w`; did you mean `linear.z`?"),
         ({"x": 1}, "no rule bounds `x`"),
-        ({"linear.x": (0, "rad/s")}, "`linear.x` is in m/s, and cannot be in rad/s"),
-        ({"/cmd_vel.linear.x": 1}, "`linear.x` and `/cmd_vel.linear.x` are one field"),
+        ({"linear.x": (0, "rad/s")}, "`linear.x` is in m/s, not in rad/s"),
+        ({"/cmd_vel.linear.x": 1}, "`linear.x` and `/cmd_vel.linear.x` are the same field"),
     ],
 )
 def test_actions_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
@@ -123,7 +123,7 @@ def test_an_element_with_a_declared_name_is_declared_by_itself(tmp_path: Path) -
     [
         ({"efforts": slice(2, 4)}, "`efforts` has 3 names, not 2"),
         ({"efforts": 2}, "no rule reads `efforts`; did you mean `efforts.elbow`?"),
-        ({"efforts": slice(3), "efforts.elbow": 1}, "`efforts` and `efforts.elbow` are one field"),
+        ({"efforts": slice(3), "efforts.elbow": 1}, "`efforts` and `efforts.elbow` are the same field"),
         ({"efforts.elbow": 1}, "rules read `efforts.wrist`, which `observe` lacks"),
     ],
 )
