@@ -82,11 +82,11 @@ def test_a_field_that_a_dictionary_lacks_is_unknown(monitor: Monitor) -> None:
     ("values", "said"),
     [
         ({"path": 3.0}, "`path` takes a list of messages, not 3.0"),
-        ({"path": "near"}, "`path` is a list of messages"),
+        ({"path": "near"}, "`path` takes a list of messages"),
         ({"path": [SimpleNamespace(pose=3.0)]}, "has no field `pose.position.x`"),
         ({"status": [{"name": 3, "level": 0}]}, "expected a string, not 3"),
         ({"status.name": [3]}, "expected a string, not 3"),
-        ({"status.name": "motor"}, "`status.name` is the strings of all elements"),
+        ({"status.name": "motor"}, "`status.name` takes the strings of all elements"),
     ],
 )
 def test_what_is_no_list_is_refused(monitor: Monitor, values: dict[str, object], said: str) -> None:

@@ -123,7 +123,10 @@ def test_an_element_with_a_declared_name_is_declared_by_itself(tmp_path: Path) -
     [
         ({"efforts": slice(2, 4)}, "`efforts` has 3 names, not 2"),
         ({"efforts": 2}, "no rule reads `efforts`; did you mean `efforts.elbow`?"),
-        ({"efforts": slice(3), "efforts.elbow": 1}, "`efforts` and `efforts.elbow` are the same field"),
+        (
+            {"efforts": slice(3), "efforts.elbow": 1},
+            "`efforts` and `efforts.elbow` are the same field",
+        ),
         ({"efforts.elbow": 1}, "rules read `efforts.wrist`, which `observe` lacks"),
     ],
 )
@@ -150,7 +153,7 @@ rule p: if any(q in path: q.pose.position.x < 1 m and q.pose.position.y < 1 m) t
 def test_all_fields_of_a_list_are_observed_alike(tmp_path: Path, y: slice | None) -> None:
     observe: Any = {**OBSERVE, "path.x": slice(4, 6), "path.y": y}
     guard = guard_of("python", tmp_path, rules=RULES + LIST, observe=observe, act=ACT)
-    with pytest.raises(MappingError, match="are of one list"):
+    with pytest.raises(MappingError, match="belong to one list"):
         guard.step(0, np.zeros(8), np.zeros(len(ACT)))
 
 
