@@ -240,7 +240,7 @@ def test_messages_that_are_compressed_one_by_one_are_reported(tmp_path: Path) ->
         bomb = zstd.compress(ZEROS) * 75
         database.execute("UPDATE messages SET data = ? WHERE id = 9", (bomb,))
     done = replay(folder)
-    assert "stand for more than 64 MiB" in done.stdout
+    assert "decompress to more than 64 MiB" in done.stdout
 
 
 def test_metadata_that_doubles_with_each_line_is_reported(tmp_path: Path) -> None:
@@ -318,7 +318,7 @@ def test_a_message_of_many_small_parts_is_unknown(tmp_path: Path) -> None:
     path = redefined(tmp_path, "b/One[] many\n" + part("One", "bool is_one"), many, few)
     done = replay(path)
     assert "1 of 2 messages on `/battery` cannot be read" in done.stdout
-    assert "its parts are small" in done.stdout
+    assert "the limit for its type" in done.stdout
 
 
 # --- other files -----------------------------------------------------------------------------

@@ -90,7 +90,7 @@ def test_options_of_packages_are_for_packages(rules: Path, out: Path) -> None:
 def test_a_package_has_a_name_of_ros(option: str, name: str, rules: Path, out: Path) -> None:
     done = run("build", rules, "--target", "ros2", "--out", out, option, name)
     assert done.returncode == 2
-    assert "is no name of a package" in done.stderr
+    assert "is not a package name" in done.stderr
 
 
 @pytest.mark.parametrize("target", ["ros1", "ros2"])

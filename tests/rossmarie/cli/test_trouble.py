@@ -215,5 +215,5 @@ def test_help_has_a_short_name() -> None:
 def test_formats_in_upper_case(rules: Path) -> None:
     assert json.loads(run("check", rules, "--format", "JSON").stdout)["version"] == 1
     done = run("check", rules, "--format", "xml")
-    assert "`xml` is none of text, json, sarif" in done.stderr
+    assert "`xml` is not one of text, json, sarif" in done.stderr
     assert "Value error" not in done.stderr
