@@ -145,7 +145,7 @@ def test_what_are_no_numbers_is_refused(text: str, tmp_path: Path) -> None:
 def test_only_files_are_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.npz")
     for path in (tmp_path, tmp_path / "pipe.npz", Path("/dev/zero")):
-        with pytest.raises(ValueError, match="is no file"):
+        with pytest.raises(ValueError, match="is not a file"):
             read_learned(path)
     large = tmp_path / "large.json"
     with large.open("wb") as file:

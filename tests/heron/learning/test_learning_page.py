@@ -188,5 +188,5 @@ def test_a_checkpoint_of_something_else_is_reported(tmp_path: Path) -> None:
     found = heron("learn", "tree", "--arm", "guard", "--steps", "300", "--out", tmp_path)
     assert found.returncode == 1
     assert "checkpoint belongs to another training; remove it" in found.stderr
-    assert f"tried again by the same command: {run.key}" in found.stderr
+    assert f"not finished (run the same command again): {run.key}" in found.stderr
     assert "Traceback" not in found.stderr

@@ -213,7 +213,7 @@ def test_a_checkpoint_of_something_else_is_refused(
 
 def test_a_learner_refuses_what_another_one_has_learned() -> None:
     kept = trained(*LEARNED[2]).training.save()
-    with pytest.raises(ValueError, match="of another learner"):
+    with pytest.raises(ValueError, match="belongs to another learner"):
         trained(*LEARNED[0]).training.load(kept)
 
 

@@ -272,7 +272,7 @@ def test_substeps_are_counted(rules: str) -> None:
     with pytest.raises(ValueError, match=r"no step now, or it has more than 2 substeps"):
         env.observe_substep(np.zeros(2))
     cart.dips, cart.on_substep = [1.0] * 3, env.observe_substep
-    with pytest.raises(ValueError, match="no step, or it has more"):
+    with pytest.raises(ValueError, match="no step now, or it has more"):
         env.step(fast())
     cart.dips = [1.0] * 2
     env.reset()
