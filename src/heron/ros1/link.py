@@ -43,7 +43,7 @@ class Ros1Link:
         self._lockstep: Lockstep | None = None
 
     def close(self) -> None:
-        """The end of it: nobody hears of it any more."""
+        """Close all connections."""
         for one in (self._lockstep, self._guard):
             if one is not None:
                 one.close()

@@ -107,8 +107,8 @@ def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
 
 
 class Circle:
-    """A circle of rules, each of which publishes a message that the next one reads, and the part of
-    the machine that the rules depend on.
+    """A circle of rules, and the part of the machine that the rules depend on. Each rule of the
+    circle publishes a message that the next rule reads.
     """
 
     def __init__(

@@ -34,8 +34,8 @@ class Number:
 
 @dataclass(frozen=True)
 class Fact:
-    """A proposition as three flags, T, F and S, at most one of which is true. If none is true, its
-    value is U.
+    """A proposition as three flags, T, F and S. At most one flag is true. If no flag is true, the
+    truth value is U.
     """
 
     true: z3.BoolRef

@@ -83,12 +83,13 @@ def build_files(
     """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
     file, and `only` rules of these categories.
 
-    A file whose content would not change is not touched, so that a build system sees no change;
-    one that belongs to the user is not touched once it is there. With `replaces_others`, files that
-    were not generated from these rules are replaced.
-    Raises `RulesError` for errors in the rules, for what the target cannot do and for a folder that
-    holds another package, `ForeignFileError` if a file in the way was not generated from these
-    rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
+    A file with unchanged content is not written, so a build system sees no change. A file for the
+    user's own code is written only if it is missing. With `replaces_others`, files that were not
+    generated from these rules are replaced.
+    Raises `RulesError` for errors in the rules, for constructs that the target does not support,
+    and for a folder that contains another package. Raises `ForeignFileError` if an existing file
+    was not generated from these rules. In these cases no file is written. Raises `OSError` if the
+    folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine if name is None else replace(compiled.machine, name=name)

@@ -96,8 +96,8 @@ class Monitor:
         return tuple(rule.name for rule, is_active in pairs if is_active)
 
     def next_wake(self) -> int | None:
-        """The instant in nanoseconds at which `advance` has to be called if no message comes
-        before; None if there is none.
+        """The instant (ns) at which to call `advance` if no message arrives before. None if there
+        is no such instant.
         """
         return self._engine.next_wake()
 
@@ -105,11 +105,11 @@ class Monitor:
         """Process arriving messages: one on each topic with a named field. Unnamed fields are
         unknown.
 
-        An input of which rules read only the age is given by its own name, with any value. Raises
-        `KeyError` for a name that no rule reads, `TypeError` for a value of another type than the
-        field or an instant that is no integer, `OverflowError` for an integer beyond all floats,
-        `ValueError` for an instant out of range, and `MemoryError` if events were lost for lack of
-        memory.
+        If rules read only the age of an input, give the name of the input with any value. Raises
+        `KeyError` for a name that no rule reads, and `TypeError` for a value of the wrong type or
+        an instant that is not an integer. Raises `OverflowError` for an integer beyond all floats,
+        and `ValueError` for an instant out of range. Raises `MemoryError` if the log of events
+        cannot grow; then events are lost.
         """
         return self._engine.update(as_instant(at_ns), self._values.messages(values))
 

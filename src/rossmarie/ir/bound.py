@@ -1,28 +1,32 @@
 """Bound the evaluations that one call of a monitor can take, from the structure of its machine
 alone.
 
-Before an event the wakes that fell due are run (S13), each at an instant of its own at which at
-least one timer is due; after a jump backwards there are none (S17). So there are at most as many as
-timers fall due, and those are counted here, a bit for each. The timer of an age, which is that of a
-timeout too, falls due once, and so does the window of an oscillation: only messages start them
-again. The timer of `C for d` falls due at most once for each stretch in which C is true. The first
-may have begun before; between two of them C both ceases to be true and becomes true. So it is at
-most one more than the lesser of how often C becomes true and how often it ceases to be.
+Before an event, the monitor runs the wakes that are due (S13). Each wake has its own instant, and
+at least one timer is due at this instant. After a jump backwards there are no wakes (S17). So there
+are at most as many wakes as due timers. This module counts the due timers, with one bit for each.
 
-How often that is follows from left to right. Signals change only to NaN, when an input that they
-rest on expires, and a leaf over one is stale from then on (S30). An `and` or `or` becomes or ceases
-to be true or false only together with one of its operands. `C for d` becomes true when its timer
-falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
-it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
-when C ceases to be false or to be true. (What counts as true before the start is true without
+- The timer of an age or a timeout falls due once. So does the window of an oscillation. Only
+  messages restart these timers.
+- The timer of `C for d` falls due at most once for each period in which C is true. The first period
+  may have begun before the event. Between two periods, C ceases to be true and becomes true. So the
+  number is at most one more than the number of times that C becomes true, and at most one more than
+  the number of times that C ceases to be true.
 
-Edges of C within d become enough only with an edge, at which C becomes true and ceases to be false.
-maturing; that is at the first event, before which no timer falls due.) `A since B` becomes true or
-ceases to be false only when B does, for it was what its memory says; it ceases to be true or
-becomes false only when A or B does (S44).
-They cease to be enough when the window of one of them ends: of the one that counts now, or of one
-that came meanwhile. Besides, what is unknown after a gap is known a window after it, and a gap ends
-where C becomes true or false.
+These numbers are computed from left to right:
+
+- A signal changes only to NaN, when one of its inputs expires. A leaf over this signal is stale
+  from then on (S30).
+- An `and` or `or` becomes or ceases to be true or false only together with one of its operands.
+- `C for d` becomes true when its timer falls due, and ceases to be true when C does. It becomes
+  false only when C does: until its timer falls due, it has the value that C had before (S33). It
+  ceases to be false when its timer falls due, or when C ceases to be false or to be true. (A
+  condition that counts as true before the start is true at the first event, before any timer.)
+- `A since B` becomes true or ceases to be false only when B does, because its memory gives its
+  earlier value. It ceases to be true or becomes false only when A or B does (S44).
+- A count of edges of C within d is reached only with an edge: C becomes true and ceases to be
+  false. The count is no longer reached when the window of an edge ends: of a counted edge, or of a
+  later edge. A value that is unknown after a gap is known one window after the gap. A gap ends when C
+  becomes true or false.
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """Explanations of verdicts: from the snapshot in a verdict to the user's own words.
 
-The input is a verified machine and a verdict of it. The causes are the parts of the rule's
-condition that alone decide its value: all operands of a true `and`, the true operands of a true
-`or`; all operands of a false `or`, the false operands of a false `and`; the unknown operands of an
-unknown one.
+The input is a verified machine and one of its verdicts. The causes are the parts that alone decide
+the value of the rule's condition:
+
+- all operands of a true `and`, and the true operands of a true `or`;
+- all operands of a false `or`, and the false operands of a false `and`;
+- the unknown operands of an unknown `and` or `or`.
 """
 
 from __future__ import annotations

@@ -98,7 +98,7 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
 
 
 def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
-    """The queries about running skills, each of which alone makes a condition true."""
+    """The queries about running skills that make a condition true. Each query suffices alone."""
     waiting = [condition]
     while waiting:
         node = machine.propositions[waiting.pop()].node

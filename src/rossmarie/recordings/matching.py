@@ -107,8 +107,8 @@ def match_topics(
 ) -> list[Match]:
     """The channels whose topics are recorded with the type expected and at least one message.
 
-    The others are reported, but for parameters of the node: without a value, the default counts.
-    Raises `RecordingError` if none is left.
+    Other channels are reported, except parameters of the node: a parameter without a value has its
+    default. Raises `RecordingError` if no channel is left.
     """
     check_topic_map(machine, topic_map)
     matches = []

@@ -100,7 +100,7 @@ class McapChunks:
 
 
 def has_chunks(part: object) -> bool:
-    """Say whether the messages of a file are in chunks, each of which its index names once."""
+    """Return True if the messages of a file are in chunks, and the index names each chunk once."""
     if not isinstance(part, McapReader) or not part.chunks:
         return False
     return len({chunk.chunk_start_offset for chunk in part.chunks}) == len(part.chunks)

@@ -2,10 +2,10 @@
 
 A rule has *decisions*: its condition, its release, and the operands of `for`, `since`, `once` and
 `after`. A decision consists of *atoms*, joined by `and`, `or` and `not`: comparisons and other
-leaves, and whole expressions of these four operators. An atom is covered when it was seen true and
-seen false while the decision depended on it alone: with the opposite value of the atom, the
-decision would have had the opposite value (masking MC/DC; an atom that occurs twice in a decision
-is inverted in both places).
+leaves, and whole expressions of these four operators. An atom is covered if tests saw it both true
+and false while the decision depended on this atom alone. The decision depends on the atom alone if
+the opposite value of the atom gives the opposite decision (masking MC/DC). An atom that occurs
+twice in a decision is inverted in both places.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ def _contexts(machine: ir.Machine) -> frozenset[str]:
 
 
 def _note(flags: Sequence[FieldValue], wanted: dict[ir.Doing, bool]) -> bool:
-    """Note the answers; False if one of them is that nobody knows."""
+    """Note the answers. Return False if an answer is unknown."""
     for setting in flags:
         step = query_at(setting.path)
         if step is None or not isinstance(setting.value, bool):

@@ -1,15 +1,15 @@
 """Values for the fields of messages that make conditions true or false, found with z3.
 
-The picture is one of an unchanging world: every `for` is as what stands in front of it. Fields are
-real numbers in SI; an angle of an orientation, a rate, a previous sample, an age, an oscillation
-and a count of edges are values of their own, which `phases` and `propose` know how to bring about;
-so is what a `since` was, which takes other values before.
-Whatever is found is only a proposal: the interpreter has the last word.
+The model is a constant world: every `for` has the value of its operand. Fields are real numbers in
+SI. An angle of an orientation, a rate, a previous sample, an age, an oscillation and a count of
+edges are separate values. `phases` and `propose` know messages that cause these values. The memory
+of a `since` is a separate value as well, because earlier messages determine it. Each solution is
+only a proposal: the interpreter decides if it is right.
 
-So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or S,
-and of each number whether it is known: here all is known, and a proposition is one formula, which
-stays small enough to be asked many times. Comparisons, functions and fields are the same terms in
-both.
+So this module does not use `analysis.encoding.Encoding`, which has the truth values T, F and S for
+each proposition, and a flag for each known number. Here all values are known, and a proposition is
+one formula, which stays small enough for many queries. Comparisons, functions and fields are the
+same terms in both.
 """
 
 from __future__ import annotations

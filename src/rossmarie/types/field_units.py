@@ -1,15 +1,15 @@
 """The units of the fields of common ROS messages; .msg files have no place for them.
 
-From the comments in the message definitions, and for what those leave open from REP 103 (standard
-units: metre, kilogram, second, radian, SI). A unit stated for a field that is itself a message of
-one kind of number (a vector) holds for all of it. A field of a message inside another takes the
-unit that the outermost message states: `geometry_msgs/Point` says metres, and
-`visualization_msgs/ImageMarker.position` says that it is not metres there.
+The units come from the comments in the message definitions, and otherwise from REP 103 (standard
+units: metre, kilogram, second, radian, SI). If a field is a message with one kind of number (a
+vector), the unit holds for all its numbers. A field of an inner message takes the unit of the
+outermost message that states one: `geometry_msgs/Point` is in metres, but
+`visualization_msgs/ImageMarker.position` is not.
 
-Left out because the definition leaves it open, so that a rule says which it is (`in rad`): the
-positions, velocities and efforts of joints (radians or metres, by the kind of joint), covariances
-and variances of mixed or unstated units, axes of a joystick, pixels, counts and codes. Times and
-durations are in seconds everywhere and need no row.
+Some fields are left out because their definition states no unit. The rule must then give the unit
+(`in rad`). These fields are positions, velocities and efforts of joints (radians or metres, by the
+kind of joint), covariances and variances with mixed or unstated units, axes of a joystick, pixels,
+counts and codes. Times and durations are always in seconds and need no row.
 """
 
 from __future__ import annotations

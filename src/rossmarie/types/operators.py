@@ -66,7 +66,7 @@ class Operator(enum.Enum):
 
 @dataclass(frozen=True)
 class Signature:
-    """The number of operands that there may be (`most` None: any), and what becomes of them."""
+    """The permitted number of operands (`most` None: any number), and the rule for their types."""
 
     least: int
     most: int | None

@@ -1,7 +1,7 @@
-"""The types that operators and functions take and give, a rule for each.
+"""The types of the operands and results of operators and functions, with one rule for each.
 
-A rule maps the types of the operands, none of which is `Unknown`, to the type of the result and the
-errors in the operands.
+A rule maps the types of the operands to the type of the result and the errors in the operands. No
+operand has the type `Unknown`.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class OperatorType:
 
 
 Rule = Callable[..., OperatorType]
-"""A function of the types of the operands, none of which is `Unknown`."""
+"""A function of the types of the operands. No operand has the type `Unknown`."""
 
 
 def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:

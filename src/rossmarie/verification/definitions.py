@@ -106,8 +106,8 @@ class Definitions:
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     def _view(self, index: int, node: ir.Sampled, view: View) -> str:
-        """The result of a search among samples; the order of windows is not proved. What feeds back
-        remembers its results (S50), so that its newest sample is the number itself.
+        """The result of a search among samples; the order of windows is not proved. A function with
+        feedback stores its results (S50), so its newest sample is the number itself.
         """
         feeds_back = sampling_row(node.function).feeds_back
         match view:

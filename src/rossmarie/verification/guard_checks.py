@@ -24,7 +24,7 @@ _LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
 
 
 def unlooked(parts: Parts) -> Parts:
-    """The same parts where it does not matter what becomes of guards."""
+    """The same parts for queries that do not depend on the guards."""
     kept = tuple(pair for pair in parts if pair not in _LOOKS)
     return (*kept, ("cross", "ignore_cross")) if kept != parts else parts
 
@@ -94,7 +94,7 @@ class GuardChecks:
     # --- what is kept ------------------------------------------------------------------------
 
     def _finite(self) -> Iterator[Sentence]:
-        """Numbers that no guard makes so are kept as finite or unknown, but for those of arrays."""
+        """Numbers without a guard are stored as finite or unknown, except numbers of arrays."""
         watched = [guard.value for guard in self._layout.guards]
         others = self._layout.places.kept_raw | {
             value

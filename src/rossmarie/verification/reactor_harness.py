@@ -104,7 +104,7 @@ class _Writer:
         yield Written(Check("engaged", about, _ENGAGING), self._engaged())
 
     def _engaged(self) -> str:
-        """R1. What follows is no part of this: only `release` writes what it is about."""
+        """R1. The check does not include the tasks, which only `release` changes."""
         lines = [ANY_REACTOR, _REACT.format(name=self._name)]
         for rule, plan in enumerate(self._found.plans):
             goes_on = " && ".join([_is_on(rule), *(f"!({_is_on(other)})" for other in plan.unless)])

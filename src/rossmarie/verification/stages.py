@@ -85,8 +85,8 @@ def between(name: str, about: str, body: str, parts: Parts) -> Written:
 
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, from then on. What was at rest when propositions were evaluated, or when the next
-    timer was set, still is: it is the same.
+    """The same, from then on. The parts that did not change during the evaluation of propositions,
+    or when the next timer was set, still have the same values.
     """
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)

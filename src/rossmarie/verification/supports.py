@@ -321,8 +321,9 @@ def reported(machine: ir.Machine, condition: int) -> Reported:
 
 
 def _whole(machine: ir.Machine, condition: int) -> list[int]:
-    """A proposition and those that it is made of; what is asked of elements of arrays is left out,
-    and so are the parts of what is defined by others (S45, S46), but for those that a user names.
+    """A proposition and its parts. Two kinds of parts are left out: conditions on elements of
+    arrays, and parts of propositions that are defined by other propositions (S45, S46). Parts with
+    a name in the rules are kept.
     """
     found, waiting = {condition}, [condition]
     while waiting:

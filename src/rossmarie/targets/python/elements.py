@@ -1,7 +1,7 @@
 """Functions over the elements of an array or a list: one pass for all its results (S22 to S26, S51
 to S54), beside numbers that are known before (S74).
 
-Takes a layout. What is found stays until the next message or the expiry of its input.
+Takes a layout. Results stay until the next message or until the input expires.
 """
 
 from __future__ import annotations
