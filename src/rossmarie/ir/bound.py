@@ -24,9 +24,9 @@ These numbers are computed from left to right:
 - `A since B` becomes true or ceases to be false only when B does, because its memory gives its
   earlier value. It ceases to be true or becomes false only when A or B does (S44).
 - A count of edges of C within d is reached only with an edge: C becomes true and ceases to be
-  false. The count is no longer reached when the window of an edge ends: of a counted edge, or of a
-  later edge. A value that is unknown after a gap is known one window after the gap. A gap ends when C
-  becomes true or false.
+  false. The count is no longer reached when the window of an edge ends: of a counted edge, or of
+  a later edge. A value that is unknown after a gap is known one window after the gap. A gap ends
+  when C becomes true or false.
 """
 
 from __future__ import annotations

@@ -321,9 +321,8 @@ def reported(machine: ir.Machine, condition: int) -> Reported:
 
 
 def _whole(machine: ir.Machine, condition: int) -> list[int]:
-    """A proposition and its parts. Two kinds of parts are left out: conditions on elements of
-    arrays, and parts of propositions that are defined by other propositions (S45, S46). Parts with
-    a name in the rules are kept.
+    """A proposition and its parts, without conditions on elements of arrays. Of propositions that
+    are defined by others (S45, S46), only the parts with a name in the rules are included.
     """
     found, waiting = {condition}, [condition]
     while waiting:
