@@ -10,7 +10,7 @@ from typing import NamedTuple
 from heron.evaluation.expectation import Expectation, Verdict
 
 _EXPLAINED = {Verdict.OPEN: ": the runs are not enough to decide"}
-"""Words behind the number of expectations with a verdict."""
+"""Words after the number of expectations with a verdict."""
 
 
 class Reported(NamedTuple):
