@@ -306,4 +306,4 @@ def test_two_files_with_the_same_name_inside_ask_for_names_of_their_own(tmp_path
     path.write_text("".join(f'import "rossmarie/{each}.ross";\n' for each in imports))
     (found,) = check_file(path).diagnostics
     assert found.code == "ROSS105"
-    assert "imported under one of their own" in str(found.notes[0])
+    assert "import each file under a different" in str(found.notes[0])

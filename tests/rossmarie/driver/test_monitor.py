@@ -78,7 +78,7 @@ def test_an_operator_resets_a_latched_rule(monitor: Monitor) -> None:
 def test_a_mistaken_name_is_reported(monitor: Monitor) -> None:
     with pytest.raises(KeyError, match="did you mean `speed`"):
         monitor.update(0, {"sped": 1.0})
-    with pytest.raises(TypeError, match="a string is wanted"):
+    with pytest.raises(TypeError, match="expected a string"):
         monitor.update(0, {"mode": 1.0})
     with pytest.raises(ValueError, match="not in"):
         monitor.reset(0, "nothing")

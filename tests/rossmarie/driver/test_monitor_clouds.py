@@ -115,5 +115,5 @@ def test_a_table_has_a_place_for_each_point(monitor: Monitor) -> None:
     }
     assert monitor.run(times, columns).active.tolist() == [[True, False, False], [False] * 3]
     columns["cloud.z"] = np.array([[0.0, 0.0], [0.0, NAN]])
-    with pytest.raises(ColumnError, match="a point without a place in row 1"):
+    with pytest.raises(ColumnError, match="a point without a position in row 1"):
         monitor.run(times, columns)
