@@ -185,8 +185,8 @@ def test_the_page_tells_what_failed_and_what_is_missing() -> None:
     page = page_of(Results({"place": rows[:-1]}, {}), "experiments")
     assert "- not met: 1" in page
     assert (
-        "*II, placing, high*, with ROSSMARie the robot finishes without an operator: the robot finishes in 9"
-        in page
+        "*II, placing, high*, with ROSSMARie the robot finishes without an operator: "
+        "the robot finishes in 9" in page
     )
     assert "Not finished: expected/rossmarie/9." in page
 
