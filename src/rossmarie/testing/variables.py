@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Variable:
-    """A variable of the solver. `kind` determines the meaning of `index`:
+    """A variable of the solver. `kind` determines the meaning of `index`.
 
     - `slot`: a slot.
     - `element`: an array; `part` is the index of the element.
