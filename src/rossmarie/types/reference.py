@@ -1,6 +1,6 @@
 """Writes `docs/reference/units.md` from the tables: `python -m rossmarie.types.reference FILE`.
 
-A test asserts that the page in the repository is what this writes.
+A test asserts that the page in the repository is equal to the output of this module.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The effects of rules in words: the action, the undoing on release, and possible failures.
 
-The input is a machine that `ir.verify` has passed. The text follows R4 to R11 and R15 of
+The input is a machine that `ir.verify` has accepted. The text follows R4 to R11 and R15 of
 `docs/explanation/reactions.md`. Numbers are in the units of the messages that contain them.
 """
 
@@ -235,7 +235,7 @@ def _assigned(
     assignments: tuple[reactions.Assignment, ...],
     units: Mapping[reactions.FieldPath, str] = MappingProxyType({}),
 ) -> str:
-    """Tell what the fields of a message are set to, with the units that are known."""
+    """Describe the new values of the fields of a message, with the known units."""
     fields = tuple(
         f"{path_words(each.path)} = {_values(each.value)} {units.get(each.path, '')}".rstrip()
         for each in assignments
