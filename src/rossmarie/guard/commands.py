@@ -111,7 +111,7 @@ class CommandFilter(Generic[Message]):
         return self._is_taken_over or now_ns - self._received_ns < _TIMEOUT_NS
 
     def _tightens(self, bounds: Bounds) -> bool:
-        """Say whether bounds are tighter than those of the last sent command. They apply at once."""
+        """Say whether bounds are tighter than at the last sent command, and thus apply at once."""
         return any(
             new.factor < old.factor or new.low > old.low or new.high < old.high
             for new, old in zip(bounds, self._sent, strict=True)
