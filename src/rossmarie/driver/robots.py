@@ -55,5 +55,5 @@ def robots() -> Sequence[Robot]:
 
 
 def robot(name: str) -> Robot:
-    """The robot with a name, in upper or lower case. Raises `UnknownExampleError`."""
+    """The robot with this name, in upper or lower case. Raises `UnknownExampleError`."""
     return named({each.name: each for each in robots()}, name, "robot")
