@@ -1,4 +1,4 @@
-"""Rules that can be active together and need the same resource, with no order between them."""
+"""Rules that can be active together and need the same resource, without a priority between them."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ class Elements(NamedTuple):
 class Batch:
     """Successive updates.
 
-    `arriving` has the shape (updates, channels), with 1 where there is a message on a channel;
+    `arriving` has the shape (updates, channels), with 1 if there is a message on a channel;
     `slots` has the shape (updates, slots), with NaN for unknown values; `arrays` has one entry for
     each array of the machine. Values are in the units of the messages, as in `ChannelValues`.
     """

@@ -74,7 +74,7 @@ def fault(*faults: Fault) -> OperatorType:
 
 
 def _unfit(*operands: Type) -> OperatorType:
-    """The error for operands of which at least one is not a number."""
+    """The error if at least one operand is not a number."""
     if any(isinstance(operand, (Interval, Box)) for operand in operands):
         return fault(Fault.RANGE)
     numbers = all(isinstance(operand, (Vector, Quantity)) for operand in operands)

@@ -143,7 +143,7 @@ class _Writer:
 
 
 def _prefixed(written: Written) -> Written:
-    """The check with a prefix that tells it from the checks of the monitor."""
+    """The check with a prefix that distinguishes it from the checks of the monitor."""
     return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
 
 

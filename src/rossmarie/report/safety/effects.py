@@ -111,7 +111,7 @@ class Effects:
     # --- what goes with it -------------------------------------------------------------------
 
     def _details(self, effect: reactions.Effect) -> list[Phrase]:
-        """Describe when the effect counts as done, and what is undone on release."""
+        """Describe the condition for the end of the effect, and the undoing on release."""
         found = []
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
             watched = self._conditions.phrase(self._machine.watches[effect.confirmation])

@@ -109,7 +109,7 @@ class Numbers:
         return "no array" if array is None else self._whole(array)
 
     def _whole(self, array: int) -> str:
-        """An array, or the list of which it is a column."""
+        """An array, or the list that has the array as a column."""
         its_list = self._machine.arrays[array].list
         return self._arrays[array] if its_list is None else self._lists[its_list]
 
