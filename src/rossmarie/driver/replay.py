@@ -86,7 +86,7 @@ def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tupl
 def _reported(
     batches: Iterator[Batch], recording: Recording, on_progress: Progress
 ) -> Iterator[Batch]:
-    """The same batches, with progress reports."""
+    """The batches, unchanged; progress is reported meanwhile."""
     length = max(recording.end_ns - recording.start_ns, 1)
     reported = 0.0
     for batch in batches:

@@ -34,12 +34,12 @@ class Robot:
 
     @property
     def rules(self) -> Path:
-        """Its rules."""
+        """The path of the robot's rules."""
         return self.folder / f"{self.name}.ross"
 
     @property
     def recording(self) -> Path:
-        """Its recording, which makes each rule active and then inactive."""
+        """The path of the robot's recording, which makes each rule active and then inactive."""
         return self.folder / f"{self.name}.mcap"
 
     @property

@@ -204,7 +204,7 @@ class NativeGuard:
         return [*head, *sizes, *carried.slots, 0]
 
     def _plain_watch(self, channel: int, carried: Fields) -> Callable[..., int | None]:
-        """The same function without Python's headers."""
+        """The function of `watch_call` without Python's headers."""
         slots, count = carried.slots, len(carried.slots)
 
         def watch(at_ns: int, *values: Any) -> int | None:

@@ -89,7 +89,7 @@ def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> Elements:
 
 
 def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:
-    """The same updates in columns, several in each batch."""
+    """Updates in columns, several in each batch."""
     remaining = iter(updates)
     while some := list(islice(remaining, _MOST_UPDATES)):
         assembly = Assembly(machine, np.array([update.at_ns for update in some], np.int64))

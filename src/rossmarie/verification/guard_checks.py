@@ -24,7 +24,7 @@ _LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
 
 
 def unlooked(parts: Parts) -> Parts:
-    """The same parts for checks to which the state of guards does not matter."""
+    """The replaced parts for checks to which the state of guards does not matter."""
     kept = tuple(pair for pair in parts if pair not in _LOOKS)
     return (*kept, ("cross", "ignore_cross")) if kept != parts else parts
 

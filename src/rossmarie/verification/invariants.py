@@ -219,7 +219,7 @@ class Invariants:
         return Sentence(f"`{text}` has its defined value", is_right)
 
     def ages(self) -> Iterator[Sentence]:
-        """S31."""
+        """S31: propositions about ages have their values."""
         for proposition in self._layout.ages:
             yield self._is_right(proposition)
 

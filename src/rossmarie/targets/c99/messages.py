@@ -291,7 +291,7 @@ class Messages:
         return field.array is not None and self._first(field.array) in self._beside
 
     def _first(self, array: int) -> int:
-        """The first column of a list that an array belongs to; the array itself if there is no list."""
+        """The first column of an array's list; the array itself if it belongs to no list."""
         its_list = self._machine.arrays[array].list
         return array if its_list is None else ir.columns_of(self._machine, its_list)[0]
 

@@ -32,7 +32,7 @@ def generate(machine: ir.Machine) -> dict[str, str]:
 
 
 def own_files(machine: ir.Machine) -> dict[str, str]:
-    """The same files without the engine: the code of these rules."""
+    """The files of `generate` without the engine: the code of these rules."""
     writer = _Writer(machine)
     return {**writer.monitor_files(), **writer.reactor_files()}
 

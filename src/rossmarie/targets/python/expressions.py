@@ -27,7 +27,7 @@ def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
 
 
 def raw(node: ir.Apply, write: Write) -> str:
-    """The same function; too large a result is infinite."""
+    """A function of signals; a result that is too large is infinite."""
     operands = [write(operand) for operand in node.operands]
     return definition_of(node.function, len(operands)).call(PYTHON, operands)
 
