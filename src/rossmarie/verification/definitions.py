@@ -65,7 +65,7 @@ class Definitions:
                 yield index
 
     def is_never_infinite(self, signal: int) -> bool:
-        """Say whether a signal can only be finite or unknown, without a conversion."""
+        """Say whether a signal is finite or unknown even before S4 applies."""
         node = self._machine.signals[signal].node
         if not isinstance(node, ir.Apply):
             return False

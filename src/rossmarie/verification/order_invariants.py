@@ -101,7 +101,7 @@ class OrderInvariants:
     # --- what parts of a call leave as it was ------------------------------------------------
 
     def kept(self) -> Iterator[Sentence]:
-        """The sentences that each part after the releases preserves."""
+        """The sentences that are true after each part that follows the releases."""
         for rule in range(len(self._found.plans)):
             same = f"r->engaged[{rule}] == old->engaged[{rule}]"
             yield Sentence("which rules are engaged is known",
@@ -149,8 +149,8 @@ class OrderInvariants:
             yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks) or '0'})"
 
     def escalated(self) -> Iterator[Sentence]:
-        """The sentences that escalations preserve, except for the started tasks and their
-        reports.
+        """The sentences that are true after escalations: only the started tasks and the reports
+        about them change.
         """
         for task in self._tasks:
             begins = f"(old->state[{task}] == IDLE && r->state[{task}] != IDLE)"
@@ -170,9 +170,7 @@ class OrderInvariants:
                                f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
 
     def passed_on(self) -> Iterator[Sentence]:
-        """The sentences that the passing on of resources preserves: a rule that has not started
-        stays so.
-        """
+        """The sentences that are true after resources are passed on: no rule starts by this."""
         for plan in self._found.plans:
             idle = " && ".join(f"old->state[{task}] == IDLE" for task in plan.tasks)
             for task in plan.tasks:
@@ -192,9 +190,7 @@ class OrderInvariants:
                            f"rule != {self._rules[task]} || r->state[{task}] == IDLE")  # fmt: skip
 
     def stage_started(self) -> Iterator[Sentence]:
-        """The sentences that the start of a stage of `rule` preserves, except for the starting
-        tasks.
-        """
+        """The sentences that are true after a stage of `rule` starts: only its tasks change."""
         for task in self._tasks:
             begins = f"(rule == {self._rules[task]} && old->state[{task}] == IDLE)"
             same = f"{_same(task)} && {_untold(task)}"

@@ -249,7 +249,9 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
-        """R17: the instant at which a task sends, if its memory contains enough poses."""
+        """R17: the instant at which a task may send its next pose; NEVER if it cannot send.
+        `kept` is the number of poses in its memory.
+        """
         task, effect = self._retraces[index]
         kept = kept or f"{reactor}poses_kept[{effect.memory}]"
         holds = f"{reactor}state[{task}] == HOLDING"

@@ -306,7 +306,7 @@ def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]
 
 
 def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
-    """The conditions that have a name such as `number 7` in the sentences."""
+    """The signals that have a name such as `number 7` in the sentences."""
     said: dict[int, str] = {}
     while missing := set(conditions.numbers.apart) - set(said):
         for index in sorted(missing):
