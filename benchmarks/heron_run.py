@@ -66,8 +66,8 @@ class Row:
 
 
 def laps(experiment: Experiment, variant: str, arm: Arm) -> tuple[Floats, float]:
-    """The CPU time of each tenth of a second of an episode, including its start and its end, and the
-    duration of the episode (s).
+    """The CPU time of each tenth of a second of an episode, including its start and its end, and
+    the duration of the episode (s).
     """
     noted = Laps()
     episode = experiment.run(arm, experiment.variants[variant], 0, [noted], USUAL)

@@ -66,7 +66,7 @@ def costs() -> Iterator[tuple[str, float]]:
 
 
 def learned(run: Run) -> tuple[int | None, float]:
-    """The steps until nine of ten episodes end with an insertion, and the seconds of the training."""
+    """The steps until nine of ten episodes end with an insertion, and their time (s)."""
     began = time.monotonic()
     kind = TreeTraining if run.formulation is Formulation.TREE else StepTraining
     found: list[Episode] = []
