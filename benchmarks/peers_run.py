@@ -177,5 +177,5 @@ def _finished(command: Sequence[object]) -> str:
     if done.returncode != 0:
         said = [each for each in done.stderr.splitlines() if each and not _PLACE.match(each)]
         reason = (said or ["no message"])[0]
-        raise NotMeasuredError(f"{name} ended with {done.returncode}: {reason}")
+        raise NotMeasuredError(f"{name} failed with exit code {done.returncode}: {reason}")
     return done.stdout
