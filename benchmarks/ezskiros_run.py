@@ -115,8 +115,8 @@ def own_ontology() -> Iterator[str]:
         yield "Not measured: the folder `../shared/ontologies` is missing."
         return
     found = loaded(files)
-    yield f"The released ontology has {len(files)} files. The target for EzSkiROS is to load them in"
-    yield "less than 100 ms."
+    yield f"The released ontology has {len(files)} files. The target for EzSkiROS is to load them"
+    yield "in less than 100 ms."
     yield ""
     yield f"| {COLUMNS}"
     yield f"|{RULE}"

@@ -152,37 +152,35 @@ def _word(is_met: bool) -> str:
     return "met" if is_met else "missed"
 
 
+PREFACE = """\
+# Cost of the guard of a policy
+
+Written by `benchmarks/guarding.py`; do not edit. All figures are CPU times of one thread, the
+minimum of {rounds} rounds, on {processor}.
+
+A step is one call of `guard.step` from Python, with numpy arrays as input and output. In the column
+*step*, no rule is active. In the next column, all rules are active and limit the action. A batch
+has {count:,} environments. One call of `batch.step` makes a step of all environments and
+evaluates each rule once per environment. See [speed of the experiments](performance-heron.md) for
+the cost of the guard in a simulated robot.
+"""
+COLUMNS = (
+    "rules",
+    "signals",
+    "step",
+    "step, all rules active",
+    "batch, per environment",
+    "batch, per environment and rule",
+)
+
+
 def page() -> str:
     """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
-    return "\n".join(
-        [
-            "# Cost of the guard of a policy",
-            "",
-            "Written by `benchmarks/guarding.py`; do not edit. All figures are CPU times of one "
-            "thread, the",
-            f"minimum of {ROUNDS} rounds, on {processor()}.",
-            "",
-            "A step is one call of `guard.step` from Python, with numpy arrays as input and "
-            "output. In the column",
-            "*step*, no rule is active. In the next column, all rules are active and limit the "
-            "action. A batch",
-            f"has {COUNT:,} environments. One call of `batch.step` makes a step of all "
-            "environments and",
-            "evaluates each rule once per environment. See [speed of the "
-            "experiments](performance-heron.md) for",
-            "the cost of the guard in a simulated robot.",
-            "",
-            targets(found),
-            "",
-            "| rules | signals | step | step, all rules active | batch, per environment "
-            "| batch, per environment and rule |",
-            "|---|---|---|---|---|---|",
-            *map(str, found),
-            "",
-        ]
-    )
+    preface = PREFACE.format(rounds=ROUNDS, processor=processor(), count=COUNT)
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, targets(found), "", *head, *map(str, found), ""])
 
 
 def main() -> None:

@@ -93,6 +93,32 @@ def row(experiment: Experiment, variant: str) -> Row:
     return Row(f"{experiment.title}, {variant}", length, without, guarded)
 
 
+PREFACE = """\
+# Speed of the experiments
+
+Written by `benchmarks/heron_run.py`; do not edit. All figures are CPU times of one process, on
+{processor}. The times of a run are measured in parts of 0.1 s; each part
+counts with its minimum of {rounds} rounds. Runs with and without the guard take turns.
+
+The variants have no hazard, so the run is the same with and without the guard. The guard is in
+the same process: the monitor and the reactor in C, the filters in Python.
+
+Target: the guard takes at most {budget:g} % of the CPU time of a run.
+{met} of {runs} runs meet the target.
+
+Each message of the robot and each command passes through Python before it reaches the guard. The
+physics takes only a little more time, so a run is many times faster than real time.
+"""
+COLUMNS = (
+    "Experiment",
+    "duration",
+    "times real time, without guard",
+    "times real time, with guard",
+    "guard, per second",
+    "guard, relative to the run without it",
+)
+
+
 def page() -> str:
     """The text of the page, with a row for each variant without a hazard."""
     rows = [
@@ -101,33 +127,15 @@ def page() -> str:
         for name, variant in experiment.variants.items()
         if not experiment.harms[variant]
     ]
-    met = sum(each.share <= BUDGET for each in rows)
-    lines = [
-        "# Speed of the experiments",
-        "",
-        "Written by `benchmarks/heron_run.py`; do not edit. All figures are CPU times of one "
-        "process, on",
-        f"{processor()}. The times of a run are measured in parts of 0.1 s; each part",
-        f"counts with its minimum of {ROUNDS} rounds. Runs with and without the guard take turns.",
-        "",
-        "The variants have no hazard, so the run is the same with and without the guard. The "
-        "guard is in",
-        "the same process: the monitor and the reactor in C, the filters in Python.",
-        "",
-        f"Target: the guard takes at most {100 * BUDGET:g} % of the CPU time of a run. "
-        f"{met} of {len(rows)} runs meet the target.",
-        "",
-        "Each message of the robot and each command goes through Python on its way to the guard, "
-        "and the",
-        "physics takes little more time than these messages: a run is many times faster than "
-        "real time.",
-        "",
-        "| Experiment | duration | times real time, without guard | times real time, with guard "
-        "| guard, per second | guard, relative to the run without it |",
-        "|---|---|---|---|---|---|",
-        *map(str, rows),
-    ]
-    return "\n".join(lines) + "\n"
+    preface = PREFACE.format(
+        processor=processor(),
+        rounds=ROUNDS,
+        budget=100 * BUDGET,
+        met=sum(each.share <= BUDGET for each in rows),
+        runs=len(rows),
+    )
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, *head, *map(str, rows), ""])
 
 
 def main() -> None:

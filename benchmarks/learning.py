@@ -93,6 +93,26 @@ def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:
     )
 
 
+ACTIONS = """\
+# Speed of the training of the insertion
+
+Written by `benchmarks/learning.py`; do not edit. All figures are from {processor}.
+
+The first table has the CPU time of one action of 40 ms, the minimum of {rounds} rounds. The target
+for the physics is {physics} µs.
+
+| One action | µs |
+|---|---|"""
+TRAININGS = """
+The second table has the time until nine of ten episodes end with an insertion, with a clearance of
+3 mm. The trainings run one after another, and the time includes the compilation by JAX. The steps
+are the median of the seeds that learned the insertion; the seconds are the median of all {seeds}
+seeds. The target is {seconds} s.
+
+| Training | seeds that learned the insertion | steps | seconds |
+|---|---|---|---|"""
+
+
 def page() -> str:
     """The text of the page."""
     kinds = [
@@ -101,28 +121,9 @@ def page() -> str:
         for arm in (LearningArm.UNGUARDED, LearningArm.GUARD)
     ]
     lines = [
-        "# Speed of the training of the insertion",
-        "",
-        f"Written by `benchmarks/learning.py`; do not edit. All figures are from {processor()}.",
-        "",
-        "The first table has the CPU time of one action of 40 ms, the minimum of "
-        f"{ROUNDS} rounds. The target for",
-        f"the physics is {PHYSICS_US} µs.",
-        "",
-        "| One action | µs |",
-        "|---|---|",
-        *(f"| {words} | {cost:.0f} |" for words, cost in costs()),
-        "",
-        "The second table has the time until nine of ten episodes end with an insertion, with a "
-        "clearance of",
-        "3 mm. The trainings run one after another, and the time includes the compilation by JAX. "
-        "The steps",
-        "are the median of the seeds that learned the insertion; the seconds are the median of "
-        f"all {SEEDS}",
-        f"seeds. The target is {LEARNED_S} s.",
-        "",
-        "| Training | seeds that learned the insertion | steps | seconds |",
-        "|---|---|---|---|",
+        ACTIONS.format(processor=processor(), rounds=ROUNDS, physics=PHYSICS_US),
+        *(f"| {about} | {cost:.0f} |" for about, cost in costs()),
+        TRAININGS.format(seeds=SEEDS, seconds=LEARNED_S),
         *(row(*kind) for kind in kinds),
     ]
     return "\n".join(lines) + "\n"

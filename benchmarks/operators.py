@@ -303,52 +303,51 @@ def rows(folder: Path) -> Iterator[str]:
     yield from skill_rows(folder, typical, worst, yardstick)
 
 
+PREFACE = """\
+# Cost of operators
+
+Written by `benchmarks/operators.py`; do not edit. Each condition is the only condition of a
+rule, and its inputs have no timeout. All figures are CPU times from one run on one machine
+({processor}, {day}). The contenders run in turn; each figure is the median of {rounds}
+rounds over {samples:,} samples at 100 Hz ({of_python:,} samples from Python). Absolute figures
+hold for this machine only; ratios carry over to other machines.
+
+The traces are the traces of [the benchmark of the monitor](performance.md): in the worst trace,
+each sample changes every comparison. A list has all its elements in each message. The last
+three rows have the same rule without a scope, with a scope, and with an exemption. The times of
+these rows include a call after each sample that reads the state of the rule. With a scope and with
+an exemption, the times also include ten messages per second that report the running skill.
+
+RTLola is compiled to Rust. Its specification counts samples, or has a window of a number of
+samples; at a steady rate, it means the same as the condition. If RTLola counts a different number
+of active samples, the cell has the difference. rtlola2rust 0.1.0 does not implement windows of a
+number of samples.
+"""
+COLUMNS = (
+    "condition",
+    "C99, typical trace: ns per sample",
+    "ratio to a comparison",
+    "C99, worst trace: ns per sample",
+    "from Python, one call per sample, ns",
+    "without a C compiler, ns",
+    "RTLola in Rust, ns",
+)
+
+
 def page() -> str:
     """The text of the page."""
     BENCH.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
-    day = datetime.now(timezone.utc).date()
-    return "\n".join(
-        [
-            "# Cost of operators",
-            "",
-            "Written by `benchmarks/operators.py`; do not edit. Each condition is the only "
-            "condition of a",
-            "rule, and its inputs have no timeout. All figures are CPU times from one run on one "
-            "machine",
-            f"({processor()}, {day}). The contenders run in turn; each figure is the median of "
-            f"{ROUNDS}",
-            f"rounds over {SAMPLES:,} samples at 100 Hz ({OF_PYTHON:,} samples from Python). "
-            "Absolute figures",
-            "hold for this machine only; ratios carry over to other machines.",
-            "",
-            "The traces are the traces of [the benchmark of the monitor](performance.md): in the "
-            "worst trace,",
-            "each sample changes every comparison. A list has all its elements in each message. "
-            "The last",
-            "three rows have the same rule without a scope, with a scope, and with an exemption. "
-            "Their times",
-            "include a call after each sample that reads the state of the rule. With a scope and "
-            "with an",
-            "exemption, they also include ten messages per second that report the running skill.",
-            "",
-            "RTLola is compiled to Rust. Its specification counts samples, or has a window of a "
-            "number of",
-            "samples; at a steady rate, its meaning is the same. If RTLola counts a different "
-            "number of active",
-            "samples, the cell has the difference. rtlola2rust 0.1.0 does not implement windows "
-            "of a number of",
-            "samples.",
-            "",
-            "| condition | C99, typical trace: ns per sample | ratio to a comparison "
-            "| C99, worst trace: ns per sample | from Python, one call per sample, ns "
-            "| without a C compiler, ns | RTLola in Rust, ns |",
-            "|---|---|---|---|---|---|---|",
-            *found,
-            "",
-        ]
+    preface = PREFACE.format(
+        processor=processor(),
+        day=datetime.now(timezone.utc).date(),
+        rounds=ROUNDS,
+        samples=SAMPLES,
+        of_python=OF_PYTHON,
     )
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, *head, *found, ""])
 
 
 def main() -> None:

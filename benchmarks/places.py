@@ -237,48 +237,46 @@ def zone_rows(folder: Path) -> Iterator[str]:
             yield f"| `{condition}` | {outlined} | {ours / 1e3:.1f} | {peer / 1e3:.0f} |"
 
 
+PREFACE = """\
+# Cost of conditions about places
+
+Written by `benchmarks/places.py`; do not edit. Each condition is the only condition of a rule. The
+class `Zone` has the given number of individuals in the scene, each with a polygon of
+{corners} corners. A robot drives across all polygons: {samples:,} places at 100 Hz. All figures
+are CPU times from one run on one machine ({processor}, {day}),
+the medians of {rounds} rounds. Absolute figures hold for this machine only.
+
+[Shapely](https://shapely.readthedocs.io) {shapely} searches a tree of rectangles,
+for all places in one call. Shapely gives the same answer for every place.
+
+| condition | polygons | C99: ns per sample | ratio to a comparison | Shapely: ns per place |
+|---|---|---|---|---|"""
+ZONES = """
+## Zones
+
+A list has {points} points, as many as a scan. A zone is a polygon of {edges} edges: a circle, or a
+star. Every other corner of the star is twice as far from the center as the corners beside it. All
+points lie in the square around the polygon. C99 has the time of one message. Shapely has the time
+of one call for all points, with a prepared polygon.
+
+| condition | polygon | C99: µs per list | Shapely: µs per list |
+|---|---|---|---|"""
+
+
 def page() -> str:
     """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found, zoned = list(rows(Path(folder))), list(zone_rows(Path(folder)))
-    day = datetime.now(timezone.utc).date()
-    return "\n".join(
-        [
-            "# Cost of conditions about places",
-            "",
-            "Written by `benchmarks/places.py`; do not edit. Each condition is the only condition "
-            "of a rule. The",
-            "class `Zone` has the given number of individuals in the scene, each with a polygon of",
-            f"{CORNERS} corners. A robot drives across all polygons: {SAMPLES:,} places at 100 Hz. "
-            "All figures",
-            f"are CPU times from one run on one machine ({processor()}, {day}),",
-            f"the medians of {ROUNDS} rounds. Absolute figures hold for this machine only.",
-            "",
-            f"[Shapely](https://shapely.readthedocs.io) {shapely.__version__} searches a tree of "
-            "rectangles,",
-            "for all places in one call. Shapely gives the same answer for every place.",
-            "",
-            "| condition | polygons | C99: ns per sample | ratio to a comparison "
-            "| Shapely: ns per place |",
-            "|---|---|---|---|---|",
-            *found,
-            "",
-            "## Zones",
-            "",
-            f"A list has {POINTS} points, as many as a scan. A zone is a polygon of {EDGES} edges: "
-            "a circle, or a",
-            "star. Every other corner of the star is twice as far from the center as the corners "
-            "beside it. All",
-            "points lie in the square around the polygon. C99 has the time of one message. "
-            "Shapely has the time",
-            "of one call for all points, with a prepared polygon.",
-            "",
-            "| condition | polygon | C99: µs per list | Shapely: µs per list |",
-            "|---|---|---|---|",
-            *zoned,
-            "",
-        ]
+    preface = PREFACE.format(
+        corners=CORNERS,
+        samples=SAMPLES,
+        processor=processor(),
+        day=datetime.now(timezone.utc).date(),
+        rounds=ROUNDS,
+        shapely=shapely.__version__,
     )
+    zones = ZONES.format(points=POINTS, edges=EDGES)
+    return "\n".join([preface, *found, zones, *zoned, ""])
 
 
 def main() -> None:

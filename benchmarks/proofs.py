@@ -92,31 +92,31 @@ def written(page: str, examples: Iterable[str]) -> dict[str, Proved]:
     return found
 
 
+PREFACE = """\
+# Cost of proofs: {name}
+
+Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` proves the generated C of
+{subject} with {tools}, on {processor}.
+Each solver has at most {seconds} seconds of CPU time for each query. The digest identifies the
+rules that were proved.
+
+| Rules file | Rules | Queries | Proved | Undecided | Refuted | CPU minutes | Digest |
+|---|---|---|---|---|---|---|---|"""
+
+
 def page(prover: Prover, known: Iterable[Proved], name: str) -> str:
     """The text of the page with this name."""
     known = list(known)
-    tools = ", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS)
-    unproved = [line for each in known for line in each.unproved]
-    return "\n".join(
-        [
-            f"# Cost of proofs: {name}",
-            "",
-            "Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` proves the "
-            f"generated C of {SUBJECTS[name]}",
-            f"with {tools}, on {processor()}.",
-            f"Each solver has at most {SECONDS} seconds of CPU time for each query. The digest "
-            "identifies the rules",
-            "that were proved.",
-            "",
-            "| Rules file | Rules | Queries | Proved | Undecided | Refuted | CPU minutes "
-            "| Digest |",
-            "|---|---|---|---|---|---|---|---|",
-            *(each.row for each in known),
-            *(["", "Not proved:", ""] if unproved else []),
-            *unproved,
-            "",
-        ]
+    preface = PREFACE.format(
+        name=name,
+        subject=SUBJECTS[name],
+        tools=", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS),
+        processor=processor(),
+        seconds=SECONDS,
     )
+    unproved = [line for each in known for line in each.unproved]
+    heading = ["", "Not proved:", ""] if unproved else []
+    return "\n".join([preface, *(each.row for each in known), *heading, *unproved, ""])
 
 
 def main() -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from machine import processor
@@ -32,7 +33,7 @@ QUERIES = {
     "rules that are never or always active, constant parts of conditions (quick)": lambda asked: (
         find_decided(asked, thorough=False)
     ),
-    "inputs whose loss activates no rule (quick)": find_unnoticed,
+    "stale inputs that activate no rule (quick)": find_unnoticed,
     "blocked recoveries (quick)": find_blocked,
     "rules that keep themselves active (quick)": find_self_holding,
     "latched rules that a rule resets (quick)": find_released_latches,
@@ -117,28 +118,33 @@ def seconds(count: int) -> dict[str, float]:
     return took
 
 
+PREFACE = """\
+# Cost of queries about rules
+
+Written by `benchmarks/queries.py`; do not edit. All figures are CPU seconds of one process, on
+{processor}. The rules are generated: their conditions have durations and
+use four inputs, and each pair of rules needs the same parameter.
+"""
+SIMPLE = """
+The rules of the next table have one or two thresholds each. The queries find nothing, and the
+process has already imported all modules:
+"""
+
+
 def page() -> str:
     """The text of the page."""
     found = {count: seconds(count) for count in COUNTS}
-    lines = [
-        "# Cost of queries about rules",
-        "",
-        "Written by `benchmarks/queries.py`; do not edit. All figures are CPU seconds of one "
-        "process, on",
-        f"{processor()}. The rules are generated: their conditions have durations and",
-        "use four inputs, and each pair of rules needs the same parameter.",
-        "",
-        "| Query | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
-        "|---" * (len(COUNTS) + 1) + "|",
-    ]
-    for name in QUERIES:
-        cells = " | ".join(f"{found[count][name]:.2f}" for count in COUNTS)
-        lines.append(f"| {name} | {cells} |")
-    quick = (
+    totals = [
         sum(took for name, took in found[count].items() if "quick" in name) for count in COUNTS
-    )
-    lines.append("| all quick queries | " + " | ".join(f"{total:.2f}" for total in quick) + " |")
-    return "\n".join([*lines, *simple_lines()]) + "\n"
+    ]
+    lines = [
+        PREFACE.format(processor=processor()),
+        *_head("Query", COUNTS),
+        *(_line(name, [found[count][name] for count in COUNTS]) for name in QUERIES),
+        _line("all quick queries", totals),
+        *simple_lines(),
+    ]
+    return "\n".join(lines) + "\n"
 
 
 def simple_lines() -> list[str]:
@@ -146,16 +152,22 @@ def simple_lines() -> list[str]:
     simple_seconds(SIMPLE_COUNTS[0])  # the first run also loads the tables of the parser
     found = [simple_seconds(count) for count in SIMPLE_COUNTS]
     return [
-        "",
-        "The next rules have one or two thresholds each. The queries find nothing, and the "
-        "process has",
-        "already imported all modules:",
-        "",
-        "| | " + " | ".join(f"{count} rules" for count in SIMPLE_COUNTS) + " |",
-        "|---" * (len(SIMPLE_COUNTS) + 1) + "|",
-        "| parse, check and lower | " + " | ".join(f"{each[0]:.2f}" for each in found) + " |",
-        "| all quick queries | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
+        SIMPLE,
+        *_head("", SIMPLE_COUNTS),
+        _line("parse, check and lower", [compiled for compiled, _ in found]),
+        _line("all quick queries", [asked for _, asked in found]),
     ]
+
+
+def _head(first: str, counts: Sequence[int]) -> list[str]:
+    """The first two lines of a table, with a column for each number of rules."""
+    start = f"| {first} " if first else "| "
+    cells = " | ".join(f"{count} rules" for count in counts)
+    return [f"{start}| {cells} |", "|---" * (len(counts) + 1) + "|"]
+
+
+def _line(name: str, figures: Sequence[float]) -> str:
+    return f"| {name} | {' | '.join(f'{each:.2f}' for each in figures)} |"
 
 
 def main() -> None:

@@ -149,31 +149,26 @@ def rows(folder: Path) -> Iterator[str]:
         yield f"| `{condition}` | {cells} |"
 
 
+PREFACE = """\
+# Cost of conditions about laser scans
+
+Written by `benchmarks/scans.py`; do not edit. Each condition is the only condition of a rule. The
+times include the code of the generated nodes that unpacks a scan, and the generated monitor. The
+input is {scans:,} scans of random distances; about one distance in twenty is 0. All figures are
+CPU times from one run on one machine ({processor}, {day}),
+the medians of {rounds} rounds. Absolute figures hold for this machine only.
+"""
+
+
 def page() -> str:
     """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
     day = datetime.now(timezone.utc).date()
+    preface = PREFACE.format(scans=SCANS, processor=processor(), day=day, rounds=ROUNDS)
     heads = " | ".join(f"µs, {beams} beams" for beams in BEAMS)
-    return "\n".join(
-        [
-            "# Cost of conditions about laser scans",
-            "",
-            "Written by `benchmarks/scans.py`; do not edit. Each condition is the only condition "
-            "of a rule. The",
-            "times include the code of the generated nodes that unpacks a scan, and the generated "
-            "monitor. The",
-            f"input is {SCANS:,} scans of random distances; about one distance in twenty is 0. "
-            "All figures are",
-            f"CPU times from one run on one machine ({processor()}, {day}),",
-            f"the medians of {ROUNDS} rounds. Absolute figures hold for this machine only.",
-            "",
-            f"| condition | {heads} |",
-            f"|---|{'---|' * len(BEAMS)}",
-            *found,
-            "",
-        ]
-    )
+    rule = f"|---|{'---|' * len(BEAMS)}"
+    return "\n".join([preface, f"| condition | {heads} |", rule, *found, ""])
 
 
 def main() -> None:
