@@ -32,7 +32,7 @@ void activity(size_t, int64_t *, double *, double *, double *, double *, uint8_t
 
 # The loop calls the generated update once per sample. The update is in a separate file, so the
 # compiler cannot inline it. `steps` is timed; with three rules, it writes and counts the activity
-# of the rules, as the hand-written loop does. `activity` counts any number of rules and is not timed.
+# of the rules, as the hand-written loop does. `activity` counts any number of rules, untimed.
 HARNESS = """
 #include <stdlib.h>
 #include <string.h>

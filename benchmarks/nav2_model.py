@@ -1,7 +1,8 @@
 """A model of Nav2's collision monitor: its answer to a scan and a command.
 
 The model follows `nav2_collision_monitor` 1.3.13 of Jazzy
-(github.com/ros-navigation/navigation2, commit f4108e5b1c2b): `process`, `processStopSlowdownLimit` and `processApproach` of
+(github.com/ros-navigation/navigation2, commit f4108e5b1c2b): `process`,
+`processStopSlowdownLimit` and `processApproach` of
 `src/collision_monitor_node.cpp`, `getCollisionTime` and `isPointInside` of `src/polygon.cpp`,
 `getPointsInside` of `src/circle.cpp`, `getData` of `src/scan.cpp`, `sourceValid` of
 `src/source.cpp`, and `src/kinematics.cpp`. The model has one source, a scan in the frame of the
@@ -57,7 +58,7 @@ class CollisionMonitor:
 
 
 def points_of(scan: Scan) -> Floats:
-    """The points of the readings within the limits of the lidar (m). The angles are sums of float32."""
+    """The points of the readings within the limits of the lidar (m). Angles add up in float32."""
     steps = np.full(len(scan.ranges), np.float32(scan.angle_increment))
     steps[0] = np.float32(scan.angle_min)
     angles = np.cumsum(steps, dtype=np.float32)
