@@ -47,7 +47,7 @@ PREFACE = """\
 # Rules and Nav2's collision monitor on one course
 
 Written by `benchmarks/beside_nav2.py`; do not edit. All guards drive the same course, with {runs}
-runs of each scene. Each run has its own random numbers, from a seed.
+runs of each scene. Each run has its own seed.
 
 **Base.** The base is {length:g} m long and {width:g} m wide, drives at {speed:g} m/s, and brakes at
 {braking:g} m/s². A lidar at its center sends {beams} readings, {scans:g} times per second. A scan

@@ -106,8 +106,9 @@ the same process: the monitor and the reactor in C, the filters in Python.
 Target: the guard takes at most {budget:g} % of the CPU time of a run.
 {met} of {runs} runs meet the target.
 
-Each message of the robot and each command passes through Python before it reaches the guard. The
-physics takes only a little more time, so a run is many times faster than real time.
+Each message of the robot and each command passes through Python on the path to the guard. The
+physics takes little time, so a run is many times faster than real time, and the share of the guard
+is large.
 """
 COLUMNS = (
     "Experiment",

@@ -96,16 +96,16 @@ def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:
 ACTIONS = """\
 # Speed of the training of the insertion
 
-Written by `benchmarks/learning.py`; do not edit. All figures are from {processor}.
+Written by `benchmarks/learning.py`; do not edit. All figures were measured on {processor}.
 
-The first table has the CPU time of one action of 40 ms, the minimum of {rounds} rounds. The target
-for the physics is {physics} µs.
+The first table shows the CPU time of one action of 40 ms, the minimum of {rounds} rounds. The
+target for the physics is {physics} µs.
 
 | One action | µs |
 |---|---|"""
 TRAININGS = """
-The second table has the time until nine of ten episodes end with an insertion, with a clearance of
-3 mm. The trainings run one after another, and the time includes the compilation by JAX. The steps
+The second table shows the time until nine of ten episodes end with an insertion, with a clearance
+of 3 mm. The trainings run one after another, and the time includes the compilation by JAX. The steps
 are the median of the seeds that learned the insertion; the seconds are the median of all {seeds}
 seeds. The target is {seconds} s.
 

@@ -219,7 +219,9 @@ def built(folder: Path, compiled: Machine, harness: str, declaration: str) -> tu
     return ffi.dlopen(str(output)), ffi
 
 
-def skill_rows(folder: Path, typical: Columns, worst: Columns, yardstick: float) -> Iterator[str]:
+def skill_rows(
+    folder: Path, typical: Columns, worst: Columns, reference_ns: float
+) -> Iterator[str]:
     """The rows of a rule without a scope, with a scope, and with an exemption, measured in turn."""
     rounds = {
         (code, name): (over_skills(folder, code, columns), len(columns["t_ns"]))
@@ -230,7 +232,7 @@ def skill_rows(folder: Path, typical: Columns, worst: Columns, yardstick: float)
     for code, rule in OF_SKILLS.items():
         took = found[f"{code} typical"]
         yield (
-            f"| `{rule}` | {took:.1f} | {took / yardstick:.1f} | {found[f'{code} worst']:.1f} "
+            f"| `{rule}` | {took:.1f} | {took / reference_ns:.1f} | {found[f'{code} worst']:.1f} "
             "| | | no skills |"
         )
 
@@ -269,7 +271,7 @@ def rows(folder: Path) -> Iterator[str]:
     """A row for each operator."""
     typical, worst = (first(trace, SAMPLES) for trace in (typical_trace(), worst_trace()))
     write_trace(folder / "trace", typical)
-    yardstick: float | None = None
+    reference_ns: float | None = None
     for operator in OPERATORS:
         compiled = machine(folder, operator.code, of_samples(operator))
         built = Generated(compiled, folder, ["-O2"])
@@ -283,11 +285,11 @@ def rows(folder: Path) -> Iterator[str]:
                 "without": (python_steps(compiled, short), OF_PYTHON),
             }
         )
-        yardstick = yardstick or found["typical"]
+        reference_ns = reference_ns or found["typical"]
         peer = of_rtlola(operator, folder / "trace", calm()[1][0])
         yield (
             f"| `{operator.condition}` | {found['typical']:.1f} "
-            f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} "
+            f"| {found['typical'] / reference_ns:.1f} | {found['worst']:.1f} "
             f"| {found['python']:.0f} | {found['without']:.0f} | {peer} |"
         )
     lists = {
@@ -295,12 +297,12 @@ def rows(folder: Path) -> Iterator[str]:
         for name, columns in (("typical", typical), ("worst", worst))
     }
     found = nanoseconds(lists)
-    assert yardstick is not None, "the operators are measured first"
+    assert reference_ns is not None, "the operators are measured first"
     yield (
         f"| `{OF_A_LIST}` with {ELEMENTS} elements | {found['typical']:.1f} "
-        f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} | | | no lists |"
+        f"| {found['typical'] / reference_ns:.1f} | {found['worst']:.1f} | | | no lists |"
     )
-    yield from skill_rows(folder, typical, worst, yardstick)
+    yield from skill_rows(folder, typical, worst, reference_ns)
 
 
 PREFACE = """\
@@ -320,7 +322,7 @@ an exemption, the times also include ten messages per second that report the run
 
 RTLola is compiled to Rust. Its specification counts samples, or has a window of a number of
 samples; at a steady rate, it means the same as the condition. If RTLola counts a different number
-of active samples, the cell has the difference. rtlola2rust 0.1.0 does not implement windows of a
+of active samples, the cell shows the difference. rtlola2rust 0.1.0 does not implement windows of a
 number of samples.
 """
 COLUMNS = (

@@ -28,7 +28,7 @@ SIDE_M = 4.0
 
 NEAR_M = 0.47
 CONDITIONS = {"in": "place in Zone", "distance": f"distance(place, Zone) < {NEAR_M} m"}
-YARDSTICK = "place.x > 5 m"
+REFERENCE = "place.x > 5 m"
 _RULES = """
 skills "skills.json";
 action react;
@@ -127,19 +127,19 @@ def by_shapely(code: str, count: int) -> Round:
 
 def rows(folder: Path) -> Iterator[str]:
     """A row for each condition and number of polygons."""
-    contenders = {"yardstick": in_c(folder, "yardstick", YARDSTICK, 1)}
+    contenders = {"reference": in_c(folder, "reference", REFERENCE, 1)}
     for count in COUNTS:
         for code, condition in CONDITIONS.items():
             ours, peer = in_c(folder, f"{code}_{count}", condition, count), by_shapely(code, count)
             assert ours()[1] == peer()[1], "both find the same places"
             contenders |= {f"{code} {count}": ours, f"{code} {count} shapely": peer}
     found = nanoseconds({name: (run, SAMPLES) for name, run in contenders.items()})
-    yardstick = found["yardstick"]
-    yield f"| `{YARDSTICK}` | | {yardstick:.1f} | 1.0 | |"
+    base_ns = found["reference"]
+    yield f"| `{REFERENCE}` | | {base_ns:.1f} | 1.0 | |"
     for count in COUNTS:
         for code, condition in CONDITIONS.items():
             ours, peer = found[f"{code} {count}"], found[f"{code} {count} shapely"]
-            yield f"| `{condition}` | {count} | {ours:.1f} | {ours / yardstick:.1f} | {peer:.0f} |"
+            yield f"| `{condition}` | {count} | {ours:.1f} | {ours / base_ns:.1f} | {peer:.0f} |"
 
 
 # --- zones -----------------------------------------------------------------------------------
@@ -256,8 +256,8 @@ ZONES = """
 
 A list has {points} points, as many as a scan. A zone is a polygon of {edges} edges: a circle, or a
 star. Every other corner of the star is twice as far from the center as the corners beside it. All
-points lie in the square around the polygon. C99 has the time of one message. Shapely has the time
-of one call for all points, with a prepared polygon.
+points lie in the square around the polygon. The time of C99 is the time of one message. The time of
+Shapely is the time of one call for all points, with a prepared polygon.
 
 | condition | polygon | C99: µs per list | Shapely: µs per list |
 |---|---|---|---|"""
