@@ -106,8 +106,8 @@ target for the physics is {physics} µs.
 TRAININGS = """
 The second table shows the time until nine of ten episodes end with an insertion, with a clearance
 of 3 mm. The trainings run one after another, and the time includes the compilation by JAX. The
-steps are the median of the seeds that learned the insertion; the seconds are the median of all {seeds}
-seeds. The target is {seconds} s.
+steps are the median of the seeds that learned the insertion; the seconds are the median of all
+{seeds} seeds. The target is {seconds} s.
 
 | Training | seeds that learned the insertion | steps | seconds |
 |---|---|---|---|"""
