@@ -104,7 +104,7 @@ def _judged(
         notes = (witness_note(pair.machine, result.witness, propositions),)
     if (first, second) in ordered or (second, first) in ordered:
         upper = names if (first, second) in ordered else names[::-1]
-        known = "they can be active together" if notes else "whether both can be active is open"
+        known = "they can be active together" if notes else "it is undecided if both can be active"
         order = ConflictOrdered(first=upper[0], second=upper[1], resource=needed, together=known)
         return Finding(order.at(span, place, notes=notes), result.witness)
     if result.witness is None:

@@ -300,6 +300,6 @@ def _open_queries(inquiry: Inquiry, index: int) -> Iterator[Finding]:
         if inquiry.witness(query) is None:
             finding = Undecided(
                 query=f"can the condition of rule `{rule.name}` be {word}?",
-                reason="no short trace of events makes it so, and no proof excludes it",
+                reason="no short trace shows it, and no proof excludes it",
             )
             yield Finding(finding.at(rule.head))

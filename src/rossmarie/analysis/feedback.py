@@ -257,16 +257,16 @@ class _World(enum.Enum):
     A command with no required period is sent once.
     """
 
-    OWN = "all sensors work, and nobody else sends once the rules do"
-    SHARED = "all sensors work, and where a timeout asks for messages somebody goes on to send them"
+    OWN = "all sensors work, and no other node publishes while the rules publish"
+    SHARED = "all sensors work, and other nodes continue to publish if a timeout needs messages"
     SILENT = "a sensor is missing, or falls silent"
 
 
 class _Beginning(enum.Enum):
     """The outside messages at the beginning of a trace."""
 
-    TURNS = "with what the rules publish after them, one rule after the other is active, alone"
-    CIRCLE = "with what the rules publish after them, each makes the next one active"
+    TURNS = "with the following messages of the rules, exactly one rule is active at a time"
+    CIRCLE = "with the following messages of the rules, each rule makes the next rule active"
     ACTIVE = "they make the first rule active"
     ANY = "nothing"
 
@@ -393,6 +393,6 @@ def _reader(machine: Machine, circle: Sequence[Publication], place: int) -> str:
 def _open(machine: Machine, circle: Sequence[Publication]) -> Finding:
     whom = "each other" if circle[1:] else "itself"
     query = f"can {_named(machine, circle)} set {whom} off by publishing?"
-    reason = "no short trace of events does so, and no proof excludes it"
+    reason = "no short trace shows it, and no proof excludes it"
     finding = Undecided(query=query, reason=reason)
     return Finding(finding.at(machine.rules[circle[0].rule].head))

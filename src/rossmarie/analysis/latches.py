@@ -170,5 +170,5 @@ def _advice(machine: Machine, rule: int, latched: int) -> Remark:
 def _open(machine: Machine, rule: int, latched: int) -> Finding:
     one, two = machine.rules[rule], machine.rules[latched]
     query = f"can rule `{one.name}` reset the latched rule `{two.name}`?"
-    reason = "no short trace of events does so, and no proof excludes it"
+    reason = "no short trace shows it, and no proof excludes it"
     return Finding(Undecided(query=query, reason=reason).at(one.head))

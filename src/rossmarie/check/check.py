@@ -220,7 +220,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
             warn_of_never_cleared(rule, contract, context)
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
-            duration_ns(contract.duration, "what stands after `clear for`", context)
+            duration_ns(contract.duration, "the time after `clear for`", context)
     return MissingTimeout.Rule().at(rule.head), uses
 
 

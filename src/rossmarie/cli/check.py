@@ -35,7 +35,10 @@ def run_check(
     with output.answering(form, "check", files=len(files)):
         output.try_study(study)
         if toggle_s is not None and not thorough:
-            output.fail("--toggle needs --thorough: only that search looks for it", exit_code=2)
+            output.fail(
+                "--toggle needs --thorough: the other queries do not look for toggling rules",
+                exit_code=2,
+            )
         is_tests = witnesses is not None and witnesses.suffix == ".ross"
         if is_tests and len(files) > 1:
             output.fail("tests of witnesses are for one rules file; name one", exit_code=2)

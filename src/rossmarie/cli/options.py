@@ -25,7 +25,7 @@ def written(text: str) -> Path:
 def ros_name(text: str) -> str:
     """A name that ROS and CMake accept for a package and for a node."""
     if not re.fullmatch("[a-z][a-z0-9_]*", text):
-        raise typer.BadParameter(f"`{text}` is no name of a package: it takes a-z, 0-9 and _")
+        raise typer.BadParameter(f"`{text}` is not a package name: use a-z, 0-9 and _")
     return text
 
 
@@ -41,7 +41,7 @@ def _category(text: str) -> Category:
         return Category(" ".join(text.lower().split()))
     except ValueError:
         known = ", ".join(f"`{each.value}`" for each in Category)
-        raise typer.BadParameter(f"`{text}` is none of {known}") from None
+        raise typer.BadParameter(f"`{text}` is not one of {known}") from None
 
 
 def _maintainer(text: str) -> Person:
@@ -59,7 +59,7 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
         if isinstance(word, kind):
             return word  # the default
         if word.lower() not in values:
-            raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
+            raise typer.BadParameter(f"`{word}` is not one of {', '.join(values)}")
         return kind(word.lower())
 
     return typer.Option(
@@ -75,7 +75,7 @@ def _rules(path: Path) -> Path:
     suffix = path.suffix.lower()
     if suffix in _RECORDINGS:
         raise typer.BadParameter(
-            f"{path} is a recording, no rules file (.ross); a rules file stands before recordings"
+            f"{path} is a recording, not a rules file (.ross); name the rules file first"
         )
     if suffix == ".py":
         raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")

@@ -142,7 +142,7 @@ def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
         wanted, recorded = _pair(text)
         if pairs.setdefault(wanted, recorded) != recorded:
             both = f"`{pairs[wanted]}` and `{recorded}`"
-            output.fail(f"--topic-map leads from `{wanted}` to {both}; keep one", exit_code=2)
+            output.fail(f"--topic-map maps `{wanted}` to {both}; keep one", exit_code=2)
     return pairs
 
 

@@ -61,7 +61,7 @@ class UnknownTestError(Exception):
     def __init__(self, wanted: str, known: Sequence[str]) -> None:
         self.wanted = wanted
         self.known = tuple(known)
-        super().__init__(f"no test is called `{wanted}`")
+        super().__init__(f"there is no test `{wanted}`")
 
 
 def tests_beside(rules: Path) -> Path:

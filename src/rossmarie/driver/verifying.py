@@ -133,7 +133,7 @@ def complaint(error: ProverError) -> str:
     """The line with the reason in the output of the prover."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     reasons = [line for line in lines if re.search(r"\berror: |^Reason: ", line)]
-    return (reasons or lines[-1:] or ["it said nothing"])[0]
+    return (reasons or lines[-1:] or ["it printed no reason"])[0]
 
 
 def verification_report(queries: Queries, proofs: Proofs, rules: Path, *, version: str) -> str:

@@ -20,11 +20,11 @@ def require_array(what: str, array: object) -> None:
     if not isinstance(array, np.ndarray):
         refuse(what, array)
     elif array.ndim != 1:
-        raise MappingError(f"the {what} has the shape {array.shape}, not that of a flat array")
+        raise MappingError(f"the {what} has the shape {array.shape}, but must be a flat array")
     elif array.dtype not in FLOATS:
         raise MappingError(f"the {what} holds {array.dtype}, not float64 or float32")
 
 
 def refuse(what: str, array: object) -> Array:
     """Raise `TypeError` for `what`."""
-    raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")
+    raise TypeError(f"the {what} is a {type(array).__name__}, not a NumPy array")

@@ -146,7 +146,7 @@ class GuardBatch:
 
     def _require_observed(self, done: int) -> None:
         if done != self._count:
-            raise ValueError(f"row {done} has observed nothing: `observe` comes first")
+            raise ValueError(f"row {done} has no observation yet: call `observe` first")
 
     def _connect(
         self, observations: Array | None, actions: Array | None, rows: str | None = None
@@ -164,7 +164,7 @@ class GuardBatch:
             if width not in (None, size):
                 raise MappingError(f"{what} have {width} numbers, but had {size} at first")
         if sizes[0] is None:
-            raise ValueError("nothing has been observed yet: `observe` comes first")
+            raise ValueError("there is no observation yet: call `observe` first")
         if self._sizes != sizes:
             self._row.connect(self._wiring_of(sizes[0], sizes[1]))
             self._sizes = (sizes[0], sizes[1])
@@ -182,7 +182,7 @@ class GuardBatch:
             return None
         mask = np.asarray(which)
         if mask.shape != (self._count,) or mask.dtype != np.bool_:
-            raise MappingError(f"a mask is bool of shape ({self._count},)")
+            raise MappingError(f"a mask needs the type bool and the shape ({self._count},)")
         return np.ascontiguousarray(mask)
 
     def _times(self, times_ns: int | NDArray[np.int64]) -> NDArray[np.int64]:
@@ -197,7 +197,7 @@ class GuardBatch:
     def _width(self, what: str, rows: Array, length: str | None = None) -> int:
         """The number of values in a row. There are `length` rows, or as many as guards."""
         if not isinstance(rows, np.ndarray):
-            raise TypeError(f"{what} are a {type(rows).__name__}, not an array of numpy")
+            raise TypeError(f"{what} are a {type(rows).__name__}, not a NumPy array")
         if rows.ndim != 2 or (length is None and len(rows) != self._count):
             raise MappingError(
                 f"{what} have the shape {rows.shape}, not ({length or self._count}, ...)"

@@ -314,14 +314,14 @@ class Guard:
 
     def _now(self) -> int:
         if self._at_ns is None:
-            raise ValueError("nothing has happened yet: the first step comes first")
+            raise ValueError("there is no decision yet: call `step` first")
         return as_instant(self._at_ns)
 
     def _first_step(
         self, at_ns: int, observation: Array | None, action: Array | None
     ) -> bytes | None:
         """Connect the arrays by their sizes."""
-        assert observation is not None, "an action comes after the first observation"
+        assert observation is not None, "there is no observation yet: call `observe` first"
         require_array("observation", observation)
         if action is not None:
             require_array("action", action)

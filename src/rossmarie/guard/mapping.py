@@ -146,14 +146,14 @@ class ArrayMapping:
         if name in values.slots and not whole:
             slot = values.slots[name]
             if machine.slots[slot].kind is Kind.TEXT and place is not None:
-                raise MappingError(f"`{name}` is a text, which is no number of an array")
+                raise MappingError(f"`{name}` is a string, which an array cannot contain")
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         elif name in values.arrays:
             array = machine.arrays[values.arrays[name]]
             if array.kind is Kind.TEXT and place is not None:
-                raise MappingError(f"`{name}` has texts, which are no numbers of an array")
+                raise MappingError(f"`{name}` has strings, which an array cannot contain")
             if isinstance(index, int):
-                raise MappingError(f"`{name}` is an array: a slice, such as slice(0, 7)")
+                raise MappingError(f"`{name}` is an array: give a slice, such as slice(0, 7)")
             part = Part()
             if unit is not None:
                 part = _converted(name, unit, array.unit, array.scale, array.offset)
@@ -198,7 +198,9 @@ class ArrayMapping:
             is_whole = all(entry.index is not None for entry in entries)
             if not is_whole or len({part.count for part in parts}) > 1:
                 listed = ", ".join(f"`{entry.name}`" for entry in entries)
-                raise MappingError(f"{listed} are of one list: as many numbers of each are wanted")
+                raise MappingError(
+                    f"{listed} belong to one list, so they need equally many numbers"
+                )
 
     def _arriving(self) -> frozenset[int]:
         inputs = self._machine.inputs
@@ -287,7 +289,7 @@ def _listed_slots(machine: Machine) -> dict[str, dict[int, Listed]]:
 
 def _enter(entries: dict[_Key, _Entry], key: _Key, entry: _Entry) -> None:
     if key in entries:
-        raise MappingError(f"`{entries[key].name}` and `{entry.name}` are one field")
+        raise MappingError(f"`{entries[key].name}` and `{entry.name}` are the same field")
     entries[key] = entry
 
 
@@ -320,7 +322,7 @@ def _converted(
     """
     given, wanted = _parsed(name, unit), _parsed(name, of_message)
     if given.dimension != wanted.dimension:
-        raise MappingError(f"`{name}` is in {wanted}, and cannot be in {given}")
+        raise MappingError(f"`{name}` is in {wanted}, not in {given}")
     own_scale, own_offset = (wanted.scale, wanted.offset) if scale is None else (scale, offset)
     return Part(scale=given.scale / own_scale, offset=(given.offset - own_offset) / own_scale)
 

@@ -95,7 +95,7 @@ class Choices:
             numbers, unit = given if _has_unit(given) else (given, None)
             if np.shape(numbers) != (int(space.n),) or not np.isfinite(numbers).all():
                 raise MappingError(
-                    f"`{name}` has to be a list of {space.n} finite numbers, one for each choice"
+                    f"`{name}` must be a list of {space.n} finite numbers, one for each choice"
                 )
             self.declared = {
                 **self.declared,

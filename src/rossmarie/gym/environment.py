@@ -137,7 +137,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         """
         mask = self._interface.actions.mask(self.guard.allows)
         if mask is None:
-            raise TypeError("actions are vectors: they are bounded, and have no masks")
+            raise TypeError("actions are vectors: the guard bounds them, so there are no masks")
         return mask.astype(np.bool_)
 
     def observe_substep(self, observation: Any) -> None:
@@ -147,7 +147,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         """
         if self._taken == self._substeps:
             raise ValueError(
-                f"this is no step, or it has more than `substeps` ({self._substeps}) substeps"
+                f"there is no step now, or it has more than {self._substeps} substeps (`substeps`)"
             )
         self._taken += 1
         elapsed_ns = self._taken * self._interface.period_ns // self._substeps

@@ -78,7 +78,7 @@ class Observations:
             places = range(*place.indices(self.size))
             place = places[0] if len(places) == 1 else None
         if not isinstance(place, int) or not -self.size <= place < self.size:
-            raise MappingError(f"`{name}`: {spot!r} is no single number of an observation")
+            raise MappingError(f"`{name}`: {spot!r} is not a single number of an observation")
         return place
 
     def row(self, value: Any) -> Array:
@@ -119,7 +119,9 @@ def _parts(
             where = f"entry `{'.'.join(map(str, keys))}` of the observations" if keys else (
                 "observation space"
             )  # fmt: skip
-            raise MappingError(f"the {where} is a {type(space).__name__}, which holds no numbers")
+            raise MappingError(
+                f"the {where} is a {type(space).__name__}, which contains no numbers"
+            )
     for key, part in entries:
         yield from _parts(part, (*keys, key))
 

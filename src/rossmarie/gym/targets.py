@@ -86,5 +86,5 @@ def _place(name: str, act: Declared) -> int:
     place = act.get(name)
     index = place[0] if isinstance(place, tuple) else place
     if not isinstance(index, int):
-        raise MappingError(f"`{name}` is a target, so `act` has to have its place: a number")
+        raise MappingError(f"`{name}` is a target, so `act` needs its index: a number")
     return index

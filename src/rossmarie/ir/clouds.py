@@ -113,7 +113,7 @@ def _column(
         raise UnreadableCloudError(f"its field `{name}` is not one number")
     type_ = np.dtype(kind).newbyteorder(">" if cloud.is_bigendian else "<")
     if int(field.offset) + type_.itemsize > layout.point_step:
-        raise UnreadableCloudError(f"its field `{name}` lies behind the point")
+        raise UnreadableCloudError(f"its field `{name}` lies after the end of the point")
     shape = (layout.rows, layout.columns)
     if 0 in shape:
         return np.empty(0)

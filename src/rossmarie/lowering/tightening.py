@@ -183,11 +183,11 @@ class _MovesOf:
             node = self._machine.propositions[proposition].node
         place = self._machine.propositions[proposition]
         is_certain = len(self.proposition(proposition)) == 1
-        reason = "tightened, it would make this {}".format("true" if move > 0 else "false")
+        reason = "a tighter value would make this {}".format("true" if move > 0 else "false")
         if rule is None:
-            reason = "a confirmation does not get tighter"
+            reason = "a confirmation cannot be tightened"
         elif not is_certain:
-            reason = "nobody can tell which way this goes when it is tightened"
+            reason = "a tighter value could make this true or false"
         return CannotTighten(reason=reason).at(place.span)
 
     def _inside(self, node: ir.PropositionNode, move: int) -> tuple[int, int] | None:

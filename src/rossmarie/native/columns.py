@@ -62,7 +62,7 @@ def fit(
     slot_names, array_names = (_chosen(given, names) for names in ir.field_names(machine))
     arrivals = ir.arrival_names(machine)
     if unknown := sorted(given.keys() - {*slot_names, *array_names, *arrivals}):
-        raise ColumnError(f"nothing reads the column {unknown[0]}")
+        raise ColumnError(f"no rule reads the column {unknown[0]}")
     return Columns(
         instants,
         tuple(
@@ -164,8 +164,8 @@ def _tables(
         for other in others:
             if tables[other].shape != tables[first].shape:
                 raise ColumnError(
-                    f"columns {names[first]} and {names[other]} are of one list, but of shapes "
-                    f"{tables[first].shape} and {tables[other].shape}"
+                    f"columns {names[first]} and {names[other]} belong to one list, but have the "
+                    f"shapes {tables[first].shape} and {tables[other].shape}"
                 )
     for cloud in ir.point_columns(machine):
         for axis in cloud.axes:
@@ -180,8 +180,8 @@ def _require_places(name: str, table: NDArray[np.float64]) -> None:
     lacks = np.isnan(table).any(axis=1)
     if lacks.any():
         raise ColumnError(
-            f"column {name} has a point without a place in row {lacks.argmax()}: give clouds that "
-            "have such points one by one, with `update`"
+            f"column {name} has a point without a position in row {lacks.argmax()}: pass such "
+            "clouds one by one, with `update`"
         )
 
 

@@ -169,7 +169,7 @@ def _in_memory(content: bytes) -> int:
     the folder of temporary files.
     """
     if sys.platform != "linux" or not Path("/proc/self/fd").exists():
-        raise OSError("this system has no files in memory that have a name")
+        raise OSError("this system has no named files in memory")
     import fcntl
 
     memory = os.memfd_create("rossmarie", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)

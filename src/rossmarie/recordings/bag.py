@@ -48,7 +48,7 @@ from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
 from rossmarie.recordings.survey import survey_of
 from rossmarie.recordings.transforms import TransformDecoder, holds_transforms
 
-_NO_CLOCK = "their stamps are out of range: no clock runs that long"
+_NO_CLOCK = "their stamps are outside the range of any clock"
 
 
 @dataclass(frozen=True)
@@ -207,7 +207,7 @@ class BagRecording:
         found = connection.message_type
         if found == expected:
             return None
-        return f"their type is {found}; those that are read are of the type {expected}"
+        return f"their type is {found}, but the rules read messages of the type {expected}"
 
     def _report_unfit(self, topic: str, reading: _Reading, collector: Collector) -> None:
         total = self.topics[topic].count
@@ -227,7 +227,7 @@ class BagRecording:
                 yield batch
             return
         except READER_FAILURES as error:
-            reason = f"reading broke off ({error})"
+            reason = f"reading stopped ({error})"
         try:
             salvaged, losses = self._salvage()
             self._storages.append(salvaged)
@@ -237,7 +237,7 @@ class BagRecording:
                 kept += len(remaining)
                 yield remaining
         except LimitError as error:
-            reason = f"reading broke off ({error})"
+            reason = f"reading stopped ({error})"
         except RecordingError:
             pass  # nothing is left
         collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
@@ -325,7 +325,7 @@ def _report_missing(
         topic=connection.topic,
         field=field_text(missing.path),
         kind=kind_text(missing),
-        reason=f"this is how the recorded {connection.message_type} is defined",
+        reason=f"this is the definition of the recorded {connection.message_type}",
     )
     other_cloud = FieldNotRecorded.OtherCloud(message_type=connection.message_type)
     other_scan = FieldNotRecorded.OtherScan(message_type=connection.message_type)

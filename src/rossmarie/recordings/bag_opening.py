@@ -49,7 +49,7 @@ def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path])
     span = _span(storage)
     if span is None:
         storage.close()
-        raise RecordingError(at_file(RecordingEmpty(reason="it holds no message"), path))
+        raise RecordingError(at_file(RecordingEmpty(reason="it contains no messages"), path))
     findings += _setbacks(storage, path)
     return BagRecording(
         path, storage, span, partial(_salvage, path, files), message_folders, findings
@@ -127,14 +127,14 @@ def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
             if part.loss is not None:
                 losses.append(part.loss)
         if all(part.span() is None for part in parts):
-            empty = RecordingEmpty(reason="it holds no message")
+            empty = RecordingEmpty(reason="it contains no messages")
             finding = RecordingCorrupt(reason=losses[0]) if losses else empty
             raise RecordingError(at_file(finding, path))
         return MergedStorage(parts, opened.pop_all()), losses  # the recording closes it
 
 
 def _refuse_compressed(file: Path) -> SalvageableStorage:
-    raise ValueError(f"`{file.name}` is compressed as a whole; `zstd -d` makes a file of it")
+    raise ValueError(f"`{file.name}` is compressed as a whole; decompress it with `zstd -d`")
 
 
 _SALVAGE: Mapping[str, Callable[[Path], SalvageableStorage]] = {

@@ -35,14 +35,14 @@ def message_places(
     starts = offsets + _HEAD
     ends = starts + _integers(heads, _LENGTH + _HEADER)
     if not np.all(are_same & form.fits(heads) & (ends <= len(content))):
-        raise ValueError("there are records that the index does not tell of")
+        raise ValueError("the index does not list all records")
     return starts, ends
 
 
 def _heads(content: bytes, offsets: NDArray[np.int64]) -> NDArray[np.uint8]:
     """The bytes before messages: one row for each message."""
     if offsets.max() + _HEAD > len(content):
-        raise ValueError("there is a record that reaches beyond its chunk")
+        raise ValueError("a record extends beyond its chunk")
     heads = values_at(content, f"V{_HEAD}", offsets)
     return heads.view(np.uint8).reshape(len(offsets), _HEAD)
 

@@ -33,12 +33,12 @@ Arrivals: TypeAlias = tuple[str, Stamps]
 _MOST_AT_ONCE = 10_000
 
 _MIXED = (
-    "messages are replayed in the order of their stamps, so that those from before and after "
-    "are mixed: verdicts around there are not those of the robot"
+    "messages are replayed in the order of their stamps, so messages from before and after the "
+    "jump are mixed: near the jump, the verdicts differ from the verdicts of the robot"
 )
 SEEN_BY_THE_MONITOR = (
-    "rows are replayed in the order of the file: where the time goes back, the monitor reports a "
-    "jump and measures all durations anew"
+    "rows are replayed in the order of the file: when the time goes back, the monitor reports a "
+    "jump and restarts all durations"
 )
 
 

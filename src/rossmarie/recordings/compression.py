@@ -73,7 +73,7 @@ def decompress_prefix(
                 content += step
                 allowance.take(len(step))
                 if len(content) > most:
-                    raise LimitError(f"{len(data)} bytes stand for more than {most >> 20} MiB")
+                    raise LimitError(f"{len(data)} bytes decompress to more than {most >> 20} MiB")
     except LimitError as error:
         return b"", str(error)
     except DECOMPRESSION_FAILURES as error:

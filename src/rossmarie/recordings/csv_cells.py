@@ -165,7 +165,7 @@ class ChannelReader:
         text = cells[column].strip().lower()
         if not text or text in _FLAGS:
             return _FLAGS.get(text, math.nan)
-        return self._bad(at_ns, cells, column, "is none of `true`, `false`, `1` and `0`")
+        return self._bad(at_ns, cells, column, "is not `true`, `false`, `1` or `0`")
 
     def _bad(self, at_ns: int, cells: Sequence[str], column: int, reason: str) -> float:
         text = cells[column].strip()[:_SHOWN]

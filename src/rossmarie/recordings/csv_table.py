@@ -195,7 +195,7 @@ class CsvRecording:
         return FieldNotRecorded(topic=match.topic, field="points", kind=kind, reason=reason)
 
     def _no_beams(self, match: Match) -> FieldNotRecorded:
-        kind, reason = "the beams of a scan", "only a whole scan says at which angles they are"
+        kind, reason = "the beams of a scan", "only a whole scan contains their angles"
         return FieldNotRecorded(topic=match.topic, field="ranges", kind=kind, reason=reason)
 
     def _nothing_to_replay(self, machine: Machine, collector: Collector) -> RecordingError:
@@ -257,7 +257,7 @@ class CsvRecording:
             raise self._not_csv(1, error) from error
 
     def _not_csv(self, line: int, error: csv.Error) -> RecordingError:
-        reason = f"line {line}: {error}; is there a quotation mark that is not closed?"
+        reason = f"line {line}: {error}; is a closing quotation mark missing?"
         return RecordingError(at_file(RecordingCorrupt(reason=reason), self.path))
 
     def _clock(self, header: str, first: str) -> Clock:
@@ -328,7 +328,7 @@ class CsvRecording:
     def _reason_to_skip(self, number: int, cells: Sequence[str]) -> str:
         if len(cells) != len(self._names):
             return f"row {number} has {len(cells)} cells, the header {len(self._names)}"
-        return f"row {number} starts with `{cells[0][:40]}`, which is no instant"
+        return f"row {number} starts with `{cells[0][:40]}`, which is not an instant"
 
 
 def _topic_of(name: str) -> str:

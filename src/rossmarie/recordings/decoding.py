@@ -137,7 +137,7 @@ def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], M
 
     def decoded(content: bytes) -> Message:
         if most is not None and len(content) > most:
-            raise LimitError(f"it is larger than {most >> 20} MiB, and its parts are small")
+            raise LimitError(f"it is larger than {most >> 20} MiB, the limit for its type")
         return decode(content, name)
 
     return decoded

@@ -97,7 +97,7 @@ def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Ty
     if connection.encoding not in _ENCODINGS:
         raise UndefinedTypeError(f"its messages are encoded as `{connection.encoding}`")
     name = full_type(connection.message_type)
-    reason = "the recording does not bring it along, and no standard package of ROS has it"
+    reason = "the definition is neither in the recording nor in a standard ROS package"
     try:
         own = dict(_recorded_types(connection.definition, name))
         own = own or _types_in_folders(name, message_folders)
@@ -105,7 +105,7 @@ def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Ty
         if own:
             return _store_of(own, connection.encoding)
     except (TypesysError, ValueError, AssertionError, OSError) as error:
-        reason = f"its definition cannot be understood ({_first_line(error)})"
+        reason = f"its definition cannot be parsed ({_first_line(error)})"
     for standard in _STANDARD[connection.encoding]:
         if name in _store(standard).fielddefs:
             return _store(standard)

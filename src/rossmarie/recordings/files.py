@@ -51,8 +51,8 @@ def _files(path: Path) -> list[Path]:
     if not path.exists():
         raise RecordingError(at_file(RecordingNotFound(), path, help=_similar(path)))
     if path.suffix not in _KINDS:
-        ending = f"`{path.suffix}`" if path.suffix else "a name without an ending"
-        reason = f"{ending} is not a kind of recording that can be read"
+        ending = f"`{path.suffix}`" if path.suffix else "a name without an extension"
+        reason = f"{ending} is not a supported kind of recording"
         raise RecordingError(at_file(RecordingKindUnknown(reason=reason), path))
     return [path]
 

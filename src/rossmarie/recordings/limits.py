@@ -53,7 +53,7 @@ class Allowance:
     def take(self, size: int) -> None:
         """Count decompressed bytes. Raises `LimitError` if there are too many for the recording."""
         if size > self._left:
-            raise LimitError("its compressed data is too much for a file of its size")
+            raise LimitError("its decompressed data is too large for the size of the file")
         self._left -= size
 
 

@@ -96,7 +96,7 @@ class McapChunks:
                 pass
         except READER_FAILURES as error:
             return error
-        return rosbag2.ReaderError("A chunk has records that make no sense.")
+        return rosbag2.ReaderError("A chunk has invalid records.")
 
 
 def has_chunks(part: object) -> bool:

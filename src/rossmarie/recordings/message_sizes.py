@@ -55,7 +55,7 @@ class Sizes:
     def _type(self, name: str, depth: int) -> tuple[int, int]:
         """The least bytes, and the number of fields, of a type."""
         if depth > DEEPEST_TYPE:
-            raise TypesysError(f"types lie more than {DEEPEST_TYPE} deep in each other")
+            raise TypesysError(f"types are nested more than {DEEPEST_TYPE} deep")
         if name not in self._known:
             fields = self._definitions[name][1] if name in self._definitions else []
             parts = [self._field(description, depth) for _, description in fields]

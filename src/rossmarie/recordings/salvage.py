@@ -71,7 +71,7 @@ class Scan:
         packed = data[chunk.start : chunk.end]
         content, trouble = decompress_prefix(chunk.compression, packed, self.allowance)
         if trouble is not None:
-            self.lose(f"the chunk at byte {chunk.start} is not whole: {trouble}")
+            self.lose(f"the chunk at byte {chunk.start} is incomplete: {trouble}")
         self.chunks.append(chunk)
         return len(self.chunks) - 1, content
 

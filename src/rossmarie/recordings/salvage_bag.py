@@ -95,7 +95,7 @@ def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -
             scan.lose(f"its records break off at byte {start}{of}")
             return
         if not _is_complete(fields):
-            scan.lose(f"there is a record that makes no sense at byte {start}{of}")
+            scan.lose(f"there is an invalid record at byte {start}{of}")
             return
         position += 4
         yield _Record(fields, position, min(position + length, size), position + length <= size)

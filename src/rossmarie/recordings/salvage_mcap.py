@@ -81,7 +81,7 @@ def _scan_chunk(data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], s
         _, _, size, checksum = _CHUNK_HEADER.unpack_from(data, record.start)
         compression, position = _string(data, record.start + _CHUNK_HEADER.size)
     except (struct.error, ValueError):
-        scan.lose(f"there is a chunk that makes no sense at byte {record.start}")
+        scan.lose(f"there is an invalid chunk at byte {record.start}")
         return
     if not record.is_whole:
         scan.lose(f"it is cut short inside a chunk, at byte {len(data)}")
@@ -109,7 +109,7 @@ def _keep(
             number, schema = _schema(data[start:end])
             schemas.setdefault(number, schema)
     except (struct.error, ValueError):
-        scan.lose(f"there is a record that makes no sense at byte {start}")
+        scan.lose(f"there is an invalid record at byte {start}")
 
 
 def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
@@ -118,7 +118,7 @@ def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -
     while position + _RECORD.size <= size:
         operation, length = _RECORD.unpack_from(data, position)
         if not 0 < operation <= _LAST_OPERATION:
-            scan.lose(f"there is a record that makes no sense at byte {position}{of}")
+            scan.lose(f"there is an invalid record at byte {position}{of}")
             return
         position += _RECORD.size
         yield _Record(operation, position, min(position + length, size), position + length <= size)

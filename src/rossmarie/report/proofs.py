@@ -156,7 +156,7 @@ def _conclusion(proofs: Proofs) -> Iterator[str]:
         whom = (
             ", ".join(proofs.rules)
             if proofs.is_inductive
-            else "no rule, as that rests on all parts"
+            else "no rule, because this needs the proofs of all parts"
         )
         yield f"For runs of any length: {whom}"
     counts = [
@@ -165,4 +165,4 @@ def _conclusion(proofs: Proofs) -> Iterator[str]:
     counts += [f"{len(proofs.unasked)} not asked about"] if proofs.unasked else []
     with_what = ", ".join(f"{tool} {its}" for tool, its in proofs.tools.items())
     verdict = "Proved" if proofs.is_complete else "NOT proved"
-    yield f"{verdict}: the generated C is what the rules mean ({', '.join(counts)}; {with_what})"
+    yield f"{verdict}: the generated C implements the rules ({', '.join(counts)}; {with_what})"

@@ -242,7 +242,7 @@ class ExpressionBuilder:
             return self._not_alone(argument)
         if not isinstance(argument, Part):
             return argument  # type: ignore[no-any-return]
-        problem = f"`{argument.word}` belongs into `oscillates`"
+        problem = f"`{argument.word}` is only allowed in `oscillates`"
         finding = errors.MalformedOscillates(problem=problem, reason="no other function takes it")
         self._report(finding.at(argument.span))
         return ast.Broken(argument.span)
@@ -260,7 +260,7 @@ class ExpressionBuilder:
         is_name = isinstance(head, ast.Membership) and isinstance(head.value, ast.Reference)
         if is_name and not head.is_negated:
             return _Each(head.value.name, head.container, body, self._span(parts))
-        form = "the elements of a list are looked at by `any(NAME in LIST: CONDITION)`"
+        form = "query the elements of a list with `any(NAME in LIST: CONDITION)`"
         finding = errors.MisplacedWord(found=":", before=head.span.text, form=form)
         self._report(finding.at(self._at(colon)))
         return ast.Broken(self._span(parts))
@@ -276,7 +276,7 @@ class ExpressionBuilder:
     def edges(self, parts: list[Any]) -> ast.Edges:
         """`edges of a > 1 within 10 sec`."""
         if parts[0].text != "edges":
-            problem = "what is counted are `edges of` a condition, or the elements of an array"
+            problem = "`count` counts `edges of` a condition, or the elements of an array"
             finding = errors.ForeignForm(found=f"{parts[0].text} of", problem=problem)
             fix = Fix("write `edges of`", (Edit(self._at(parts[0]), "edges"),))
             form = finding.Form(form="write `edges of`")

@@ -212,7 +212,7 @@ HABITS = (
     _habit(
         rf"\s{_PLAIN}\s(?P<x>%)(?=\s[\w(])",
         None,
-        "there is no remainder of a division",
+        "there is no remainder operator",
         "count in the node that publishes the value, and compare its result",
     ),
     _habit(

@@ -27,7 +27,7 @@ _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
 _PARTNERS = {"(": ")", "[": "]", "{": "}"}
 _ENDS = (")", "]", "%")  # signs that end a value
 _LONGEST = 40  # the most letters of a mistake in the title of its finding
-_NO_WORD = "this is no word of the language"
+_NO_WORD = "this is not a keyword of the language"
 
 
 class _Change(NamedTuple):

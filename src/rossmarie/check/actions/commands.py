@@ -274,9 +274,9 @@ class CommandChecker:
     ) -> None:
         unit, text = fields[0]
         wanted = divide(unit, SECOND).symbol
-        found = f"this lifts something in {lifted.symbol}, and `{text}` is in {unit.symbol}"
+        found = f"the ramp needs a bound in {lifted.symbol}, but `{text}` is in {unit.symbol}"
         if unit == DIMENSIONLESS:
-            found = f"this lifts something in {lifted.symbol}, and {text} is a plain number"
+            found = f"the ramp needs a bound in {lifted.symbol}, but {text} is a plain number"
         finding = RampMismatch(found=found)
         self._add(finding.at(ramp.span, help=finding.Unit(unit=wanted)))
 

@@ -204,7 +204,7 @@ class EffectChecker:
         if given.dimension != (unit or DIMENSIONLESS).dimension:
             help: Remark
             if unit is None:
-                reason = "a parameter is a plain number, and nothing says in which unit"
+                reason = "a parameter is a plain number, and no declaration gives its unit"
                 help = MisplacedUnit.OfParameter(unit=given.symbol)
                 fix = insertion(effect.parameter[-1].span, f" in {given.symbol}")
             else:

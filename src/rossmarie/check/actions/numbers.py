@@ -69,4 +69,4 @@ def timeout_ns(timeout: ast.Expression | None, context: Context) -> int | None:
     if timeout is None:
         return _USUAL_TIMEOUT_NS
     infer(timeout, context)
-    return duration_ns(timeout, "what stands after `within`", context)
+    return duration_ns(timeout, "the time after `within`", context)

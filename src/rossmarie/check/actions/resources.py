@@ -24,7 +24,7 @@ def declared_resources(targets: Targets) -> Mapping[str, str]:
     for resource in _declarations(targets):
         earlier = first.setdefault(resource.name.text, resource.name)
         if earlier is not resource.name:
-            reason = "a resource is declared once, with all that belongs to it"
+            reason = "declare a resource once, with all its parts"
             report_second(resource.name, earlier, "resource", reason, targets.context.collector)
         for name in resource.targets:
             full = targets.full_name(Kind.MESSAGE, name)

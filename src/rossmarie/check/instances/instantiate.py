@@ -100,13 +100,13 @@ class _Program:
             first = space.inner.setdefault(alias.text, alias)
             if first is not alias:
                 reason = (
-                    "each name behind `as` stands for one file; files that have the same name in"
-                    " them are each imported under one of their own"
+                    "each name after `as` stands for one file; import each file under a different"
+                    " name"
                 )
                 report_second(alias, first, "import", reason, self._collector)
             declared = space.names.get(alias.text)
             if declared is not None:
-                reason = f"`{alias.text}.NAME` could mean either"
+                reason = f"`{alias.text}.NAME` could refer to either"
                 finding = DuplicateName(
                     identifier=alias.text, kind="import", other="something else", reason=reason
                 )
@@ -149,7 +149,7 @@ class _Program:
             if isinstance(item, ast.Parameter):
                 first = found.setdefault(item.name.text, item)
                 if first is not item:
-                    reason = "an import could not tell them apart"
+                    reason = "an import could not distinguish them"
                     report_second(item.name, first.name, "parameter", reason, self._collector)
         return found
 
@@ -228,8 +228,8 @@ class _Program:
             return
         finding = MissingParameter(
             identifier=name.text,
-            reason="this import gives it none",
-            place="write a value behind the path",
+            reason="this import gives no value",
+            place="write a value after the path",
             example=example,
         )
         path = self._rewriters[imported.importer].span(imported.written.path.span)

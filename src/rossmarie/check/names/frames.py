@@ -168,7 +168,7 @@ def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Co
             names, span = (*path, member.text) if is_covariance else path, member.span
         case ast.Member():
             return False
-    reason = "it goes by the axes of its message"
+    reason = "its axes belong to its message"
     finding = NothingToTransform(field=text_of(node), frame=used.target, reason=reason)
     fields = [each for each in (*used.path, *names) if isinstance(each, str)]
     context.collector.add(finding.at(span, help=finding.Untransformed(field=".".join(fields))))

@@ -162,7 +162,7 @@ def _without_frame(position: ast.Expression, context: Context) -> str | None:
         root = _root(fold.list)  # the header of the message with the list applies to all elements
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or context.messages is None:
-        return "it is no field of an input"
+        return "it is not a field of an input"
     if used.frame is not None:
         return None
     message = context.messages.find(used.message_type)

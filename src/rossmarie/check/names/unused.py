@@ -12,14 +12,14 @@ from rossmarie.check.scopes.declarations import Named, kind_of
 from rossmarie.syntax import ast
 
 _REASONS: Mapping[str, str] = {
-    "constant": "nothing is compared with it",
-    "parameter": "nothing is compared with it",
+    "constant": "no condition compares a value with it",
+    "parameter": "no condition compares a value with it",
     "input": "no condition reads it",
     "action": "no rule starts it",
-    "entity": "no rule rests on it",
-    "motion": "no rule rests on it",
-    "zone": "no rule asks for it",
-    "condition": "no rule rests on it",
+    "entity": "no rule depends on it",
+    "motion": "no rule depends on it",
+    "zone": "no rule uses it",
+    "condition": "no rule depends on it",
 }
 
 

@@ -65,7 +65,7 @@ def _check_time(node: ast.Call, operands: Sequence[Operand], context: Context) -
     left, closing = operands
     unit = left.quantity.unit
     if unit is None or unit.offset:
-        expected = "an amount with a unit, and no temperature"
+        expected = "a number with a unit that is not a temperature"
         _report(node, left, "the distance", expected, describe(left.quantity), context)
         return False
     return _has_unit(node, closing, "the closing speed", divide(unit, SECOND), context)

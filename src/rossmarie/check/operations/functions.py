@@ -324,7 +324,7 @@ def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
         return Boolean()
     value = scalar_operand(node.value, context)
     _check_turning_points(node.count, context)
-    duration_ns(node.window, "what stands after `within`", context)
+    duration_ns(node.window, "the time after `within`", context)
     swing = None if node.swing is None else scalar_operand(node.swing, context)
     if swing is None:
         return Boolean()
@@ -347,7 +347,7 @@ def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> 
     if unit.offset:
         wrong = WrongArgument(
             function="oscillates",
-            expected="a swing, which is a difference",
+            expected="a swing, as a temperature difference",
             found=f"a temperature in {unit.symbol}",
             usage="by 5 K",
         )
@@ -357,6 +357,6 @@ def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> 
             purpose="a swing",
             bound="more than zero",
             found=f"{unit.from_si(number):.15g}",
-            reason="it is the height of the smallest wave that counts",
+            reason="it is the size of the smallest swing that counts",
         )
         context.collector.add(finding.at(node.span, help=finding.EveryTurn()))

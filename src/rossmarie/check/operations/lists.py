@@ -77,7 +77,7 @@ def _check_variable(node: ast.ListFold, context: Context) -> None:
         identifier=name,
         kind="element",
         other=kind,
-        reason="inside the parentheses the name could mean either",
+        reason="inside the parentheses, the name could refer to either",
     )
     edits = [Edit(node.variable.span, f"each_{name}")]
     edits += [

@@ -153,7 +153,7 @@ def report_not_a_condition(node: ast.Expression, context: Context) -> None:
     """Report a value that is not a condition where a condition is needed."""
     type_ = context.type_of(node)
     if is_edge_count(node):
-        report_uncompared(node, "it is a number, and no condition", context)
+        report_uncompared(node, "it is a number, not a condition", context)
     elif not isinstance(type_, Unknown) and not is_boolean(type_):
         context.collector.add(_not_a_condition(node, type_))
 

@@ -89,7 +89,7 @@ def _check_ends(
     second_units = [end for end in ends if not is_plain(end.quantity)]
     for end in second_units:
         finding = MisplacedUnit(
-            reason="this end has a unit, and so has the whole range",
+            reason="both this end and the whole range have a unit",
         )
         place = () if node.unit is None else (finding.OfBothEnds().at(node.unit.span),)
         help = finding.OnceInRange(unit=unit.symbol)

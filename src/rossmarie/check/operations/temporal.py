@@ -24,15 +24,15 @@ def type_of_temporal(node: Temporal, context: Context) -> Type:
     """The type of `condition for 2 sec` and similar: one boolean."""
     match node:
         case ast.Held(condition=condition, duration=duration):
-            duration_ns(duration, "what stands after `for`", context)
+            duration_ns(duration, "the time after `for`", context)
             return _type_over_time(node, (condition,), context)
         case ast.Since(held=held, begun=begun):
             return _type_over_time(node, (held, begun), context)
         case ast.Once(condition=condition, duration=duration):
-            duration_ns(duration, "what stands after `within`", context)
+            duration_ns(duration, "the time after `within`", context)
             return _type_over_time(node, (condition,), context)
         case ast.Response(cause=cause, answer=answer, duration=duration):
-            duration_ns(duration, "what stands after `within`", context)
+            duration_ns(duration, "the time after `within`", context)
             return _type_over_time(node, (cause, answer), context)
 
 

@@ -28,7 +28,7 @@ def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
     for each in rule.feedback:
         kind = _kind(each)
         if kind in said:
-            finding = OddFeedback(found=f"this is said twice{kind}")
+            finding = OddFeedback(found=f"this is given twice{kind}")
             context.collector.add(finding.at(each.span))
         elif isinstance(each, ast.Margin):
             margin = check_margin(rule, each, context)
@@ -73,6 +73,6 @@ def _seconds(unit: ast.Unit, context: Context) -> float | None:
         return None
     if known.dimension == _SECOND.dimension:
         return known.scale
-    finding = OddFeedback(found=f"`{unit.text}` is no time, and no activation")
+    finding = OddFeedback(found=f"`{unit.text}` is neither a time nor `activation`")
     context.collector.add(finding.at(unit.span))
     return None

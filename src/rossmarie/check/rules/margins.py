@@ -153,12 +153,12 @@ def _reason(node: ast.Expression, context: Context) -> str | None:
 def _reason_of_comparison(node: ast.Binary) -> str | None:
     sides = (node.left, node.right)
     if any(map(is_age, sides)):
-        return "an age changes with the clock, and not by what is done"
+        return "an age changes with the clock, not with the actions of the robot"
     if any(map(is_edge_count, sides)):
-        return "a count of edges is no distance"
+        return "a count of edges is not a distance"
     if node.operator in _WITH_SIDES:
         return None
-    return f"`{node.operator.value}` holds at a point or beside it, and has no side to be on"
+    return f"`{node.operator.value}` compares with a single value, which has no distance to a limit"
 
 
 # --- units -------------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ def warn_of_missing_rules(context: Context) -> None:
     inputs = (item for item in items if isinstance(item, ast.Input))
     first = next(entities, None) or next(inputs, None)
     if first is not None:
-        what = f"no rule rests on this {kind_of(first)}"
+        what = f"no rule depends on this {kind_of(first)}"
         context.collector.add(NoRules(what=what).at(first.name.span))
 
 

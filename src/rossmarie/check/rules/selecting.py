@@ -70,12 +70,12 @@ def _report_left_out(
     """Report each priority that names both a selected rule and a rule outside the selection."""
     names = {rule.name.text for rule in kept if rule.name is not None}
     reported = [
-        (name, "the order counts for the other rules only")
+        (name, "the order applies only to the other rules")
         for order in orders
         if any(name.text in names for name in order.rules)
         for name in order.rules
     ]
-    effect = "it is never active here, so that nothing gives way to it"
+    effect = "it is never active here, so no rule gives way to it"
     reported += [(name, effect) for rule in kept for name in rule.unless]
     for name, effect in reported:
         if name.text in left_out:

@@ -131,7 +131,7 @@ def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condi
     for condition in entity.conditions:
         first = found.setdefault(condition.name.text, condition)
         if first is not condition:
-            reason = "within an entity, each condition has a name of its own"
+            reason = "each condition of an entity needs its own name"
             report_second(condition.name, first.name, "condition", reason, collector)
     return found
 
@@ -148,7 +148,7 @@ def _check_hidden_names(declarations: Declarations, collector: Collector) -> Non
                     identifier=condition.name.text,
                     kind="condition",
                     other=ARTICLES[kind_of(value)],
-                    reason=f"inside `{entity.name.text}` the bare name could mean either",
+                    reason=f"inside `{entity.name.text}` the bare name could refer to either",
                 )
                 place = finding.First().at(value.name.span)
                 collector.add(finding.at(condition.name.span, place))

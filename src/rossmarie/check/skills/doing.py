@@ -172,11 +172,13 @@ def find_class(name: ast.Name, skills: CheckedSkills, context: Context) -> str |
     if len(found) == 1:
         return found[0]
     if found:
-        finding = UnknownSkillClass(identifier=name.text, reason="several classes are called so")
+        finding = UnknownSkillClass(identifier=name.text, reason="several classes have this name")
         help = finding.Several(known=listed(found))
         context.collector.add(finding.at(name.span, help=help))
         return None
-    finding = UnknownSkillClass(identifier=name.text, reason="the file of skills has none of it")
+    finding = UnknownSkillClass(
+        identifier=name.text, reason="the skills file has no class of this name"
+    )
     places = {each.name: each.place for each in skills.file.classes.values()}
     if "." not in name.text:
         places = {full.rpartition(".")[2]: place for full, place in places.items()}

@@ -79,7 +79,7 @@ def _add(declared: ast.FrameDeclaration, tree: FrameTree, context: Context) -> N
     if first is frame:
         return
     if first.parent == frame.parent:
-        reason = "one declaration says how a frame comes"
+        reason = "a frame needs exactly one declaration"
         earlier = first.declaration.frame
         report_second(declared.frame, earlier, "frame", reason, context.collector)
         return
@@ -113,7 +113,7 @@ def _check_circles(tree: FrameTree, context: Context) -> None:
 def _input_of(frame: CheckedFrame, name: str, context: Context) -> CheckedInput:
     """The input for a frame. No rule declares it."""
     topic, span = frame.topic, frame.declaration.frame.span
-    assert topic is not None, "what is mounted comes with no topic"
+    assert topic is not None, "a mounted frame has no topic"
     edge = Edge(topic, bare_frame(frame.parent), bare_frame(frame.name))
     declaration = ast.Input(
         ast.Name(name, span), ast.Name(str(edge), span), None, (), None, None, None, None, span
@@ -140,8 +140,8 @@ def resolve_frames(context: Context) -> None:
             resolved = dataclasses.replace(frame, mounted=(*place, *turn))
             if declared.timeout is not None:
                 _report(
-                    "timeout", frame, declared.timeout.span, "has no meaning beside a place",
-                    "the time after which a message is missed", "either of the two", context,
+                    "timeout", frame, declared.timeout.span, "has no meaning for a mounted frame",
+                    "either a timeout or a place", "remove one of the two", context,
                 )  # fmt: skip
         elif declared.timeout is not None:
             infer(declared.timeout, context)
@@ -206,7 +206,7 @@ def _numbers(
             return nothing
         most, limit = _MOST[word]
         if not abs(number) <= most:
-            found, reason = f"`{text_of(element)}`", f"is no more than {limit}"
+            found, reason = f"`{text_of(element)}`", f"is at most {limit}"
             _report(word, frame, element.span, reason, found, _FORMS[word], context)
             return nothing
         found_numbers.append(number)

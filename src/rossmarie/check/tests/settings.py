@@ -286,7 +286,7 @@ class _SettingChecker:
         if around is None:
             return self._held(node, number, type_) if self._fits(node, found, type_) else None
         if not is_plain(found):
-            twice = MisplacedUnit(reason="this element has a unit, and so has the whole list")
+            twice = MisplacedUnit(reason="both this element and the whole list have a unit")
             self._add(twice.at(node.span, help=twice.OnceInList(unit=around.symbol)))
             return None
         return self._held(node, around.to_si(number), type_)

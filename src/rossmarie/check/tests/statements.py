@@ -121,7 +121,7 @@ class _TestChecker:
         assert statement.period is not None
         assert statement.stretch is not None
         infer(statement.period, self._context)
-        period_ns = duration_ns(statement.period, "what stands after `every`", self._context)
+        period_ns = duration_ns(statement.period, "the time after `every`", self._context)
         ends = self._stretch(statement.stretch)
         if period_ns is None or ends is None:
             return None
@@ -179,7 +179,7 @@ class _TestChecker:
         if last < first:
             self._is_right = False
             finding = InstantOutOfOrder(
-                what="the ends of this stretch are",
+                what="the ends of this interval are",
                 before="the beginning",
             )
             place = finding.Beginning().at(stretch.first.span)

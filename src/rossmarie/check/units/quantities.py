@@ -200,7 +200,9 @@ def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> No
     finding = MissingUnit(
         expected=unit.symbol,
         dimension=str(unit.dimension),
-        reason="a plain number is not an angle" if is_angle else "a plain number could be any",
+        reason="a plain number is not an angle"
+        if is_angle
+        else "a plain number could have any unit",
         corrected=corrected,
     )
     labels = (*_labels(plain, context), _is_in(other), *_labels(other, context))
@@ -220,7 +222,7 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
         declaration = found.declaration
         place = end_of_field(declaration)
         labels = (*labels, DeclaredHere().at(declaration.name.span))
-        fix = Fix(f"say that it arrives in {unit}", (Edit(place, f" in {unit}"),))
+        fix = Fix(f"declare that it arrives in {unit}", (Edit(place, f" in {unit}"),))
         context.collector.add(finding.at(unknown.node.span, *labels, fix=fix))
     else:
         field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
@@ -234,7 +236,7 @@ def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | No
     if literal is None or literal.unit is not None or literal is not stripped(node):
         return None
     behind = Span(literal.span.file, literal.span.end, literal.span.end)
-    return Fix(f"write `{symbol}` behind it", (Edit(behind, f" {symbol}"),))
+    return Fix(f"write `{symbol}` after it", (Edit(behind, f" {symbol}"),))
 
 
 def is_same_unit(unit: Unit, other: Unit) -> bool:
