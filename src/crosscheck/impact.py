@@ -65,7 +65,7 @@ def _rules(robot: Robot, skill: Skill) -> Iterator[Dependent]:
     for number, rule in enumerate(robot.machine.rules):
         for step in asked_by(robot.machine, number) if rule.exempts is None else ():
             if skill.name in step.skills:
-                yield Dependent(f"rule {rule.name}", f"asks for {step}", rule.head)
+                yield Dependent(f"rule {rule.name}", f"queries {step}", rule.head)
     for exempted in exemptions_of(robot):
         if skill in exempted.skills:
             name = robot.machine.rules[exempted.rule].name

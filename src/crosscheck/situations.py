@@ -28,7 +28,7 @@ class Situation:
     def __str__(self) -> str:
         """`while Drive runs`."""
         if not self.skills:
-            return "whatever skill runs"
+            return "while any skill runs"
         names = listed([each.name for each in self.skills])
         return f"while {names} {'runs' if len(self.skills) == 1 else 'run'}"
 

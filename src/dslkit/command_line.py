@@ -277,12 +277,12 @@ class CommandLine:
         for path in paths:
             first = seen.setdefault(os.path.realpath(path), path)
             if first is not path and not is_stream(path):
-                self.fail(f"two outputs go to one file, {path}: give them two names", exit_code=2)
+                self.fail(f"two outputs have the same file, {path}: give two names", exit_code=2)
 
     def require_own_file(self, path: Path) -> None:
         """End the run if a file may not be written."""
         if str(path) == "-":
-            self.fail("`-` is no file: name /dev/stdout for standard output", exit_code=2)
+            self.fail("`-` is not a file: write /dev/stdout for standard output", exit_code=2)
         if self.permission.is_given:
             return
         with self.writing(path):

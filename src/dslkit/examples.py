@@ -35,7 +35,7 @@ def named(known: Mapping[str, Example], name: str, kind: str) -> Example:
         return found
     near = difflib.get_close_matches(name.lower(), known, n=1)
     hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(known)}"
-    raise UnknownExampleError(f"there is no {kind} `{name}` in the box; {hint}")
+    raise UnknownExampleError(f"there is no {kind} `{name}`; {hint}")
 
 
 def files_of(folder: Path) -> Sequence[Path]:

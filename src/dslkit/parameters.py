@@ -112,7 +112,7 @@ def _plain_words(message: str, value: object) -> str:
     """A message of pydantic in the words of a user."""
     for begin, kind in _KINDS.items():
         if message.startswith(begin):
-            return f"`{value}` is no {kind}"
+            return f"`{value}` is not a {kind}"
     return message.removeprefix("Value error, ").replace("Input should be", "it has to be")
 
 

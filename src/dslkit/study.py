@@ -89,7 +89,7 @@ def read_log(path: Path) -> list[dict[str, Any]]:
     except UnicodeDecodeError:
         raise StudyLogError("it is not text in UTF-8") from None
     if text and not text.endswith("\n"):
-        raise StudyLogError("its last line has no end", text.count("\n") + 1)
+        raise StudyLogError("its last line is incomplete", text.count("\n") + 1)
     lines = text.split("\n")[:-1]
     return [_run(line, number) for number, line in enumerate(lines, start=1)]
 

@@ -232,15 +232,15 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
         key = f" ({parameter.key!r})" if parameter.key != parameter.name else ""
         shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_thing else "")
         if parameter.is_output:
-            yield f"{shown}  from the skill itself"
+            yield f"{shown}  set by the skill"
         elif parameter.kind is not Kind.INFERRED:
             origin = "given" if parameter.default is None else f"given, or {parameter.default!r}"
-            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'may stay without'}"
+            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'optional'}"
         elif parameter.name in steps:
             step = steps[parameter.name]
             place = step.clause.span
             yield f"{shown}  from {step.source}, by {place.text} ({place})"
         else:
-            yield f"{shown}  any of its class: no pre-condition leads to it"
+            yield f"{shown}  any individual of this class: no pre-condition restricts the choice"
     yield from (f"permits {each.span.text} ({each.span})" for each in skill.permits)
     yield from (f"uses {each.kind.value} {each.name} ({each.span})" for each in skill.uses)

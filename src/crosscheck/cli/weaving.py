@@ -19,6 +19,7 @@ def run_weave(
     output.save(out, text_of(found))
     for rule, skills in found.left_out.items():
         output.complain(
-            f"{' and '.join(skills)} will not wait for `{rule}`: it asks about skills itself"
+            f"{' and '.join(skills)} will not wait for `{rule}`, because it depends on the "
+            "running skills"
         )
     output.tell_written(out)

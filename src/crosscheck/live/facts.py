@@ -66,7 +66,7 @@ class Facts:
             f"`{skill.name}` permits {permission} ({self.robot.span_of(permission.place)})"
             for skill, permission in known
         )
-        return ", ".join(dict.fromkeys(words)) or "nothing that is permitted"
+        return ", ".join(dict.fromkeys(words)) or "no permission"
 
 
 def facts_of(robot: Robot, namespace: str) -> Facts:

@@ -94,7 +94,7 @@ def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     if library is None or missing:
         lacking = ", ".join(missing)
         raise NoRosError(
-            f"this Python lacks packages of ROS: {lacking}; source the workspace that has them"
+            f"ROS packages are missing for this Python: {lacking}; source their workspace"
         )
     context, state, diagnostics = messages.values()
     return library, [

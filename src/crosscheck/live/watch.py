@@ -116,11 +116,9 @@ class Watch:
         digest = self._facts.robot.skills.digest
         reason = context.problem
         if reason is None and context.digest != digest:
-            reason = f"it is from the export {_short(context.digest)}"
+            reason = f"it is of another export, {_short(context.digest)}"
         if reason is None:
-            yield from self._over(
-                errors.UnusableContext, f"{self._facts.topic} is from this export"
-            )
+            yield from self._over(errors.UnusableContext, f"{self._facts.topic} is of this export")
             return
         wrong = errors.UnusableContext(
             topic=self._facts.topic, reason=reason, digest=_short(digest)
@@ -144,7 +142,7 @@ class Watch:
             found = errors.NotExported(skills=listed(unknown))
             yield from self._tell(errors.NotExported, found.at(self._facts.declaration))
         else:
-            yield from self._over(errors.NotExported, "the rules know all that runs")
+            yield from self._over(errors.NotExported, "the rules know all running skills")
 
     def _context_is_silent(self, seconds: float) -> Iterator[Reported]:
         facts = self._facts
@@ -156,7 +154,7 @@ class Watch:
         """Nobody knows any more what runs; it was known until a time."""
         for call in list(self.skills.since):
             self.skills.end(call, at)
-            text = f"nobody knows any more whether {call[0]} runs"
+            text = f"it is unknown whether {call[0]} still runs"
             yield Change(Kind.UNKNOWN, text, {"skill": call[0], "goal": call[1]})
         self._taken = frozenset()
 
@@ -164,7 +162,7 @@ class Watch:
 
     def _take_state(self, state: NodeState) -> Iterator[Reported]:
         self._node.speaks(self.now)
-        yield from self._over(errors.SilentNode, f"{self._facts.node} is heard again")
+        yield from self._over(errors.SilentNode, f"{self._facts.node} reports again")
         yield from self._other_rules(state)
         active = [each for each in state.active if each in self._facts.rules]
         for rule in [each for each in self.rules.since if each not in active]:
@@ -181,7 +179,7 @@ class Watch:
             wrong = errors.OtherRules(node=self._facts.node, rules=listed(others))
             yield from self._tell(errors.OtherRules, wrong.at(self._facts.declaration))
         else:
-            yield from self._over(errors.OtherRules, f"{self._facts.node} tells of these rules")
+            yield from self._over(errors.OtherRules, f"{self._facts.node} reports these rules")
 
     def _activates(self, name: str) -> Change:
         self.rules.begin(name, name, self.now)
@@ -197,15 +195,15 @@ class Watch:
         exempts = self._facts.rules[name].exempts
         if exempts is None:
             return Change(Kind.RULE_CLEARS, f"{name} clears after {lasted:.3g} s", {"rule": name})
-        text = f"{name} is not used any more, after {lasted:.3g} s"
+        text = f"{name} is no longer used, after {lasted:.3g} s"
         return Change(Kind.EXEMPTION_ENDS, text, {"rule": name, "exempted": exempts.rule})
 
     def _operators(self, exempted: frozenset[str]) -> Iterator[Change]:
         for name in sorted(self._exempted - exempted):
-            text = f"no operator exempts {name} any more"
+            text = f"the operator no longer exempts {name}"
             yield Change(Kind.OPERATOR_ENDS, text, {"rule": name})
         for name in sorted(exempted - self._exempted):
-            yield Change(Kind.OPERATOR_EXEMPTS, f"an operator exempts {name}", {"rule": name})
+            yield Change(Kind.OPERATOR_EXEMPTS, f"the operator exempts {name}", {"rule": name})
         self._exempted = exempted
 
     def _node_is_silent(self, seconds: float) -> Iterator[Reported]:
@@ -214,7 +212,7 @@ class Watch:
         yield from self._tell(errors.SilentNode, silent.at(rules))
         for rule in list(self.rules.since):
             self.rules.end(rule, self._node.heard)
-            text = f"nobody knows any more whether {rule} is active"
+            text = f"it is unknown whether {rule} is still active"
             yield Change(Kind.UNKNOWN, text, {"rule": rule})
         self._taken = frozenset()
 

@@ -103,7 +103,7 @@ def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool)
     back = Fact(fact.object, fact.relation, fact.subject)
     if fact == back:
         kind = "asymmetric" if is_asymmetric else "irreflexive"
-        axiom = Axiom(f"{{}} is {kind}: it relates no thing to itself", (fact.relation,))
+        axiom = Axiom(f"{{}} is {kind}: it relates no individual to itself", (fact.relation,))
         whole = joined(reason, axiom=axiom)
         yield Clash(whole.said, world_errors.ToItself, whole.axioms)
     elif is_asymmetric and back in facts:

@@ -76,7 +76,7 @@ def check_inference(
 def _not_inferable(parameter: Parameter, model: Model, individuals: Individuals) -> Diagnostic:
     assert parameter.iri is not None
     known = [model.short(each) for each in individuals.of(parameter.iri, model)[:_MOST_NAMED]]
-    any_of = model.short(parameter.iri).replace(":", ".") + " of the world"
+    any_of = model.short(parameter.iri).replace(":", ".") + " in the world"
     found = errors.NotInferable(
         parameter=parameter.name, candidates=f"of {', '.join(known)}" if known else any_of
     )

@@ -31,7 +31,7 @@ def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Li
     if declared is not None and declared.is_functional:
         is_relation = iri in model.relations
         one = "relates to at most one other" if is_relation else "has at most one value"
-        yield Limit(1, Axiom(f"{{}} is functional: a thing {one}", (iri,)))
+        yield Limit(1, Axiom(f"{{}} is functional: an individual {one}", (iri,)))
     for owl_class, reason in classes.items() if iri in model.limited else ():
         most = model.most(owl_class, iri)
         if most is not None:
@@ -45,5 +45,5 @@ def limit_of_subjects(iri: str, model: Model) -> Limit | None:
     declared = model.relations.get(iri)
     if declared is None or not declared.is_inverse_functional:
         return None
-    text = "{} is inverse functional: at most one other relates to a thing"
+    text = "{} is inverse functional: at most one individual relates to another"
     return Limit(1, Axiom(text, (iri,)))

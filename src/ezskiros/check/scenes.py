@@ -110,7 +110,7 @@ class _Scene:
                 property=self._spelled(iri),
                 kind="data property",
                 thing=self._spelled(thing.iri),
-                found=f"the thing {self._spelled(other)}",
+                found=f"the individual {self._spelled(other)}",
             ).at(place)
         found = errors.UnknownSceneProperty(
             property=self._spelled(iri), thing=self._spelled(thing.iri)

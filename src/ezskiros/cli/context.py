@@ -37,7 +37,7 @@ def export_for(path: Path, ready: Ready) -> Export:
 
 def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
     output.print_findings(found)
-    output.fail("nothing is run: rules could not know which skills run", exit_code=2)
+    output.fail("nothing was run, because rules could not know which skills run", exit_code=2)
 
 
 class Context:
@@ -69,7 +69,7 @@ class Context:
             self.tell()
             yield
         if self._voice is not None and self._voice.problem is not None:
-            output.complain(f"the context was published no more: {self._voice.problem!r}")
+            output.complain(f"the context is no longer published: {self._voice.problem!r}")
 
     def tell(self) -> None:
         """Publish the running skills. Called by the ticking thread."""

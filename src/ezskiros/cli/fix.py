@@ -55,12 +55,12 @@ def _write(repair: Repair) -> None:
         encoding, text = read_python(repair.path)
         changed = with_pre_conditions(text, repair.skill, repair.conditions)
         if changed is None:
-            typer.echo(f"{repair.path}: `{repair.skill}` has to be completed by hand:", err=True)
+            typer.echo(f"{repair.path}: complete `{repair.skill}` by hand:", err=True)
         else:
             write_whole(repair.path, changed.encode(encoding))
             typer.echo(f"{repair.path}: added to `{repair.skill}`:", err=True)
     except (OSError, UnicodeError, SyntaxError) as problem:
-        reason = getattr(problem, "strerror", None) or "it is no text of Python"
+        reason = getattr(problem, "strerror", None) or "it is not a Python text file"
         output.fail(f"cannot write {repair.path}: {reason.lower()}", exit_code=2)
     for each in repair.conditions:
         typer.echo(f"    {each}", err=True)

@@ -41,7 +41,7 @@ def guards_for(path: Path | None, export: Export | None, *, simulate: bool) -> G
 
 def _refuse(found: Diagnostic) -> NoReturn:
     output.print_findings([found])
-    output.fail("nothing is run: skills could not wait for rules", exit_code=2)
+    output.fail("nothing was run, because skills could not wait for rules", exit_code=2)
 
 
 @contextmanager
@@ -55,7 +55,7 @@ def guarded(guards: Guards, execution: ExecutionContext) -> Iterator[None]:
     try:
         stop = listen(guards, rules)
     except NoRosError as problem:
-        output.fail(f"nothing is run: no rule can be heard: {problem}", exit_code=2)
+        output.fail(f"nothing was run, because no rule can be received: {problem}", exit_code=2)
     execution.guard = rules.reason_to_wait
     try:
         yield

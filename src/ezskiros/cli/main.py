@@ -91,7 +91,7 @@ def check(
     name_ontology(ontology)
     if watched:
         if fixed:
-            output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
+            output.fail("give `--fix` or `--watch`, not both", exit_code=2)
         output.try_study(study)
         _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
@@ -167,11 +167,11 @@ def migrate(
         from ezskiros.migrate.imports import is_module
 
         if write and diff:
-            output.fail(
-                "`--write` changes files and `--diff` does not: name one of them", exit_code=2
-            )
+            output.fail("give `--write` or `--diff`, not both", exit_code=2)
         if not is_module(world):
-            output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
+            output.fail(
+                f"`{world}` is not the name of a Python module, such as `.world`", exit_code=2
+            )
         found = migrate_paths(paths, world, _ambiguous(ontology))
         if write:
             _write([file for file in found.files if file.is_changed])

@@ -51,7 +51,9 @@ def plan(
     """Find a plan from a scene to a goal: a behavior tree, checked and simulated."""
     output.permit(force)
     if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
-        output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)
+        output.fail(
+            f"`{out}` is not the file name of a Python module, such as plan.py", exit_code=2
+        )
     output.try_file(out)
     lessons, wrong = lessons_of(knowledge)
     if wrong:
@@ -75,7 +77,7 @@ def plan(
         return
     if found["folder"]:
         folder = found["folder"]
-        output.fail(f"from {out} the skills cannot be imported: write to {folder}", exit_code=2)
+        output.fail(f"a plan in {out} cannot import the skills: write it to {folder}", exit_code=2)
     _write(out, found["source"], paths)
 
 

@@ -23,7 +23,7 @@ def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
     try:
         stop = serve(RecoveryGoals(export.digest, TaskHost(task)))
     except NoRosError as problem:
-        output.complain(f"rules can ask for no tree: {problem}")
+        output.complain(f"rules cannot request trees: {problem}")
         yield
         return
     try:

@@ -152,7 +152,7 @@ def _check(paths: list[Path]) -> None:
 
 def _give_up(found: Sequence[Diagnostic], count: int) -> NoReturn:
     output.print_diagnostics(found, Format.TEXT, file_count=count)
-    output.complain("nothing is run: there are errors")
+    output.complain("nothing was run, because there are errors")
     raise typer.Exit(2)
 
 
@@ -173,7 +173,7 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
     if ready.warnings:
         count = len(ready.warnings)
         plural = "s" if count > 1 else ""
-        output.complain(f"{count} warning{plural}: `ezskiros check` shows what")
+        output.complain(f"{count} warning{plural}: run `ezskiros check` to see the details")
     return ready
 
 
@@ -338,5 +338,5 @@ def _tell(name: str, outcome: TaskOutcome) -> None:
     if outcome.is_success:
         typer.echo(f"{name} has succeeded ({took})")
     else:
-        reason = outcome.reason.text if outcome.reason else "it does not say why"
+        reason = outcome.reason.text if outcome.reason else "no reason reported"
         output.complain(f"{name} has failed ({took}): {reason}")

@@ -64,7 +64,7 @@ def show(
     else:
         typer.echo(drawn, nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):
-        output.complain("there are errors in these files: run `ezskiros check`, then look again")
+        output.complain("these files have errors: run `ezskiros check` to see them")
     raise typer.Exit(output.exit_code(report.diagnostics))
 
 

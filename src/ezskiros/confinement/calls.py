@@ -117,4 +117,4 @@ class _Filter:
 
     def _demand(self, result: int) -> None:
         if result:
-            raise UnconfinedError(f"the kernel takes no filter: {os.strerror(-result).lower()}")
+            raise UnconfinedError(f"the kernel rejects the filter: {os.strerror(-result).lower()}")

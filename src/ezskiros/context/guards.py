@@ -77,10 +77,10 @@ def _fault(found: Any) -> tuple[str, str] | None:
     for key, shape in _SHAPES.items():
         value = found.get(key)
         if not isinstance(value, str) or shape.fullmatch(value) is None:
-            return key, f"its `{key}` is not one that `crosscheck weave` writes"
+            return key, f"its `{key}` is not a value that `crosscheck weave` writes"
     rules, guards = found.get("rules"), found.get("guards")
     if not _is_names(rules):
-        return "rules", "its `rules` are not names"
+        return "rules", "its `rules` are not a list of names"
     assert isinstance(rules, list)
     if not isinstance(guards, dict):
         return "guards", "its `guards` is not an object"
@@ -91,7 +91,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
         unknown = next((each for each in names if each not in known), None)
         if unknown is not None:
             name = visible(unknown[:_LONGEST_NAME])
-            return skill, f"`{visible(skill)}` waits for `{name}`, which is none of the `rules`"
+            return skill, f"`{visible(skill)}` waits for `{name}`, which is not in `rules`"
     return None
 
 
@@ -154,13 +154,13 @@ class ActiveRules:
             return None
         state = self._state
         if state is None or not self._is_valid(state):
-            return "nobody knows which rules are active"
+            return "the active rules are unknown"
         unknown = sorted(state.active - self._guards.rules)
         if unknown:
             name = visible(unknown[0][:_LONGEST_NAME])
             return f"`{self._guards.node}` has other rules than the guards, such as `{name}`"
         if not state.is_open:
-            return f"`{self._guards.node}` lets no command pass yet"
+            return f"`{self._guards.node}` does not pass commands yet"
         active = [f"`{each}`" for each in rules if each in state.active]
         if not active:
             return None

@@ -26,7 +26,7 @@ def listen(guards: Guards, rules: ActiveRules) -> Stop:
     package, _, kind = guards.type.partition("/")
     state = getattr(_messages(package), kind, None)
     if state is None:
-        raise NoRosError(f"the messages `{package}` have no `{kind}`")
+        raise NoRosError(f"the package `{package}` has no message type `{kind}`")
     diagnostics = _messages("diagnostic_msgs").DiagnosticArray
     heard = _in_ros1 if name == "rospy" else _in_ros2
     return heard(library, guards, rules, state, diagnostics)
@@ -36,7 +36,7 @@ def _messages(package: str) -> Any:
     try:
         return importlib.import_module(f"{package}.msg")
     except ImportError:
-        raise NoRosError(f"the messages `{package}` are not installed") from None
+        raise NoRosError(f"the package `{package}` is not installed") from None
 
 
 def signs(rules: ActiveRules, node: str) -> Callable[[Any], None]:

@@ -33,13 +33,13 @@ def _imported(name: str) -> Any:
         return importlib.import_module(name)
     except ImportError:
         raise NoRosError(
-            f"`{name.partition('.')[0]}` is not installed, or is an older one"
+            f"`{name.partition('.')[0]}` is not installed, or its version is too old"
         ) from None
 
 
 def _require_without(kind: Any) -> None:
     if not hasattr(kind(), "without"):
-        raise NoRosError("`skill_context_msgs` is an older one, without the field `without`")
+        raise NoRosError("the installed `skill_context_msgs` is too old: it has no field `without`")
 
 
 # --- ROS 1 ---------------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ def _require_without(kind: Any) -> None:
 def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
     actionlib, messages = _imported("actionlib"), _imported("skill_context_msgs.msg")
     if not hasattr(messages, "RecoverAction"):
-        raise NoRosError("`skill_context_msgs` is an older one, without Recover.action")
+        raise NoRosError("the installed `skill_context_msgs` is too old: it has no Recover.action")
     _require_without(messages.RecoverGoal)
     if not importlib.import_module("rosgraph").is_master_online():
         raise NoRosError("no ROS master answers")
@@ -122,7 +122,7 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
         while not ended.wait(_SOON_S) and not stopped.is_set():
             if recovery is not None and handle.is_cancel_requested:
                 recovery.release()
-        is_success, why = end[0] if end else (False, "no task runs any more")
+        is_success, why = end[0] if end else (False, "no task is running")
         if is_success:
             handle.succeed()
         elif handle.is_cancel_requested:

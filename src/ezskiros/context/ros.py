@@ -31,7 +31,7 @@ def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
     try:
         messages = importlib.import_module("skill_context_msgs.msg")
     except ImportError:
-        raise NoRosError("the messages `skill_context_msgs` are not installed") from None
+        raise NoRosError("the package `skill_context_msgs` is not installed") from None
     name, library = ros_library()
     connected = _ros1 if name == "rospy" else _ros2
     publish, now = connected(library, messages)

@@ -18,7 +18,7 @@ class ConditionOf(Remark):
 class ByWhich(Remark):
     """The label of a condition from which another one follows."""
 
-    says = "{kind}-condition of `{skill}`, by which `{condition}`"
+    says = "{kind}-condition of `{skill}`, which implies `{condition}`"
     kind: str
     skill: str
     condition: str
@@ -27,7 +27,7 @@ class ByWhich(Remark):
 class ComesHere(Remark):
     """The label of the child whose condition excludes another one."""
 
-    says = "`{skill}` comes here"
+    says = "`{skill}` runs here"
     skill: str
 
 
@@ -82,7 +82,7 @@ class KnownThere(Remark):
 class NothingKnown(Remark):
     """The note without known conditions."""
 
-    says = "nothing is known about these things at this point"
+    says = "nothing is known about these individuals at this point"
 
 
 class OnTheWay(Remark):

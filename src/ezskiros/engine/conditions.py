@@ -148,7 +148,7 @@ def _value_so(sign: str, value: Value) -> Value:
 def reason(statement: Statement, bound: Bound, world: World) -> str:
     """Tell what the world says instead of a condition that does not hold."""
     stands_for = (
-        f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} is nothing"
+        f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} has no value"
         for name in dict.fromkeys(names(statement))
     )
     return "; ".join([*stands_for, *_facts(statement, bound, world)])
@@ -175,7 +175,7 @@ def _facts(statement: Statement, bound: Bound, world: World) -> Iterator[str]:
             yield f"{subject} {world.spelled(iri)}: {found}"
         case OfType(subject=subject):
             found = ", ".join(map(world.spelled, world.classes(bound[subject]))) or "nothing"
-            yield f"{subject} is of {found}"
+            yield f"{subject} has the classes {found}"
         case Generated(subject=subject, is_true=is_true):
             yield f"{subject} is {'not ' if is_true else ''}in the world"
         case Specified():

@@ -34,7 +34,7 @@ def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
     for parameter in plan.things:
         value = values[parameter.name]
         if value is not None and not value._world.is_a(value.iri, parameter.iri):  # noqa: SLF001
-            text = f"`{parameter.name}` is {wanted(parameter)}, and {value} is none"
+            text = f"`{parameter.name}` must be {wanted(parameter)}, but {value} is not"
             return Reason(Code.START, f"{text} ({parameter.span})")
     return None
 
@@ -43,7 +43,7 @@ def missing_output(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None
     """Find a parameter that a skill had to give a value, and has not."""
     for parameter in plan.outputs:
         if values[parameter.name] is None:
-            reported = f"`{parameter.name}` has no value, and the skill is to give it one"
+            reported = f"the skill has not set `{parameter.name}`"
             return Reason(Code.POST, f"{reported} ({parameter.span})")
     return None
 
@@ -87,7 +87,7 @@ class Grounding:
         found = infer(plan.skill, free, given, world, is_equality=is_equality)
         if found.without_candidates:
             first = found.without_candidates[0]
-            text = f"the world has nothing for `{first.name}`, {wanted(first)} ({first.span})"
+            text = f"the world has no individual for `{first.name}`, {wanted(first)} ({first.span})"
             return Reason(Code.PRE, text)
         if not found.solutions:
             return _impossible(plan, free, given, self._execution)

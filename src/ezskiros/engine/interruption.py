@@ -181,7 +181,7 @@ class InterruptibleTask(Task):
         if self._tree is not None and self._recovery is not None and self._recovery.is_released:
             self._give_up("it was stopped")
         for asked in newly_asked(self._asked):
-            self._give_up("another tree is asked for")
+            self._give_up("another tree was requested")
             self._begin(asked)
 
     def _begin(self, asked: Recovery) -> None:

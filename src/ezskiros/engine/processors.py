@@ -91,7 +91,7 @@ class _Inverter(_Alone, decorators.Inverter):
         """The opposite."""
         status = super().update()
         if status is Status.FAILURE:
-            text = f"what is inverted has succeeded ({self._node.span})"
+            text = f"the inverted child has succeeded ({self._node.span})"
             self._execution.last_failure = Reason(Code.EXECUTION, text)
         return status
 

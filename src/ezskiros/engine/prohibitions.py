@@ -36,7 +36,9 @@ def read_prohibition(
     """The prohibition in a text. Raises `UnknownProhibitionError`."""
     found = _FORM.fullmatch(text)
     if found is None:
-        raise UnknownProhibitionError(f"`{text}` is no skill with classes of its things")
+        raise UnknownProhibitionError(
+            f"`{text}` is not a skill, or a skill with the classes of its individuals"
+        )
     name, things = found["skill"], found["things"]
     skill = skills.get(name)
     if skill is None:
@@ -49,7 +51,7 @@ def _thing(text: str, skill: SkillInterface, ontology: Ontology) -> tuple[str, s
     name, _, kind = text.partition("=")
     parameter = skill.parameter(name)
     if parameter is None or not parameter.is_thing:
-        raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` that is a thing")
+        raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` for an individual")
     classes = ontology.model.classes
     iris = [iri for iri, spelled in ontology.spelled.items() if spelled == kind and iri in classes]
     if not iris:

@@ -98,7 +98,7 @@ class RecoveryGoals:
         try:
             going_on = Afterwards(afterwards)
         except ValueError:
-            raise RefusedError(f"a task cannot go on by `{afterwards}`") from None
+            raise RefusedError(f"a task cannot continue with `{afterwards}`") from None
         recovery = Recovery(call, going_on, done, self._prohibitions(without))
         self._host.recover(recovery)
         return recovery
@@ -121,7 +121,7 @@ class RecoveryGoals:
             ontology = self._host.world.ontology
             return tuple(read_prohibition(each, skills, ontology) for each in texts)
         except UnknownProhibitionError as problem:
-            raise RefusedError(f"a skill that rules forbid is not known: {problem}") from None
+            raise RefusedError(f"the list of forbidden skills is wrong: {problem}") from None
 
     def _resolved(self, text: str) -> str:
         """An argument with the value that a skill which runs has now."""
@@ -136,8 +136,8 @@ class RecoveryGoals:
             and (spelled := _spelled(each.values().get(parameter))) is not None
         }
         if len(found) != 1:
-            reason = "does not run" if not found else "runs several times, with several values"
-            raise RefusedError(f"`{name}` is that of `{skill}`, which {reason}")
+            reason = "does not run" if not found else "runs several times with different values"
+            raise RefusedError(f"`{name}` takes its value from `{skill}`, which {reason}")
         return f"{name}={found.pop()}"
 
 

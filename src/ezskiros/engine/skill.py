@@ -141,7 +141,7 @@ class RunningSkill(Behaviour):
             return
         if self._waits_for:
             self._waits_for = ""
-            self._tell(Happened.PREEMPTED, Code.PREEMPTION, "stopped before its start")
+            self._tell(Happened.PREEMPTED, Code.PREEMPTION, "stopped before it started")
             return
         problem = self._preempted()
         code, text = int(Code.PREEMPTION), "stopped"
@@ -250,7 +250,7 @@ class RunningSkill(Behaviour):
         """Bind the implementation, and start it."""
         plan = self._plan
         if plan.implementation is None and not self._execution.simulate:
-            return Reason(Code.START, f"nothing implements `{plan.skill.name}`")
+            return Reason(Code.START, f"`{plan.skill.name}` has no implementation")
         self._instance = self._instances.get(plan.implementation)
         if plan.is_compound:
             problem = self._expand()

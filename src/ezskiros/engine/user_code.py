@@ -54,7 +54,7 @@ def execute(instance: SkillImplementation) -> Status | Reason:
     status = STATUS.get(found) if type(found) is State else None
     if status is not None:
         return status
-    return _wrong(instance, "execute", found, "what self.success, self.step or self.fail give")
+    return _wrong(instance, "execute", found, "a result of self.success, self.step or self.fail")
 
 
 def initialized(instance: SkillImplementation) -> Reason | None:
@@ -76,7 +76,7 @@ def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason
     if found:
         return None
     if found is None:
-        return _wrong(instance, method, found, "whether all is well", code)
+        return _wrong(instance, method, found, "True or False", code)
     return _unwilling(instance, method, code)
 
 
@@ -87,7 +87,7 @@ def _unwilling(instance: SkillImplementation, method: str, code: Code) -> Reason
     reported, text = instance.progress
     if method != "onEnd" and reported < 0:
         return Reason(reported, str(text))
-    return Reason(code, f"`{method}` says that it has not succeeded ({_place(instance, method)})")
+    return Reason(code, f"`{method}` reported a failure ({_place(instance, method)})")
 
 
 def preempt(instance: SkillImplementation) -> Reason | None:

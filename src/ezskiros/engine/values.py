@@ -58,7 +58,9 @@ class Values:
         if parameter is None:
             raise AttributeError(self._unknown(name))
         if not fits(value, parameter):
-            raise WrongValueError(f"`{name}` is {wanted(parameter)}, and {value!r} is not")
+            raise WrongValueError(
+                f"`{name}` must be {wanted(parameter)}, but the value is {value!r}"
+            )
         self._given[name] = float(value) if parameter.type is float else value
         vars(self)["_is_changed"] = True
 

@@ -109,7 +109,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
         return "sources", "its `sources` are not paths with their SHA-256"
     known = [Source(each["path"], each["sha256"]) for each in sources]
     if found.get("digest") != digest_of(known):
-        return "digest", "its `digest` is not that of its `sources`"
+        return "digest", "its `digest` does not match its `sources`"
     return None
 
 
@@ -119,7 +119,10 @@ def wrong_format(found: Any, form: str, version: int) -> tuple[str, str] | None:
         return "format", f"its `format` is not `{form}`"
     own = found.get("version")
     if type(own) is not int or own != version:
-        return "version", f"its `version` is not {version}, which this EzSkiROS reads"
+        return (
+            "version",
+            f"its `version` is not {version}, the only version that this EzSkiROS reads",
+        )
     return None
 
 

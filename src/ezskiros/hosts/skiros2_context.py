@@ -79,7 +79,7 @@ class HostedContext:
             # The processors of SkiROS2 do not say which of their children come next.
             snapshot = self._snapshots.of(self.running, None)
         except Exception as problem:
-            api().log.error("ezskiros", f"the context is not known: {problem!r}")
+            api().log.error("ezskiros", f"the context is unknown: {problem!r}")
             self.voice.live(-math.inf)
         else:
             self.voice.tell(snapshot, self._alive())
@@ -176,7 +176,11 @@ def _begun(path: Path, files: Iterable[Path], connecting: Callable[[], Publish])
         return f"{found.title}: {found.help}"
     if _contexts:
         is_same = _contexts[0].digest == export.digest
-        return None if is_same else f"{path} is not the export of another library: make one of both"
+        return (
+            None
+            if is_same
+            else f"{path} is the export of another library: export both libraries into one file"
+        )
     try:
         context = HostedContext(export.digest, connecting())
     except NoRosError as problem:

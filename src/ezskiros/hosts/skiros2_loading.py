@@ -89,7 +89,7 @@ def _begin_recoveries(package: str, checked: CheckedLibrary) -> None:
     ]
     problem = skiros2_recovery.begin(trees, context)
     if problem is not None:
-        api().log.error("ezskiros", f"{package}: rules can ask for no tree: {problem}")
+        api().log.error("ezskiros", f"{package}: rules cannot request trees: {problem}")
 
 
 def _modules(package: str) -> Iterator[ModuleType]:

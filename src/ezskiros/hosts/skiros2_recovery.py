@@ -77,7 +77,7 @@ class HostedRecoveries:
     def recover(self, recovery: Recovery) -> None:
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         if recovery.afterwards is Afterwards.REPLAN:
-            raise RefusedError("SkiROS2 does not plan again by itself: use `then retry`")
+            raise RefusedError("SkiROS2 cannot replan: use `then retry`")
         self._asked.put(recovery)
 
     # --- for the ticker ---------------------------------------------------------------------------
@@ -110,7 +110,7 @@ class HostedRecoveries:
         if self._recovery is not None and self._recovery.is_released:
             self._give_up("it was stopped")
         for asked in newly_asked(self._asked):
-            self._give_up("another tree is asked for")
+            self._give_up("another tree was requested")
             self._begin(asked, ticking)
 
     def _begin(self, asked: Recovery, ticking: Any) -> None:

@@ -203,7 +203,7 @@ class Hosted:
         found = self.running.call(method, failed=State.FAILURE)
         if isinstance(found, State):
             return api().State(found.value)
-        right = "what self.success, self.step and self.fail give"
+        right = "a result of self.success, self.step or self.fail"
         self._setProgress(f"`{method}` returned {found!r}, not {right}", -405)
         return api().State.Failure
 

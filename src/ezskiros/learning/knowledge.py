@@ -134,10 +134,12 @@ def _read(head: Line) -> Knowledge:
     if head.values.get("format") != FORMAT:
         head.fail(f"its `format` is not `{FORMAT}`", "format")
     if head.get("version", int) != VERSION:
-        head.fail(f"its `version` is not {VERSION}, which this EzSkiROS reads", "version")
+        head.fail(
+            f"its `version` is not {VERSION}, the only version that this EzSkiROS reads", "version"
+        )
     sources = [_source(each) for each in head.objects("sources")]
     if head.get("digest", str) != _digest(sources):
-        head.fail("its `digest` is not that of its `sources`", "digest")
+        head.fail("its `digest` does not match its `sources`", "digest")
     lessons = Lessons(
         head.count("runs"),
         [_read_trip(each) for each in head.objects("trips")],

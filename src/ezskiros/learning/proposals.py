@@ -68,11 +68,11 @@ def _rule(found: Difference, known: Map) -> Iterator[str]:
     things = listed([known.short(each) for each in found.tripped])
     yield from _evidence(found, known, "//")
     if owl_class is None:
-        yield f"// CLASS is to be a class of its own of {things}, in the ontology and the scene."
+        yield f"// Declare a new CLASS in the ontology, and give it to {things} in the scene."
     lost = [known.short(iri) for iri in found.tripped if not known.is_placed(iri)]
     if lost:
-        yield f"// The scene has to say where {listed(lost)} lies."
-    yield "// Fill in POSE, MOTION, SPEED and ACTION; `rossmarie check` says whether it is in time."
+        yield f"// Add the location of {listed(lost)} to the scene."
+    yield "// Fill in POSE, MOTION, SPEED and ACTION; `rossmarie check` reports a late rule."
     name = owl_class or "CLASS"
     yield f"rule ahead_of_{found.trip.rule}: if distance(POSE, {name}) < stopping(MOTION, SPEED)"
     yield "    then { ACTION; }"
@@ -84,8 +84,8 @@ def _pre_condition(found: Difference, known: Map) -> Iterator[str]:
     yield from _evidence(found, known, "#")
     free = listed([known.short(each) for each in found.free])
     tripped = listed([known.short(each) for each in found.tripped])
-    yield f"# This is for the description of {found.trip.skill}. PROPERTY is to be a data property:"
-    yield f"# True of {free}, and False of {tripped}."
+    yield f"# Add this to the description of {found.trip.skill}. PROPERTY is a new data property:"
+    yield f"# True for {free}, False for {tripped}."
     yield f"self.pre_conditions += {found.parameter}.PROPERTY == True"
 
 
@@ -94,7 +94,7 @@ def _evidence(found: Difference, known: Map, sign: str) -> Iterator[str]:
     yield f"{sign} `{trip.rule}` became active during {trip.skill} in {trip.share}:"
     for places, share in trip.at.items():
         yield f"{sign}   {share} with {places_text(places, known.short) or 'no place'}"
-    yield f"{sign} It found this, first: {' '.join(trip.evidence.split())}"
+    yield f"{sign} First cause: {' '.join(trip.evidence.split())}"
 
 
 def _class_of(found: Difference, known: Map) -> str | None:

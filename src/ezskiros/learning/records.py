@@ -76,7 +76,7 @@ class Line:
         """The value of a key, which has to be there and of this type."""
         value = self.values.get(key)
         if type(value) is not kind:
-            there = "is not there" if key not in self.values else f"is not {_KINDS[kind]}"
+            there = "is missing" if key not in self.values else f"is not {_KINDS[kind]}"
             self.fail(f"`{key}` {there}", key)
         return value
 

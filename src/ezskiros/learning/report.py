@@ -46,12 +46,12 @@ def _tables(
     header = ("Rule", "Skill", "Within", "With", "Runs", "Times", "Lost")
     yield "Rules that became active", header, trips
     failures = [(each.skill, str(each.share), each.reason) for each in lessons.failures]
-    yield "Skills that failed", ("Skill", "Runs", "Most often because"), failures
+    yield "Skills that failed", ("Skill", "Runs", "Most frequent reason"), failures
     costly = [each for each in lessons.costs if each.lost_s > 0][:_MOST_COSTS]
     costs = [_cost_row(each, spell) for each in costly]
     yield "Time lost to rules", ("Skill", "With", "Each time", "Executions"), costs
     stale = [(each.rule, str(each.share)) for each in lessons.stale]
-    yield "Rules that lacked an input", ("Rule", "Runs"), stale
+    yield "Rules with a stale input", ("Rule", "Runs"), stale
 
 
 def _trip_rows(trip: Trip, spell: Spell) -> Iterator[Sequence[str]]:

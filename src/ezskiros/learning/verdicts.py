@@ -48,7 +48,7 @@ def read_verdicts(header: Line, rest: Iterable[Line]) -> Verdicts:
     """Verdicts from their lines. Raises `RecordError`."""
     schema = header.get("schema", int)
     if schema != SCHEMA:
-        header.fail(f"its `schema` is {schema}, and this EzSkiROS reads {SCHEMA}", "schema")
+        header.fail(f"its `schema` is {schema}, but this EzSkiROS reads {SCHEMA}", "schema")
     start, end = header.stamp("start_ns"), header.stamp("end_ns")
     if start > end:
         header.fail("it ends before it starts", "end_ns")

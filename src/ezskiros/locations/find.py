@@ -123,11 +123,11 @@ class _Finder:
         edges = (*size, 0.0 if height is None else height)
         for edge, iri in zip(edges, _SIZE, strict=True):
             if edge < 0 or (edge == 0 and iri != _SIZE[2]):
-                raise self._odd(thing, iri, f"is {edge:g}; a size is more than 0 m")
+                raise self._odd(thing, iri, f"is {edge:g}; a size must be more than 0 m")
         found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
         x, y, z, w = found
         if not math.hypot(x, y, z, w) > 0.5:
-            raise self._odd(thing, _ORIENTATION[3], "does not belong to a quaternion of length 1")
+            raise self._odd(thing, _ORIENTATION[3], "is not part of a quaternion of length 1")
         try:
             return footprint(position, (x, y, z, w), edges)
         except NoPolygonError as problem:

@@ -181,7 +181,9 @@ class ConditionReader:
         if name := self.things.get(wanted):
             self.mentioned.add(name)
             return name
-        found = "does not stand for a thing" if wanted in self.others else "is no parameter"
+        found = (
+            "does not stand for an individual" if wanted in self.others else "is not a parameter"
+        )
         raise LeftError(errors.NotAThing(key=wanted, found=found), given[key])
 
     def _labels(self, given: Arguments, said: tuple[str, ...], *, is_true: bool) -> tuple[str, ...]:

@@ -315,9 +315,9 @@ def described(value: object) -> str:
     if isinstance(value, ThingClass):
         return f"the class {value!r}"
     if isinstance(value, RelationOf):
-        return "a relation that is not called"
+        return "a relation without its arguments"
     if isinstance(value, ValueOf):
-        return "a data property of a thing"
+        return "a data property of an individual"
     if isinstance(value, Condition):
         return "another condition"
     if isinstance(value, Described):

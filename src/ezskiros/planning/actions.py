@@ -79,7 +79,7 @@ def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> l
     known = map(library.as_done_by, available) if implementing else [skill]
     ways = {id(each): each for each in known if each and each.pre and each.post}
     if ways and not implementing:
-        raise NotPlannableError("these files have no implementation of it")
+        raise NotPlannableError("these files have no implementation of the skill")
     return list(ways.values())
 
 
@@ -87,7 +87,7 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Acti
     """An action with what the skill says itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:
-            raise NotPlannableError(f"`{parameter.name}` is one of its outputs")
+            raise NotPlannableError(f"`{parameter.name}` is an output of the skill")
     clauses = [*skill.pre, *skill.hold, *skill.post]
     named = {name for each in clauses for name in names(each.statement)}
     things = tuple(
@@ -126,12 +126,12 @@ def _clause(statement: Statement) -> Clause | None:
     """The need of a condition; None if that is always so."""
     if isinstance(statement, AnyOf):
         if not statement.is_true:
-            raise NotPlannableError("it requires that none of several conditions holds")
+            raise NotPlannableError("a condition requires that none of several conditions holds")
         parts = [_clause(part) for part in statement.parts]
         return None if None in parts else tuple(e for part in parts if part for e in part)
     if isinstance(statement, Specified):
         if not statement.is_true:
-            raise NotPlannableError(f"it requires that `{statement.subject}` is not given")
+            raise NotPlannableError(f"a condition requires that `{statement.subject}` is not given")
         return None
     return (literal(statement),)
 
@@ -151,19 +151,19 @@ def literal(statement: Statement) -> Literal:
         case Generated(subject=subject):
             return Literal(GONE, (subject,), not statement.is_true)
         case Specified() | AnyOf():
-            raise NotPlannableError("it has a condition of an unknown kind")
+            raise NotPlannableError("a condition is of an unknown kind")
 
 
 def _effects(statement: Statement) -> Iterator[Literal]:
     match statement:
         case AnyOf():
-            raise NotPlannableError("it has an `or` in its post-conditions")
+            raise NotPlannableError("a post-condition contains an `or`")
         case OfType():
-            raise NotPlannableError("it changes the class of a thing")
+            raise NotPlannableError("the skill changes the class of an individual")
         case Generated(is_true=True):
-            raise NotPlannableError(f"`{statement.subject}` is created by it")
+            raise NotPlannableError(f"the skill creates `{statement.subject}`")
         case Comparison(operator=sign) if sign != "=":
-            raise NotPlannableError("the number that it gives a property is unknown")
+            raise NotPlannableError("a post-condition sets a property to an unknown number")
         case Specified():
             return
         case Relation() | Comparison() | HasProperty() | Generated():

@@ -155,5 +155,5 @@ def spelled(literal: Literal, model: Model, shown: Callable[[str], str] = str) -
         case About.CLASS:
             text = f"{names[0]} is a {iri}"
         case About.GONE:
-            text = f"{names[0]} is gone"
+            text = f"{names[0]} no longer exists"
     return text if literal.is_true else f"not ({text})"

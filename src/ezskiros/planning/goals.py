@@ -76,7 +76,7 @@ class _Reader:
         if len(words) not in (2, 3):
             end = self._tokens[self._at - 1][2]
             start = words[0][1] if words else end - 1
-            raise self._wrong("brackets contain a relation and two things", start, end)
+            raise self._wrong("brackets must contain a relation and two individuals", start, end)
         return self._fact(*words)
 
     def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> Literal:
@@ -84,7 +84,7 @@ class _Reader:
         subject = self._thing(*rest[0])
         if iri in self._model.relations:
             if len(rest) < 2:
-                raise self._wrong("a relation takes two things", name[1], rest[0][2])
+                raise self._wrong("a relation needs two individuals", name[1], rest[0][2])
             return Literal(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
         if len(rest) < 2:
             return Literal(Fluent(About.PROPERTY, iri), (subject,))

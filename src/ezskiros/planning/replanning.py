@@ -92,7 +92,7 @@ def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal
             ) from None
         unknown = [name for name in wanted.arguments if name not in things]
         if unknown:
-            raise NoWayError(f"`{skill.name}` has found nothing yet for `{unknown[0]}`")
+            raise NoWayError(f"`{skill.name}` has no value yet for `{unknown[0]}`")
         yield Goal(wanted.bound(things), each.span)
 
 

@@ -129,7 +129,7 @@ def _explored(
         skill,
         function,
         f"the description of `{skill.__name__}`",
-        "a description only says what a skill needs and does; move this to its implementation",
+        "a description only declares parameters and conditions; move this to the implementation",
         undefined,
     )
     return explored(method, lambda: _made(skill), parameters)

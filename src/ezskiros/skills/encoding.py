@@ -87,7 +87,7 @@ def _undecodable(content: bytes, encoding: str) -> _Fault | None:
     try:
         content.decode(encoding)
     except UnicodeDecodeError as problem:
-        said = f"the byte 0x{content[problem.start]:02x} is not of {encoding}"
+        said = f"the byte 0x{content[problem.start]:02x} is not valid in {encoding}"
         return _Fault(said, problem.start, encoding, NoPython.Encoding())
     return None
 

@@ -68,6 +68,6 @@ def _problem(parameters: Iterable[Parameter], count: int, named: Iterable[str]) 
             meant = f": did you mean `{near[0]}`?" if near else ""
             return f"has no argument `{each}`{meant}"
     if names and count > len(names):
-        return f"gets {count} arguments, and takes {len(names)}"
+        return f"gets {count} arguments but takes {len(names)}"
     missing = next(each for each in names[count:] if each not in set(named))
     return f"needs `{missing}`"

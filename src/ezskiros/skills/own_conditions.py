@@ -82,7 +82,7 @@ def _own(
         implementation,
         function,
         f"`{METHOD}` of `{implementation.__name__}`",
-        f"`{METHOD}` only says what the implementation needs; move this to another method",
+        f"`{METHOD}` only declares conditions; move this to another method",
         undefined,
     )
     made: list[Adding] = []

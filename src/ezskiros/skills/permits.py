@@ -62,7 +62,7 @@ _DIMENSION_WORDS = {
     Dimension.FORCE: "forces",
     Dimension.ANGLE: "angles",
     Dimension.SPEED: "speeds",
-    Dimension.TURN: "speeds of turning",
+    Dimension.TURN: "angular speeds",
 }
 
 

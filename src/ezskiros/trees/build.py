@@ -29,6 +29,6 @@ def build(
     with growing() as tree:
         written.expandBT(References(skill, known))
     if not tree.loose:
-        raise EmptyTreeError(f"`{implementation.__name__}` builds no behavior tree")
+        raise EmptyTreeError(f"`{implementation.__name__}` has no behavior tree")
     root: Node = tree.loose[-1]
     return root

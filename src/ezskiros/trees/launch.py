@@ -117,7 +117,9 @@ class _Reader:
                 yield parameter.name, found
             else:
                 span = self._value(values, name, str(value))
-                wanted = "a thing of the world" if parameter.is_thing else parameter.type.__name__
+                wanted = (
+                    "an individual of the world" if parameter.is_thing else parameter.type.__name__
+                )
                 wrong = errors.WrongLaunchValue(
                     parameter=parameter.name, wanted=wanted, found=repr(value)
                 )

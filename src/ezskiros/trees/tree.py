@@ -32,7 +32,7 @@ class ThingReference(Described):
 
     def __call__(self, *_arguments: object, **_named: object) -> None:
         """Nothing can be done with a thing before the robot runs. Raises `TypeError`."""
-        raise TypeError(f"`{self!r}` is a thing, and cannot be called")
+        raise TypeError(f"`{self!r}` is an individual and cannot be called")
 
     def described(self) -> str:
         """For messages."""
