@@ -20,7 +20,8 @@ _KINDS = {
     "Input should be a valid integer": "whole number",
     "Input should be a valid number": "number",
 }
-"""The beginnings of pydantic's messages about text that is no number, and the kind of number."""
+"""The beginnings of pydantic's messages about text that is not a number, with the kind of number.
+"""
 
 
 class Group(TyperGroup):
@@ -54,7 +55,7 @@ def _look_first_at_values_of(command: Any) -> None:
 
 
 class _NotPlainError(ValueError):
-    """Typer has to convert this value, or report the error in it."""
+    """Signals that typer has to convert this value or report its error."""
 
 
 class _Plain:

@@ -1,8 +1,7 @@
 """The observation of a running robot: messages in, changes and findings out.
 
-This module knows nothing about ROS and has no clock: each message has the time at which it was
-received, in seconds of a monotonic clock, and `pass_time` reports that time goes on without a
-message.
+This module knows nothing about ROS and has no clock. Each message has its time of arrival in
+seconds of a monotonic clock, and `pass_time` reports that time passes without a message.
 """
 
 from __future__ import annotations
@@ -18,11 +17,11 @@ from dslkit.diagnostics import Diagnostic, Severity, Template, listed
 from dslkit.source import Span
 
 NODE_PATIENCE = 3.0
-"""Seconds after which a node is silent: it tells its diagnostics once a second."""
+"""The seconds after which a node counts as silent. It reports diagnostics once a second."""
 
 Reported = Change | Diagnostic
 _Call = tuple[str, str]
-"""A skill, and the name of the call of it."""
+"""A skill, and the name of its call."""
 
 
 class Watch:
@@ -38,7 +37,7 @@ class Watch:
         self.skills: Tally[_Call] = Tally()
         self.rules: Tally[str] = Tally()
         self.takings: dict[tuple[str, str, str], int] = {}
-        """The times that a rule took a thing from a skill, by these three names."""
+        """The number of times that a rule took a thing from a skill, by these three names."""
         self.findings = 0
         self.has_errors = False
 
@@ -59,7 +58,7 @@ class Watch:
                     self._node.speaks(self.now)
 
     def pass_time(self, at: float) -> list[Reported]:
-        """Let time pass. Returns everything new without a message."""
+        """Let time pass. Returns everything new that needs no message."""
         self.now = max(self.now, at)
         return self._counted(self._silences())
 
@@ -76,8 +75,8 @@ class Watch:
         self._node.heard += seconds
 
     def end(self, at: float) -> list[Reported]:
-        """End; gives all that is new. A source that was never heard is reported, however short the
-        time was.
+        """End the observation, and return everything new. A source without any message is reported,
+        however short the observation was.
         """
         found = self.pass_time(at)
         if not self._context.has_spoken:
@@ -151,7 +150,7 @@ class Watch:
         yield from self._forget_skills(self._context.heard)
 
     def _forget_skills(self, at: float) -> Iterator[Change]:
-        """Nobody knows any more what runs; it was known until a time."""
+        """Forget the running skills, which were known until a time."""
         for call in list(self.skills.since):
             self.skills.end(call, at)
             text = f"it is unknown whether {call[0]} still runs"
@@ -219,7 +218,7 @@ class Watch:
     # --- both -------------------------------------------------------------------------------------
 
     def _compare_takings(self) -> Iterator[Change]:
-        """The things that rules which are active take from skills that run."""
+        """Compare the resources that active rules take with those that running skills need."""
         machine = self._facts.robot.machine
         found = {
             (machine.rules[each.rule].name, each.use.name, skill): each
@@ -238,7 +237,7 @@ class Watch:
     # --- findings ---------------------------------------------------------------------------------
 
     def _tell(self, kind: type[Template], found: Diagnostic) -> Iterator[Diagnostic]:
-        """A finding, unless it is reported already, and not over."""
+        """Report a finding, unless it was reported before and is not over."""
         if kind not in self._reported:
             self._reported.add(kind)
             yield found
@@ -257,5 +256,5 @@ class Watch:
 
 
 def _short(digest: str) -> str:
-    """The beginning of a digest, by which people tell it from others."""
+    """The beginning of a digest, for people who compare digests."""
     return f"{digest[:12]}..." if len(digest) > 12 else digest or "(none)"

@@ -66,7 +66,7 @@ class Journal:
             self._read(whole)
         elif not _HEAD.startswith(text[: len(_HEAD)]):
             raise ForeignError(f"{self._path} is not a campaign journal")
-        file.truncate(len(whole))  # a line that was interrupted while it was written
+        file.truncate(len(whole))  # a line whose write was interrupted
         if not whole:
             self._write({"journal_of": self._subject})
             _keep_entry(self._path.parent)

@@ -40,20 +40,20 @@ class Remark(Wording):
 
 
 def remarked(found: Diagnostic, *notes: Remark, help: Remark | None = None) -> Diagnostic:
-    """A finding with more notes, and with another help if there is one."""
+    """A finding with additional notes, and with another help if one is given."""
     more = (*found.notes, *map(str, notes))
     return replace(found, notes=more, help=found.help if help is None else str(help))
 
 
 class DidYouMean(Remark):
-    """The help where a name is misspelt."""
+    """The help for a misspelt name."""
 
     says = "did you mean `{near}`?"
     near: str
 
 
 class Write(Remark):
-    """The help that is a text to write instead."""
+    """The help that gives the correct text."""
 
     says = "write `{meant}`"
     meant: str

@@ -1,4 +1,4 @@
-"""The limits on the number of values, or related things, of a property."""
+"""The maximum numbers of values of a property, or of related individuals."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ class Limit(NamedTuple):
     is_of_class: bool = False
 
     def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
-        """The clash of a thing that has more values than the limit."""
+        """The clash of an individual that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
         return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
 
 
 def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Limit]:
-    """The limits of a property, for a thing of some classes."""
+    """The limits of a property, for an individual of some classes."""
     declared = model.property(iri)
     if declared is not None and declared.is_functional:
         is_relation = iri in model.relations

@@ -11,7 +11,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # loaded only where it is needed
+if TYPE_CHECKING:  # loaded only when needed
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.context.voice import Publish, Voice
     from ezskiros.engine.interruption import InterruptibleTask
@@ -20,7 +20,9 @@ if TYPE_CHECKING:  # loaded only where it is needed
 
 
 def export_for(path: Path, ready: Ready) -> Export:
-    """The export of what runs; ends the run if it is none, is stale, or is of other skills."""
+    """The export of the running skills. The run ends if the file is not an export, is stale, or has
+    other skills.
+    """
     from ezskiros.export import changed_sources, not_exported, read_export
 
     try:
@@ -41,8 +43,8 @@ def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
 
 
 class Context:
-    """Publisher of the skills of a task that run and that can start next: to a voice, and to
-    listeners of each change.
+    """Publisher of the skills of a task that run or can start next: to a `Voice`, and to listeners
+    of each change.
     """
 
     def __init__(
@@ -91,7 +93,7 @@ class Context:
 
 
 def _publish(clock: Callable[[], float]) -> Publish | None:
-    """The way to publish on ROS; None if there is no ROS, which is reported."""
+    """The function that publishes on ROS; None if ROS is missing, which is reported."""
     from ezskiros.context.ros import NoRosError, connect
 
     try:

@@ -17,7 +17,7 @@ _SUMMARIES = {
 }
 _PACKAGE = Path(__file__).parents[1]
 _HOMES = (_PACKAGE / "examples", _PACKAGE.parents[1] / "examples")
-"""The folder of the examples in a wheel, and the one in the repository."""
+"""The folder of the examples in a wheel, and the folder in the repository."""
 
 
 def example(

@@ -11,15 +11,15 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # loaded only where it is needed
+if TYPE_CHECKING:  # loaded only when needed
     from ezskiros.context.guards import Guards
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.export import Export
 
 
 def guards_for(path: Path | None, export: Export | None, *, simulate: bool) -> Guards | None:
-    """The guards of a file, None without one; ends the run if the file has none, or those of other
-    skills than an export has.
+    """The guards in a file; None without a file. The run ends if the file has no guards, or guards
+    of other skills than the export.
     """
     if path is None:
         return None
@@ -46,7 +46,9 @@ def _refuse(found: Diagnostic) -> NoReturn:
 
 @contextmanager
 def guarded(guards: Guards, execution: ExecutionContext) -> Iterator[None]:
-    """Within, primitives of a task wait for rules; the run ends if nobody can hear of these."""
+    """While the context is active, primitives of a task wait for rules. The run ends if the state
+    of the rules cannot be received.
+    """
     from ezskiros.context.guards import ActiveRules
     from ezskiros.context.guards_ros import listen
     from ezskiros.context.ros import NoRosError

@@ -51,7 +51,7 @@ class BeforeItFailed(Remark):
 
 
 class Meanwhile(Remark):
-    """The label of a post-condition of a child that runs beside."""
+    """The label of a post-condition of a child that runs at the same time."""
 
     says = "this may happen before, or at the same time"
 
@@ -62,7 +62,7 @@ class ItsTree(Remark):
     says = "its tree"
 
 
-# --- what is known there
+# --- knowledge
 
 
 class Why(Remark):
@@ -123,7 +123,7 @@ class AddElseInsert(Remark):
 
 
 class PassWithPreCondition(Remark):
-    """A condition is about a thing that is not a parameter of the compound skill."""
+    """A condition is about an individual that is not a parameter of the compound skill."""
 
     says = "pass a parameter of `{skill}` for `{name}`, and add this as a pre-condition"
     skill: str
@@ -165,7 +165,7 @@ class Move(Remark):
 
 
 class PassParameter(Remark):
-    """A child changes a thing that no other child has."""
+    """A child changes an individual that no other child has."""
 
     says = "pass `{child}` a parameter of `{skill}` for `{name}`"
     child: str

@@ -21,10 +21,10 @@ class WrongArgumentError(ValueError):
 
 
 def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) -> dict[str, object]:
-    """The values of the parameters that are given as `Name=value`.
+    """The values of the parameters in texts such as `Name=value`.
 
-    Things are given by their name, such as `skiros:Product-7`, by their label or their IRI; members
-    of enumerations by their names. Raises `WrongArgumentError`.
+    Individuals are given by name, such as `skiros:Product-7`, by label or by IRI, and members of
+    enumerations by name. Raises `WrongArgumentError`.
     """
     found: dict[str, object] = {}
     for text in texts:
@@ -76,7 +76,7 @@ def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
 
 
 def _those(parameter: Parameter, world: World) -> str:
-    """Name the things of the class of a parameter."""
+    """Name the individuals of the class of a parameter."""
     things = world.things(parameter.iri or "")
     if not things:
         missing = f"the world has no individual that is {wanted(parameter)}"

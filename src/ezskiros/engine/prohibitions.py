@@ -1,5 +1,5 @@
 """Skills that rules always stop, so that no plan uses them: `Drive`, or
-`Drive(Target=hall.SchoolCorridor)` for things of one class only.
+`Drive(Target=hall.SchoolCorridor)` for individuals of one class only.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ class UnknownProhibitionError(ValueError):
 
 @dataclass(frozen=True)
 class Prohibition:
-    """A skill that rules stop whenever all of `things` are so: parameters, with the IRIs of the
-    classes that their things are of. Without any, it is always stopped.
+    """A skill that rules stop whenever all `things` apply: pairs of a parameter and the IRI of the
+    class of its individual. Without `things`, the skill is always stopped.
     """
 
     skill: str
@@ -33,7 +33,7 @@ class Prohibition:
 def read_prohibition(
     text: str, skills: Mapping[str, SkillInterface], ontology: Ontology
 ) -> Prohibition:
-    """The prohibition in a text. Raises `UnknownProhibitionError`."""
+    """Parse the text of a prohibition. Raises `UnknownProhibitionError`."""
     found = _FORM.fullmatch(text)
     if found is None:
         raise UnknownProhibitionError(

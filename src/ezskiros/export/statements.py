@@ -1,4 +1,4 @@
-"""Statements of conditions in the format of the export: names of parameters, and IRIs of the
+"""Statements of conditions in the format of the export, with names of parameters and IRIs of the
 ontology.
 """
 
@@ -38,16 +38,16 @@ _TYPES: Mapping[str, tuple[type, ...]] = {
     "str": (str,),
     "Value": (str, int, float, bool),
 }
-"""The types of JSON for the fields of a statement, by their annotations."""
+"""The JSON types for the fields of a statement, by annotation."""
 _FLOAT = "float"
 _INFINITE = ({_FLOAT: "inf"}, {_FLOAT: "-inf"})
 """The numbers that JSON does not have."""
 MOST_PARTS, MOST_LEVELS = 1000, 50
-"""Parts of a statement, with the parts of these, and levels of them."""
+"""The most parts of a statement, including nested parts, and the most levels."""
 
 
 def written(statement: Statement) -> dict[str, Any]:
-    """A statement as an object of JSON."""
+    """A statement as a JSON object."""
     if isinstance(statement, AnyOf):
         parts = [written(each) for each in statement.parts]
         return {"kind": _ANY, "parts": parts, "is_true": statement.is_true}
@@ -64,7 +64,7 @@ def _as_json(value: Value) -> Value | dict[str, str]:
 
 
 def statement_of(found: object) -> Statement:
-    """The statement that an object of JSON stands for. Raises `ValueError` for another object."""
+    """The statement in a JSON object. Raises `ValueError` for an invalid object."""
     return _Reader().read(found)
 
 

@@ -1,4 +1,4 @@
-"""SkiROS2's world model with the methods of ours, for primitive skills."""
+"""SkiROS2's world model with the methods of EzSkiROS's world model, for primitive skills."""
 
 from __future__ import annotations
 
@@ -13,33 +13,35 @@ from ezskiros.ontology.statements import Value
 
 
 class HostedWorld(World):
-    """Things by their IRIs, without a store of our own; `wmi` is SkiROS2's interface."""
+    """Individuals by IRI, without a store in EzSkiROS. `wmi` is SkiROS2's interface."""
 
     def __init__(self, wmi: Any, ontology: Ontology) -> None:
-        # The store that others have is not made.
+        # The store of the base class is not created.
         self.ontology = ontology
         self.changed: set[str] = set()
-        """Things whose facts have changed."""
+        """Individuals whose facts have changed."""
         self._wmi, self._model = wmi, ontology.model
 
     # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
-        """All things of a class or one of its subclasses, sorted."""
+        """All individuals of a class or one of its subclasses, sorted."""
         found = self._wmi.resolve_elements(api().Element(self._model.short(owl_class)))
         return sorted(self.iri(each.id) for each in found or ())
 
     def exists(self, thing: str) -> bool:
-        """Say whether there is such a thing."""
+        """Say whether an individual exists."""
         try:
             return bool(self.element(thing))
         except Exception as problem:
-            if type(problem).__name__ != "WmException":  # what SkiROS2 raises if there is none
+            if (
+                type(problem).__name__ != "WmException"
+            ):  # SkiROS2's exception for a missing individual
                 raise
             return False
 
     def is_a(self, thing: str, owl_class: str) -> bool:
-        """Say whether a thing is of a class."""
+        """Say whether an individual is of a class."""
         return self._model.is_a(self.classes(thing)[0], owl_class)
 
     def classes(self, thing: str) -> list[str]:
