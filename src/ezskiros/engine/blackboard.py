@@ -78,7 +78,9 @@ class Blackboard:
         return cell if cell is not None and _is_of(cell, kind) else None
 
     def write(self, key: str, kind: type, cell: Cell) -> None:
-        """Put a cell under a key, unless its value is of another type; an empty one removes it."""
+        """Put a cell under a key, unless its value is of another type. An empty cell removes the
+        key.
+        """
         known = self._cells.get(key, (kind, cell))[0]
         if not cell:
             self._cells.pop(key, None)
@@ -87,7 +89,7 @@ class Blackboard:
 
 
 class Cells:
-    """Those of the parameters of one skill."""
+    """The cells of the parameters of one skill."""
 
     def __init__(
         self, plan: ChildStart, keys: Mapping[str, str], blackboard: Blackboard, world: World
@@ -100,14 +102,15 @@ class Cells:
         self._cells: dict[str, Cell] = {}
 
     def start(self) -> dict[str, Any]:
-        """The values when the skill starts: by default or by the call, or from the blackboard."""
+        """The values at the start of the skill: by default, by the call, or from the blackboard."""
         for parameter, _, _, fixed in self._parameters:
             is_empty = fixed is None and not parameter.is_thing
             self._cells[parameter.name] = [] if is_empty else [fixed]
         return self.read()
 
     def read(self) -> dict[str, Any]:
-        """The values, updated from the blackboard. A thing that no longer exists becomes None.
+        """The values, updated from the blackboard. An individual that no longer exists becomes
+        None.
 
         A parameter that has lost its key keeps its value.
         """
@@ -124,7 +127,7 @@ class Cells:
         return {name: cell[0] if cell else None for name, cell in self._cells.items()}
 
     def replace(self, values: Mapping[str, Any]) -> None:
-        """Replace values by cells for inferred things."""
+        """Replace values, for example by inferred individuals."""
         for name, cell in self._cells.items():
             if values[name] is not None and cell != [values[name]]:
                 self._cells[name] = [values[name]]
@@ -152,7 +155,7 @@ class Cells:
 
 
 def _kind(parameter: Parameter) -> type:
-    """The type of the values of a parameter; for SkiROS2 all things are of one type."""
+    """The type of the values of a parameter. For SkiROS2 all individuals have one type."""
     return WorldThing if parameter.is_thing else parameter.type
 
 

@@ -1,7 +1,7 @@
 """Proposals for users, each with its evidence: rules that look ahead, and pre-conditions.
 
-There is one only where places make a difference: a rule became active with some things, in several
-runs, and never with others.
+There is a proposal only if places make a difference: a rule became active with some individuals, in
+several runs, and never with others.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from ezskiros.learning.report import places_text
 from ezskiros.learning.scene import Map
 
 _LEAST_RUNS = 2
-"""Runs in which a rule became active: one may be by chance."""
+"""The least number of runs in which a rule became active: one may be a coincidence."""
 
 
 @dataclass(frozen=True)
 class Difference:
-    """A parameter by which runs differ: with all things of `tripped` a rule became active, with
-    none of `free`. Both are IRIs of locations.
+    """A parameter that distinguishes runs. With all individuals of `tripped` a rule became active,
+    with none of `free`. Both are IRIs of locations.
     """
 
     trip: Trip
@@ -43,8 +43,8 @@ def differences(lessons: Lessons) -> Iterator[Difference]:
 
 
 def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
-    """The things of a parameter with which a rule became active, and the others: none of either if
-    it became active at times with one thing, or without any.
+    """The individuals of a parameter with which a rule became active, and the others. Both are
+    empty if the rule became active only sometimes with one individual, or without any.
     """
     runs: dict[str, list[int]] = {}
     for places, share in trip.at.items():
@@ -56,14 +56,14 @@ def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
 
 
 def proposals(lessons: Lessons, known: Map) -> Iterator[str]:
-    """The proposals as texts: comments with the evidence, and what to paste."""
+    """The proposals as texts: comments with the evidence, and code to paste."""
     for found in differences(lessons):
         yield "\n".join(visible(each) for each in _rule(found, known))
         yield "\n".join(visible(each) for each in _pre_condition(found, known))
 
 
 def _rule(found: Difference, known: Map) -> Iterator[str]:
-    """A rule that acts before the robot is there."""
+    """A rule that acts before the robot is at the place."""
     owl_class = _class_of(found, known)
     things = listed([known.short(each) for each in found.tripped])
     yield from _evidence(found, known, "//")
@@ -80,7 +80,7 @@ def _rule(found: Difference, known: Map) -> Iterator[str]:
 
 
 def _pre_condition(found: Difference, known: Map) -> Iterator[str]:
-    """A pre-condition by which plans and tasks leave the places alone."""
+    """A pre-condition with which plans and tasks avoid the places."""
     yield from _evidence(found, known, "#")
     free = listed([known.short(each) for each in found.free])
     tripped = listed([known.short(each) for each in found.tripped])
@@ -98,7 +98,9 @@ def _evidence(found: Difference, known: Map, sign: str) -> Iterator[str]:
 
 
 def _class_of(found: Difference, known: Map) -> str | None:
-    """A class that all things have that make the difference, and no other; by its name in rules."""
+    """The name, in rules, of a class with exactly the individuals that make the difference; None if
+    there is none.
+    """
     classes = [frozenset(known.classes(iri)) for iri in found.tripped]
     others = frozenset().union(*(known.classes(iri) for iri in found.free))
     shared = frozenset.intersection(*classes) - others

@@ -24,12 +24,10 @@ def corners_of(text: str) -> tuple[Point, ...]:
     if text.lstrip().startswith("<"):
         raise NoPolygonError("names a coordinate system; use the frame of the individual")
     kind = _KIND.match(text)
-    if (
-        kind is None or kind[1].upper() != "POLYGON"
-    ):  # others lie in each other, as deep as one likes
+    if kind is None or kind[1].upper() != "POLYGON":  # other types can be nested without limit
         raise NoPolygonError("does not begin with POLYGON")
     try:
-        with np.errstate(all="ignore"):  # NaN is refused below
+        with np.errstate(all="ignore"):  # NaN is rejected below
             found = shapely.from_wkt(text)
     except shapely.errors.ShapelyError as problem:
         raise NoPolygonError(f"is not well-known text: {_said(problem)}") from None

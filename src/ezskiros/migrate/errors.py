@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.diagnostics import Error, Template, Warning
 
-if TYPE_CHECKING:  # the catalog of all diagnostics does without it
+if TYPE_CHECKING:  # the catalog of all diagnostics does not need it
     import libcst
 
 
@@ -105,7 +105,7 @@ class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
 
 
 class NotAThing(Error, code="EZS711", name="not-a-thing"):
-    """A condition about a parameter that does not stand for a thing."""
+    """A condition about a parameter that does not stand for an individual."""
 
     title = "a condition uses `{key}`, which {found}"
     note = "SkiROS2 would fail when the skill starts"
@@ -159,7 +159,7 @@ class DerivedDescription(Error, code="EZS716", name="derived-description"):
 
 
 class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
-    """Options of a parameter that does not stand for a thing."""
+    """Options of a parameter that does not stand for an individual."""
 
     title = "the options of `{key}` are dropped: SkiROS2 ignores them"
     label = "options are for parameters that stand for things"

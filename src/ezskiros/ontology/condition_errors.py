@@ -1,4 +1,4 @@
-"""EZS3xx: conditions about things of the world model."""
+"""EZS3xx: conditions about individuals of the world model."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class OneObject(Error, code="EZS303", name="one-object"):
 
 
 class NoThing(Error, code="EZS304", name="no-thing"):
-    """A relation to a value that is not a thing of the world model."""
+    """A relation to a value that is not an individual of the world model."""
 
     title = "`{relation}` relates things of the world model, not {found}"
     label = "expected a parameter whose type is a class of the ontology"
@@ -93,7 +93,7 @@ class NoRelation(Error, code="EZS311", name="no-relation-but-value"):
 
 
 class ValueRelates(Error, code="EZS312", name="value-relates"):
-    """A relation of a parameter that does not stand for a thing."""
+    """A relation of a parameter that does not stand for an individual."""
 
     title = "`{parameter}` has type {type} and has no `{spelled}`"
     label = "only things of the world model have relations"
@@ -130,7 +130,7 @@ class NoCondition(Error, code="EZS309", name="no-condition"):
 
 
 class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
-    """`if Tool:`, or another test whether a thing exists."""
+    """`if Tool:`, or another test of whether an individual exists."""
 
     title = "before the robot runs it is unknown whether `{parameter}` exists"
     label = "Python needs the truth value here"

@@ -1,8 +1,8 @@
 """Goals in the syntax of SkiROS2's task manager: `(skiros:at cora:Robot-1 skiros:Location-2)`.
 
 Commas separate several goals; `(not (...))` negates a goal. The value of a data property comes
-last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
-scene, or by their labels; relations by their names, with or without prefix.
+last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Individuals are given by IRI, as in a scene,
+or by label; relations by name, with or without prefix.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ _TOKEN = re.compile(r'[(),]|"[^"]*"|[^\s(),"]+|"')
 
 @dataclass(frozen=True)
 class Goal:
-    """A fact that is wanted, and where it is written."""
+    """A requested fact, and its place in the text."""
 
     literal: Literal
     span: Span
 
 
 class GoalError(Exception):
-    """A goal that cannot be understood; `diagnostic` says why."""
+    """An invalid goal. `diagnostic` gives the reason."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.title)
@@ -39,7 +39,7 @@ class GoalError(Exception):
 
 
 def goals(text: str, model: Model, things: Mapping[str, str]) -> list[Goal]:
-    """The goals of a text; `things` are IRIs by the names that things have. Raises `GoalError`."""
+    """The goals in a text. `things` maps the names of individuals to IRIs. Raises `GoalError`."""
     return list(_Reader(text, model, things).goals())
 
 
@@ -132,7 +132,9 @@ class _Reader:
 
 
 def _value(word: str) -> str | int | float | bool:
-    """A value as it is written: `true`, `3` and `2.5` are what they are; all else is text."""
+    """A value from its text: a boolean or a number for texts such as `true`, `3` and `2.5`,
+    otherwise a text.
+    """
     if word in ("true", "false"):
         return word == "true"
     if re.fullmatch(r"[-+]?\d+", word):
