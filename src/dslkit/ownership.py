@@ -80,7 +80,8 @@ def marked(text: str, program: str, comment: Comment | None = None) -> str:
 
 
 def list_written(folder: Path, names: Iterable[str], program: str) -> str:
-    """Write the list beside files that cannot hold a mark, and return its name. Raises `OSError`.
+    """Write the list beside files that cannot hold a mark. Returns the name of the list. Raises
+    `OSError`.
     """
     name = _LIST.format(program=program)
     lines = [f"{_sum(folder / each)}  {each}\n" for each in names]

@@ -89,7 +89,9 @@ def check_paths(
 
 
 def _launch_values(path: Path, interfaces: Sequence[SkillInterface]) -> LaunchValues:
-    """The values that are known at launch. YAML is imported here, because only this file needs it."""
+    """The values that are known at launch. YAML is imported here, because only this file needs
+    it.
+    """
     from ezskiros.trees.launch import read_launch_values
 
     return read_launch_values(path, interfaces)

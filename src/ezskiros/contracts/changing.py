@@ -45,7 +45,9 @@ def _forgetting(
 
 
 def join(ways: Sequence[Known], judge: Judge) -> Known:
-    """The knowledge where several paths meet: the facts that hold on every path that is not dead."""
+    """The knowledge where several paths meet: the facts that hold on every path that is not
+    dead.
+    """
     alive = [each for each in ways if not each.is_dead] or list(ways)
     first, *others = alive
     if not others:

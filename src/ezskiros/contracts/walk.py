@@ -344,7 +344,9 @@ class Walk:
         return self._retried(child, tries, outcome, place)
 
     def _retried(self, child: Node, tries: int, outcome: NodeOutcome, place: Place) -> NodeOutcome:
-        """The outcome of further tries, each of which starts after a failed one and may fail, too."""
+        """The outcome of further tries, each of which starts after a failed one and may fail,
+        too.
+        """
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
             for each in failures:
@@ -363,7 +365,9 @@ class Walk:
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
     ) -> None:
-        """Check that children can restart. With `is_certain`, only certain failures are reported."""
+        """Check that children can restart. With `is_certain`, only certain failures are
+        reported.
+        """
         for call in (first for node in below for first in _first_calls(node)):
             for each in self._started.get(id(call), ()):
                 if self.judge.entails(known, each.statement):

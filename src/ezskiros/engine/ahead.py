@@ -45,7 +45,9 @@ def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahea
 
 
 class _After(NamedTuple):
-    """The skills that can start after leaves end, and the possible results of the nodes above them."""
+    """The skills that can start after leaves end, and the possible results of the nodes above
+    them.
+    """
 
     skills: Sequence[Ahead]
     may_succeed: bool

@@ -69,7 +69,9 @@ class Locks:
     def lock(
         self, skill: Owner, names: tuple[str, ...], values: Mapping[str, Any]
     ) -> Reason | None:
-        """Lock the individuals of some parameters. Returns None on success, otherwise the reason."""
+        """Lock the individuals of some parameters. Returns None on success, otherwise the
+        reason.
+        """
         things = {name: values[name] for name in names if values[name] is not None}
         for name, thing in things.items():
             owners = self._owners.get(thing.iri)

@@ -100,7 +100,9 @@ class RunningSkill(Behaviour):
 
     @property
     def is_waiting(self) -> bool:
-        """True while a guard prevents the start: the status is RUNNING, and the skill does nothing."""
+        """True while a guard prevents the start: the status is RUNNING, and the skill does
+        nothing.
+        """
         return bool(self._waits_for)
 
     # --- ticks: like those of py_trees, but without its log messages
@@ -386,7 +388,9 @@ class RunningSkill(Behaviour):
 
 
 def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
-    """The reason why no implementation can start; for several implementations, the reason of each."""
+    """The reason why no implementation can start; for several implementations, the reason of
+    each.
+    """
     first = problems[0][1]
     if len(problems) == 1:
         return first

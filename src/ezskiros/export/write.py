@@ -1,4 +1,6 @@
-"""Conversion of checked skills to the text of `skills.json`. The same sources give the same text."""
+"""Conversion of checked skills to the text of `skills.json`. The same sources give the same
+text.
+"""
 
 from __future__ import annotations
 

@@ -73,7 +73,9 @@ class HostedContext:
         return min(self._seen.values(), default=math.inf)
 
     def _tell(self) -> None:
-        """Publish the running skills. If they cannot be determined, stop publishing, but no skill."""
+        """Publish the running skills. If they cannot be determined, stop publishing, but no
+        skill.
+        """
         self._reported = self._clock()
         try:
             # The processors of SkiROS2 do not show which of their children come next.

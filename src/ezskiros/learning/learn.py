@@ -13,7 +13,9 @@ from ezskiros.learning.traces import Execution, Trace
 
 
 def learn(runs: Sequence[Run], locations: Set[str]) -> Lessons:
-    """The lessons of some runs. `locations` are the IRIs of the individuals that count as places."""
+    """The lessons of some runs. `locations` are the IRIs of the individuals that count as
+    places.
+    """
     gathering = _Gathering(runs, lambda execution: _places(execution, locations))
     return Lessons(
         len(runs),

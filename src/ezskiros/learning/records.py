@@ -63,7 +63,9 @@ class Line:
         return replace(self, values=values)
 
     def _located(self, values: dict[str, Any], after: int) -> Line:
-        """A nested object, with its place if the text is in the format of Python's `json` module."""
+        """A nested object, with its place if the text is in the format of Python's `json`
+        module.
+        """
         text = json.dumps(values)
         start = self.span.file.text.find(text, after, self.span.end)
         span = Span(self.span.file, start, start + len(text)) if start >= 0 else self.span

@@ -61,7 +61,9 @@ class Cause:
 
 
 class Bases:
-    """The classes of some files. `left` are the classes that stay unchanged, each with its cause."""
+    """The classes of some files. `left` are the classes that stay unchanged, each with its
+    cause.
+    """
 
     def __init__(
         self,

@@ -57,7 +57,9 @@ def method(expression: cst.BaseExpression, owner: str = "self") -> str | None:
 
 
 def condition_maker(expression: cst.BaseExpression) -> str | None:
-    """The method that makes a condition, also if the code calls the class of the condition instead."""
+    """The method that makes a condition, also if the code calls the class of the condition
+    instead.
+    """
     if isinstance(expression, cst.Call) and method(expression) is None:
         return CONDITION_CLASSES.get(last_name(expression.func) or "")
     return method(expression)

@@ -176,7 +176,9 @@ class ConditionReader:
         return code if is_plain and not value.lpar else f"({code})"
 
     def _thing(self, given: Arguments, key: str) -> str:
-        """The parameter in a condition. Raises `LeftError` if it does not stand for an individual."""
+        """The parameter in a condition. Raises `LeftError` if it does not stand for an
+        individual.
+        """
         wanted = given.text(key)
         if name := self.things.get(wanted):
             self.mentioned.add(name)

@@ -213,7 +213,9 @@ class _Migrations:
         )  # fmt: skip
 
     def _inherited(self, own: Migrated) -> set[str]:
-        """The skills and implementations of a file from which classes of other files are derived."""
+        """The skills and implementations of a file from which classes of other files are
+        derived.
+        """
         others = {base for each in self._found if each is not own for base in each.bases}
         return others & {*own.translated, *own.unimplemented}
 

@@ -70,7 +70,9 @@ _SHARED = implementation_errors.SharedName
 
 
 def _is_open(template: Template) -> bool:
-    """Say whether a finding is about an undeclared key that a description may get as a parameter."""
+    """Say whether a finding is about an undeclared key that a description may get as a
+    parameter.
+    """
     return isinstance(template, _SHARED) and not template.why
 
 
@@ -206,7 +208,9 @@ class _Class:
         return bases
 
     def _description(self) -> list[str]:
-        """The comments of `createDescription`, which is removed because it contains nothing else."""
+        """The comments of `createDescription`, which is removed because it contains nothing
+        else.
+        """
         function = _functions(self._node)[OLD_DESCRIPTION]
         call = described_by(self._node)
         label = label_of(call) if call is not None else None

@@ -191,7 +191,9 @@ def _does_something(options: cst.BaseExpression) -> bool:
 
 
 def _doc(given: Arguments) -> str:
-    """The documentation of the parameter, in one line, even if it is at the place of the options."""
+    """The documentation of the parameter, in one line, even if it is at the place of the
+    options.
+    """
     options = given.get("options")
     text = given.text("description") if given.get("description") is not None else ""
     if not text and options is not None:

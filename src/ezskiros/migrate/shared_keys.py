@@ -47,7 +47,9 @@ class SharingTree:
 
     @property
     def undeclared(self) -> list[str]:
-        """The keys in remaps that the description does not have, except keys that were added here."""
+        """The keys in remaps that the description does not have, except keys that were added
+        here.
+        """
         declared = {*self.skill.names} - {*self.skill.added}
         renamed = [key for child in self.children for key in child.renamed]
         return [key for key in dict.fromkeys(renamed) if key not in declared]

@@ -38,7 +38,9 @@ class Children:
     sharing: list[SharingChild] = field(default_factory=list)
 
     def translated(self, original: cst.Call, updated: cst.Call, place: Place) -> cst.BaseExpression:
-        """The translated call, such as `Pick.pick_fast(Object=params.Object)`. Raises `LeftError`."""
+        """The translated call, such as `Pick.pick_fast(Object=params.Object)`. Raises
+        `LeftError`.
+        """
         old, new = Arguments(original, "skill"), Arguments(updated, "skill")
         if literal_text(old["stype"]) is None:
             raise LeftError(implementation_errors.NoTree(found=self.shown()), original)

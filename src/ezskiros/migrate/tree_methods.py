@@ -29,7 +29,9 @@ def made_by(helper: cst.FunctionDef) -> cst.BaseExpression | None:
 
 
 def inlined(helper: cst.FunctionDef, call: cst.Call) -> cst.BaseExpression | None:
-    """The expression that a method returns, with the arguments of a call; None if they do not fit."""
+    """The expression that a method returns, with the arguments of a call; None if they do not
+    fit.
+    """
     made, given = made_by(helper), _arguments(helper, call)
     if made is None or given is None:
         return None

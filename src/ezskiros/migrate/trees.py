@@ -108,7 +108,9 @@ class TreeUses(ParameterUses):
         original_node: cst.IndentedBlock,  # noqa: ARG002
         updated_node: cst.IndentedBlock,
     ) -> cst.IndentedBlock:
-        """Remove the statements that choose a processor. Their comments move to the next statement."""
+        """Remove the statements that choose a processor. Their comments move to the next
+        statement.
+        """
         waiting: list[cst.EmptyLine] = []
         body: list[cst.BaseStatement] = []
         for new in updated_node.body:

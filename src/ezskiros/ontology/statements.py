@@ -26,7 +26,9 @@ class Relation:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A data property has a value for which the comparison holds. `operator` is one of = < > <= >=."""
+    """A data property has a value for which the comparison holds. `operator` is one of = < > <=
+    >=.
+    """
 
     subject: str
     property: str

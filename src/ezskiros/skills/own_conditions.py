@@ -40,7 +40,7 @@ def has_own_conditions(implementation: type[SkillImplementation]) -> bool:
 
 
 def refined(implementation: type[SkillImplementation], described: Described) -> Described:
-    """The skill as this implementation does it. What is wrong with its conditions is reported."""
+    """The skill with the pre-conditions of this implementation. Mistakes in them are reported."""
     function = inspect.getattr_static(implementation, METHOD, None)
     skill = described.interface
     if function is not None and not isinstance(function, FunctionType):
@@ -56,7 +56,7 @@ def refined(implementation: type[SkillImplementation], described: Described) -> 
 def _own(
     implementation: type[SkillImplementation], function: FunctionType, skill: SkillInterface
 ) -> tuple[Sequence[Clause], bool]:
-    """The clauses, and whether none is missing after a mistake."""
+    """The clauses, and whether they are complete."""
     written = definition(function)
     unknown = [
         name
@@ -120,7 +120,7 @@ def _adds_nothing(implementation: type[SkillImplementation], function: FunctionT
 
 
 def _made(implementation: type[SkillImplementation]) -> Adding:
-    """An instance with conditions to which it adds."""
+    """An instance that collects conditions."""
     skill = implementation.description.__name__
     made: Any = implementation()
     made.pre_conditions = pre = Conditions("pre")
@@ -132,7 +132,7 @@ def _made(implementation: type[SkillImplementation]) -> Adding:
 
 
 class _OfTheSkill(Added[Any]):
-    """All but pre-conditions is that of the skill: an implementation adds nothing to it."""
+    """Conditions that belong to the skill: an implementation adds only pre-conditions."""
 
     def __init__(self, attribute: str, skill: str) -> None:
         super().__init__(attribute)

@@ -134,7 +134,7 @@ class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
 
 
 class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
-    """An implementation that is called like a skill."""
+    """An implementation with the name of a skill."""
 
     title = "`{implementation}` is an implementation; a behavior tree calls the skill"
     help = "write `{skill}(...)`, or `{skill}.{implementation}(...)` to require this implementation"

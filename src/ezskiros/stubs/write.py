@@ -64,7 +64,9 @@ class _Ambiguous:
 
 
 def write_stub(ontology: Ontology) -> str:
-    """The stub of a module with the names `world`, which is the ontology, and of its namespaces."""
+    """The stub of a module with the name `world` for the ontology, and with the names of its
+    namespaces.
+    """
     return _Writer(ontology).text()
 
 
@@ -85,7 +87,7 @@ class _Writer:
         self._types: dict[tuple[Union, ...], str] = {}
 
     def text(self) -> str:
-        """All of it."""
+        """The whole text."""
         doc = _doc("Something in the world.")
         thing = _block("class _Thing:", doc, *self._attributes(Thing))
         bodies = [_block(f"class {name}:", *self._inside(name)) for name in self._namespaces]
@@ -111,7 +113,7 @@ class _Writer:
         return [*owl_classes, *functions, *individuals]
 
     def _class(self, place: str, name: str, iri: str) -> str:
-        """A class, or another name for the one that means the same."""
+        """A class, or an alias for an equivalent class."""
         found = self._ontology.class_of(iri)
         if self._spelled[found] != place:
             return f"{name}: _TypeAlias = {self._spelled[found]}"
@@ -121,7 +123,7 @@ class _Writer:
         return _block(head, _doc(known.comment if known else ""), *self._attributes(found))
 
     def _attributes(self, owl_class: ThingClass) -> Iterator[str]:
-        """The relations and data properties that begin with this class."""
+        """The relations and data properties that this class adds."""
         for name, meaning in sorted(self._members[owl_class].items()):
             yield self._member(name, meaning)
 
@@ -149,7 +151,7 @@ class _Writer:
         return "@staticmethod\n" + _block(f"def {name}({taken}) -> {result}:", doc)
 
     def _type(self, wanted: tuple[Union, ...]) -> str:
-        """The type of what is in all of these unions."""
+        """The type for objects that are in all of these unions."""
         if wanted not in self._types:
             names = sorted(self._spelled[each] for each in self._classes.widest(wanted))
             self._types[wanted] = " | ".join(names) or "_Nothing"
@@ -157,7 +159,7 @@ class _Writer:
 
 
 def _block(head: str, *body: str) -> str:
-    """A class or function with its body; lines of the body that are empty are left out."""
+    """A class or function with its body, without empty lines."""
     lines = [each for each in body if each]
     if not lines:
         return f"{head} ...\n"
@@ -173,6 +175,6 @@ def _attribute(name: str, kind: str, comment: str) -> str:
 
 
 def _doc(comment: str) -> str:
-    """A comment of the ontology as a text of Python."""
+    """A comment of the ontology as a Python docstring."""
     quoted = comment.replace("\\", "\\\\").replace('"', '\\"')
     return f'"""{quoted}"""' if comment else ""
