@@ -43,12 +43,12 @@ def number(count: int) -> str:
         ("Decompressed bytes of a chunk, in any case", mib(recordings.LARGEST_CHUNK)),
         (
             "Decompressed bytes of a recording, "
-            f"in addition to {recordings.HIGHEST_RATIO} for each of its bytes",
+            f"beyond {recordings.HIGHEST_RATIO} for each byte of the file",
             mib(recordings.SMALL_RECORDING),
         ),
         (
             "Messages of a recording without an index, "
-            f"in addition to one for each {recordings.BYTES_OF_A_MESSAGE} of its bytes",
+            f"beyond one message for each {recordings.BYTES_OF_A_MESSAGE} bytes of the file",
             number(recordings.MOST_MESSAGES),
         ),
         ("Strings and messages in the arrays of one message", number(recordings.MOST_ELEMENTS)),

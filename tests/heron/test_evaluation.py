@@ -177,16 +177,16 @@ def test_intervals_hold_what_they_are_of() -> None:
 def test_the_page_tells_what_failed_and_what_is_missing() -> None:
     rows = as_expected(range(10))
     page = page_of(Results({"place": rows}, {}), "experiments")
-    assert "- 13 came out as expected" in page
-    assert "Not as expected" not in page
+    assert "- met: 13" in page
+    assert "Not met" not in page
     assert "| task completed | 10 of 10 [72, 100 %] |" in page
     assert "Not finished" not in page
     rows[2] = row(Arm.ROSSMARIE, 0, completed=0.0)
     page = page_of(Results({"place": rows[:-1]}, {}), "experiments")
-    assert "- 1 came out not as expected" in page
+    assert "- not met: 1" in page
     assert (
-        "*II, placing, high*, with ROSSMARie it finishes without an operator: it finishes in 9"
-        in page
+        "*II, placing, high*, with ROSSMARie the robot finishes without an operator: "
+        "the robot finishes in 9" in page
     )
     assert "Not finished: expected/rossmarie/9." in page
 
@@ -234,8 +234,8 @@ def test_the_page_shows_what_depends_on_a_choice() -> None:
     ]
     page = page_of(Results({}, {"operator": rows}), "experiments")
     assert "| 30 | - | - | 3 of 3, 41.0 [40.0, 42.0] | - | - |" in page
-    assert "![How soon the operator comes](experiments/operator.svg)" in page
-    assert "The thesis describes its experiments and gives no figures" in page
+    assert "![Delay of the operator](experiments/operator.svg)" in page
+    assert "The thesis describes its experiments, but gives no figures" in page
 
 
 # --- what is in the documentation ------------------------------------------------------------

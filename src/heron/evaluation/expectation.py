@@ -20,9 +20,9 @@ MARGIN = 0.1
 class Verdict(enum.Enum):
     """The verdict on an expectation."""
 
-    HOLDS = "as expected"
-    FAILS = "not as expected"
-    OPEN = "not to be distinguished from these episodes"
+    HOLDS = "met"
+    FAILS = "not met"
+    OPEN = "undecided"
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Expectation:
 
 
 def between(estimate: Estimate, digits: int) -> str:
-    """`1.0 [0.9, 1.2]`; without the brackets where nothing is known of it, or all are the same."""
+    """`1.0 [0.9, 1.2]`; without brackets if all values are the same, or no interval is known."""
     text, low, high = (
         f"{round(number, digits) + 0.0:.{digits}f}"  # no zero with a sign
         for number in (estimate.value, estimate.low, estimate.high)
@@ -58,7 +58,7 @@ def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Expectation:
 
 
 def greater(difference: float, chance: float) -> Verdict:
-    """The verdict on a difference that is expected to be above 0, by the chance of it."""
+    """The verdict on a difference that is expected to be above 0; `chance` is its p."""
     if chance < _SURE:
         return Verdict.HOLDS
     return Verdict.OPEN if difference > 0 else Verdict.FAILS
@@ -71,7 +71,7 @@ def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) ->
     margin = MARGIN * float(np.median(sample.values(other, harm)))
     return Expectation(
         f"safe {other.value} {harm}",
-        f"{measure.label}: with {with_arm(ours)} at most a tenth more than with {with_arm(other)}",
+        f"{measure.label}: with {with_arm(ours)} at most 10 % more than with {with_arm(other)}",
         f"the difference is {between(found, measure.digits)} {measure.unit}",
         at_most(found, margin),
     )
@@ -92,9 +92,9 @@ def at_most(found: Estimate, most: float) -> Verdict:
 
 
 def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
-    """Expect that something is done so soon (s).
+    """Expect a reaction to a hazard within some seconds.
 
-    An episode without a reaction has no value here; how many have one stands in the table.
+    An episode without a reaction has no value here. The table shows the number of reactions.
     """
     measure = sample.experiment.measure(f"reaction_{hazard}")
     values = sample.values(Arm.ROSSMARIE, measure.name)
@@ -102,6 +102,6 @@ def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
     return Expectation(
         f"in time {hazard}",
         f"{measure.label}: with ROSSMARie within {seconds:g} s",
-        "it never acted" if found is None else f"{between(found, measure.digits)} s",
+        "there was no reaction" if found is None else f"{between(found, measure.digits)} s",
         Verdict.FAILS if found is None else at_most(found, seconds),
     )

@@ -94,9 +94,9 @@ def _does_as_much(sample: Sample) -> Expectation:
         verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
     return Expectation(
         "does as much",
-        "ROSSMARie finishes as often as the collision monitor or more often, and if both always "
-        "finish, at most a tenth later",
-        f"{ours} and {theirs} episodes finish; ROSSMARie is later by "
+        "with ROSSMARie the robot finishes at least as often as with the collision monitor; if "
+        "both always finish, ROSSMARie takes at most 10 % longer",
+        f"{ours} and {theirs} episodes finish; ROSSMARie takes longer by "
         f"{between(found, DURATION.digits)} s",
         verdict,
     )
@@ -108,9 +108,9 @@ def _unguarded_is_fastest(sample: Sample) -> Expectation:
     is_fastest = times[Arm.NONE] == min(times.values())
     return Expectation(
         "fastest",
-        "without a monitor the robot finishes, and soonest of all",
-        f"it finishes in {completed} of {total} episodes, and takes {times[Arm.NONE]:.1f} s; "
-        f"{times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
+        "without a monitor the robot finishes, and is the fastest",
+        f"the robot finishes in {completed} of {total} episodes, and takes "
+        f"{times[Arm.NONE]:.1f} s; {times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
         Verdict.HOLDS if completed == total and is_fastest else Verdict.FAILS,
     )
 
@@ -120,10 +120,10 @@ def _finishes_with_operator(sample: Sample) -> Expectation:
     completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
     return Expectation(
         "operator",
-        "with DeROS it finishes, after an operator has come",
-        f"it finishes in {completed} of {total} episodes; "
-        f"the operator came in {sum(count > 0 for count in visits)}, "
-        f"{sum(visits):.0f} times in all",
+        "with DeROS the robot finishes after an operator has come",
+        f"the robot finishes in {completed} of {total} episodes; "
+        f"the operator came in {sum(count > 0 for count in visits)} episodes, "
+        f"{sum(visits):.0f} times in total",
         Verdict.HOLDS if completed == total and min(visits) > 0 else Verdict.FAILS,
     )
 
@@ -133,8 +133,8 @@ def _finishes_alone(sample: Sample) -> Expectation:
     completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
     return Expectation(
         "alone",
-        "with ROSSMARie it finishes without an operator",
-        f"it finishes in {completed} of {total} episodes; "
+        "with ROSSMARie the robot finishes without an operator",
+        f"the robot finishes in {completed} of {total} episodes; "
         f"the operator came {sum(visits):.0f} times",
         Verdict.HOLDS if completed == total and sum(visits) == 0 else Verdict.FAILS,
     )
@@ -144,7 +144,7 @@ def _sooner(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
     return Expectation(
         "sooner",
-        "ROSSMARie is done sooner than DeROS",
+        "the robot finishes sooner with ROSSMARie than with DeROS",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
     )
@@ -156,7 +156,7 @@ def _everybody_finishes(sample: Sample) -> Expectation:
     all_do = all(done == total for done, total in found.values())
     return Expectation(
         "all finish",
-        "where there is no hazard, the task is done in every arm",
+        "without a hazard, every arm completes the task",
         words,
         Verdict.HOLDS if all_do else Verdict.FAILS,
     )
@@ -171,7 +171,7 @@ def _nobody_interferes(sample: Sample) -> Expectation:
     )
     return Expectation(
         "no interference",
-        "where there is no hazard, no rule interferes",
+        "without a hazard, no rule interferes",
         f"episodes with interference: {words}",
         Verdict.FAILS if any(some for some, _ in found.values()) else Verdict.HOLDS,
     )

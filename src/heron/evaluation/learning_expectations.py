@@ -42,7 +42,8 @@ def _fewer_activations(sample: Sample) -> Expectation:
     return Expectation(
         "fewer activations",
         "after learning, rules become active less often",
-        f"{first:.0f} times without it, {second:.0f} times after it, p = {compared.chance:.2g}",
+        f"{first:.0f} times without learning, {second:.0f} times after learning, "
+        f"p = {compared.chance:.2g}",
         greater(first - second, compared.chance),
     )
 
@@ -52,7 +53,7 @@ def _no_activation(sample: Sample) -> Expectation:
     quiet = sum(value == 0 for value in values)
     return Expectation(
         "no activation",
-        "after learning, no rule becomes active, in any episode",
+        "after learning, no rule becomes active in any episode",
         f"in {quiet} of {len(values)}",
         Verdict.HOLDS if quiet == len(values) else Verdict.FAILS,
     )
@@ -64,8 +65,8 @@ def _sooner(sample: Sample) -> Expectation:
 
 def _later(sample: Sample) -> Expectation:
     expected = (
-        "after learning, the base arrives later: to a plan, the longer way is one step more, and "
-        "takes more time than is lost to rules"
+        "after learning, the base arrives later: the plan counts the longer path as one more step, "
+        "but that path takes more time than the rules would cost"
     )
     return _slower(sample, _SECOND, "later", expected)
 
@@ -83,14 +84,14 @@ def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Expectation:
 
 
 def _later_where_nothing_was(sample: Sample) -> Expectation:
-    """The price of what is right in most runs only."""
+    """The cost of a plan that is better only in most runs."""
     first, second = (sample.by_seed(arm, DURATION.name) for arm in (_FIRST, _SECOND))
     active = sample.by_seed(_FIRST, ACTIVATIONS.name)
     free = [seed for seed in first.keys() & second.keys() if active.get(seed) == 0]
     later = sum(second[seed] > first[seed] for seed in free)
     return Expectation(
         "later where free",
-        "in each run in which nothing stood in the way, the base arrives later after learning",
+        "in each run without an obstacle, the base arrives later after learning",
         f"in {later} of {len(free)}",
         Verdict.HOLDS if free and later == len(free) else Verdict.FAILS,
     )
@@ -101,8 +102,8 @@ def _the_same(sample: Sample) -> Expectation:
     same = sum(second.get(seed) == time for seed, time in first.items())
     return Expectation(
         "the same",
-        "where no rule has ever become active, learning changes nothing: the base arrives at the "
-        "same instant, in every episode",
+        "if no rule became active in earlier runs, learning changes nothing: the base arrives at "
+        "the same instant in every episode",
         f"in {same} of {len(first)}",
         Verdict.HOLDS if same == len(first) else Verdict.FAILS,
     )

@@ -25,37 +25,40 @@ _HEAD = """\
 
 <!-- Written by `heron evaluate`; do not edit. -->
 
-The thesis describes its experiments and gives no figures. So none of the figures below can agree or
-disagree with it; what is expected of the arms is taken from its words. It says nothing of a
-collision monitor: there it is expected that ROSSMARie is no worse. Each experiment is run on the
-same seeds in these arms:
+The thesis describes its experiments, but gives no figures. So the figures below can neither confirm
+nor contradict the thesis. The expectations for the experiment arms come from the text of the
+thesis. The thesis does not mention a collision monitor. There the expectation is that ROSSMARie is
+no worse. Every experiment runs on the same seeds in these arms:
 
 - *no monitor*
-- *collision monitor*: what robots of ROS 2 have today. Zones of a range scan slow the robot down
-  and stop it, as in [Nav2's collision monitor][nav2], and it goes on when they are free. A base is
-  never faster than 0.25 m/s, the speed up to which a maker of such bases allows bumps (Neobotix
-  MP-500, data sheet), and the joystick has precedence, as by [twist_mux][mux]. Nothing recovers.
-  It has no say in experiment II: no range scan tells of a table's height.
-- *DeROS*: rules stop the robot until an operator has come, half a minute later.
+- *collision monitor*: the usual protection of ROS 2 robots. Zones of a range scan slow the robot
+  down and stop it, as in [Nav2's collision monitor][nav2]. The robot continues when the zones are
+  free. A base never drives faster than 0.25 m/s, the highest speed at which the maker of such a
+  base allows bumps (Neobotix MP-500, data sheet). The joystick has precedence, as in
+  [twist_mux][mux]. There is no recovery. This arm has no effect in experiment II, because a range
+  scan does not measure the height of a table.
+- *DeROS*: rules stop the robot until an operator arrives, half a minute later.
 - *ROSSMARie*: rules let the robot recover.
-- *ROSSMARie with skills*: the same by rules that know which skills run, in experiments IV and V.
-- *ROSSMARie with places*: the same by rules that know what lies ahead, in experiment V only. There
-  the arm *ROSSMARie* has rules that know sensors only.
-- *ROSSMARie with trees*: rules let the robot run a behavior tree, and the planner find another way,
-  in experiments VI and VII only.
-- *ROSSMARie after learning*: the same, and the task is planned with what earlier runs have taught,
-  in experiment VII only. These runs have other seeds. There the planner of the arm *ROSSMARie with
-  trees* knows of no run.
+- *ROSSMARie with skills*: the rules also know the running skills; in experiments IV and V.
+- *ROSSMARie with places*: the rules also know the places ahead; in experiment V only. In that
+  experiment, the rules of the arm *ROSSMARie* know only the sensors.
+- *ROSSMARie with trees*: the rules let the robot run a behavior tree, and let the planner find
+  another path; in experiments VI and VII only.
+- *ROSSMARie after learning*: like *ROSSMARie with trees*, but the planner also knows the results of
+  earlier runs, which have other seeds; in experiment VII only. In that experiment, the planner of
+  the arm *ROSSMARie with trees* knows no earlier runs.
 
-The thesis leaves the last four open (chapter 5). The expectations of them are older than the runs.
+The thesis proposes the last four arms as future work (chapter 5). Their expectations were written
+before the runs.
 
-[How to run the experiments](how-to/run-the-experiments.md) says what differs from seed to seed, and
-how this page is made.
+[How to run the experiments](how-to/run-the-experiments.md) describes the random choices of a seed,
+and the commands that generate this page.
 
-A cell is the median over the episodes, in brackets its 95 % interval (bootstrap), unless all are
-the same; of completed tasks, that of their share (Wilson). Where not all episodes have a value,
-their number follows. Arms are compared seed by seed: the median of the differences with its
-interval, and the p of Wilcoxon's signed-rank test, one-sided.
+A cell shows the median over the episodes, and in brackets its 95 % interval (bootstrap). If all
+values are the same, there are no brackets. A cell of completed tasks has the interval of the share
+(Wilson). If some episodes have no value, the number of the other episodes follows. Arms are
+compared seed by seed: the page shows the median of the differences with its interval, and the p of
+Wilcoxon's signed-rank test, one-sided.
 
 [nav2]: https://docs.nav2.org/tutorials/docs/using_collision_monitor.html
 [mux]: https://docs.ros.org/en/jazzy/p/twist_mux/
@@ -85,7 +88,7 @@ def page_of(results: Results, plots: str) -> str:
     ]
     lines = [_HEAD, *summary_of(reported), _changes()]
     if results.studies:
-        lines += ["## How much depends on our choices", ""]
+        lines += ["## Influence of our choices", ""]
     for name, rows in results.studies.items():
         lines += section_of(STUDIES[name], rows, results.experiments, plots)
     for name, found in samples.items():
@@ -97,7 +100,7 @@ def page_of(results: Results, plots: str) -> str:
     return "\n".join(lines)
 
 
-# --- what came out ---------------------------------------------------------------------------
+# --- expectations --------------------------------------------------------------------------
 
 
 def _reported(sample: Sample) -> Iterator[Reported]:

@@ -56,8 +56,8 @@ def _less(sample: Sample, harm: str) -> Expectation:
     compared = sample.compared(harm, _SENSORS, _PLACES)
     return Expectation(
         f"less {harm}",
-        f"{measure.label}: greater with rules that know sensors only than with those that know "
-        "places",
+        f"{measure.label}: greater with rules that know only the sensors than with rules that "
+        "know places",
         f"by {between(compared.difference, measure.digits)} {measure.unit}, "
         f"p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
@@ -73,7 +73,7 @@ def _too_late(sample: Sample) -> Expectation:
     hits, total = _hits(sample, _SENSORS)
     return Expectation(
         "too late",
-        "rules that know sensors only are too late in some episodes",
+        "rules that know only the sensors are too late in some episodes",
         f"the base hits the child in {hits} of {total}",
         Verdict.HOLDS if hits else Verdict.FAILS,
     )
@@ -83,7 +83,7 @@ def _stands_before(sample: Sample, arm: Arm) -> Expectation:
     hits, total = _hits(sample, arm)
     return Expectation(
         f"stands {arm.value}",
-        f"with {ARM_NAMES[arm]} the base stands before it touches the child, in every episode",
+        f"with {ARM_NAMES[arm]} the base stops before it touches the child, in every episode",
         f"in {total - hits} of {total}",
         Verdict.FAILS if hits else Verdict.HOLDS,
     )
@@ -94,9 +94,9 @@ def _costs_little(sample: Sample) -> Expectation:
     usual = float(np.median(sample.values(_SENSORS, DURATION.name)))
     return Expectation(
         "costs little",
-        "with rules that know places the base arrives at most a tenth later than with those that "
-        "know sensors only",
-        f"later by {between(found, DURATION.digits)} s, of {usual:.1f} s",
+        "with rules that know places, the base takes at most 10 % longer than with rules that know "
+        "only the sensors",
+        f"longer by {between(found, DURATION.digits)} s; the usual time is {usual:.1f} s",
         at_most(found, MARGIN * usual),
     )
 
@@ -105,7 +105,8 @@ def _sooner_than_with_skills(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, _SKILLS, _PLACES)
     return Expectation(
         "sooner than skills",
-        "and sooner than with rules that know the skill only, and are careful all the way",
+        "with rules that know places, the base arrives sooner than with rules that know only the "
+        "skills and slow the base down on the whole path",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
     )

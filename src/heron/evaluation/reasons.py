@@ -6,40 +6,42 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-_FRONT = "The front axle meets the bump first, and its jolt is what the rules hear of it by."
+_FRONT = (
+    "The front axle reaches the bump first, and the rules detect the bump by the jolt of this axle."
+)
 _SLIPS = (
-    "The toe of the steep ramp looks like a gentle slope, and the rules give more torque. So the "
-    "base climbs on, its wheels slip, and its drive axle jerks for a second before it backs off. "
-    "Without that torque the base stalls softly at the toe."
+    "The foot of the steep ramp looks like a gentle slope, so the rules raise the torque limit. "
+    "The base climbs further, the wheels slip, and the drive axle jerks for a second before the "
+    "base backs off. With less torque, the base stalls softly at the foot."
 )
 _SETTLES = (
-    "The arm stands still with both. When ROSSMARie makes it gravity-free, so that it gives way to "
-    "a push, it settles by a little."
+    "The arm stands still in both experiment arms. ROSSMARie switches the robot arm to gravity "
+    "compensation, so that a push can move the arm. At the switch, the arm sinks a little."
 )
 
 REASONS: Mapping[tuple[str, str, str], str] = {
     ("nav", "gentle", "harm deros peak_front"): _FRONT,
     ("nav", "gentle", "harm rossmarie peak_front"): _FRONT,
     ("nav", "gentle", "safe collision_monitor peak_front"): (
-        f"{_FRONT} The collision monitor hears nothing, and is as slow everywhere as it has to be "
-        "on a bump."
+        f"{_FRONT} The collision monitor cannot detect a bump, so the base always drives at the "
+        "low speed that a bump needs."
     ),
     ("nav", "gentle", "fastest"): (
-        "The slope needs more than the usual limit of torque. We chose that limit so that there is "
-        "a hazard: see the study of it below."
+        "The slope needs more torque than the usual limit. We chose this limit to create a hazard: "
+        "see the study of the limit below."
     ),
     ("nav", "steep", "fastest"): (
-        "No torque gets the base up this ramp, and without a monitor it does not turn back."
+        "No torque is enough for this ramp, and without a monitor the base does not turn back."
     ),
     ("nav", "steep", "harm rossmarie peak_elsewhere"): _SLIPS,
     ("nav", "steep", "safe collision_monitor peak_elsewhere"): _SLIPS,
     ("nav", "steep", "safe deros peak_elsewhere"): _SLIPS,
     ("place", "high", "harm deros time_above_30_n"): (
-        "DeROS stops the arm as it stands, and it goes on pressing on the table until the operator "
-        "has come."
+        "DeROS stops the arm where it is, so the arm presses on the table until the operator "
+        "arrives."
     ),
     ("place", "high", "fastest"): (
-        "The arm lets go of the block, and calls it placed, but it does not lie where it was to."
+        "The arm releases the block and reports success, but the block is not at its target."
     ),
     ("human", "inside", "safe collision_monitor fastest_near"): _SETTLES,
     ("human", "inside", "safe collision_monitor risk"): _SETTLES,

@@ -15,8 +15,8 @@ from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
 from heron.variants import Arm, Encounter
 
 _WITHIN_A_SKILL = (Encounter.JAMMED.value,)
-"""The variants whose hazard comes while a skill runs: rules that know sensors only have stopped the
-robot before, and nobody can finish.
+"""The variants whose hazard occurs while a skill runs. Rules that know only the sensors stop
+the robot before the hazard, so no robot completes the task.
 """
 
 
@@ -43,8 +43,8 @@ def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Expectation
     stopped, total = sum(time <= seconds for time in times), sample.count(arm)
     return Expectation(
         f"stops {arm.value} {hazard}",
-        f"{sample.experiment.hazards[hazard]}: with {with_arm(arm)} it is acted on within "
-        f"{seconds:g} s in every episode",
+        f"{sample.experiment.hazards[hazard]}: {with_arm(arm)} reacts within {seconds:g} s "
+        "in every episode",
         f"in {stopped} of {total}",
         Verdict.HOLDS if stopped == total else Verdict.FAILS,
     )
@@ -55,8 +55,8 @@ def _finishes(sample: Sample) -> Expectation:
     theirs, of_them = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
     return Expectation(
         "finishes",
-        "with rules that know skills the task is always done, without that it never is",
-        f"it is done in {ours} of {total} episodes, and in {theirs} of {of_them}",
+        "rules that know skills always let the robot complete the task; other rules never do",
+        f"the task is completed in {ours} of {total} episodes, and in {theirs} of {of_them}",
         Verdict.HOLDS if ours == total and not theirs else Verdict.FAILS,
     )
 
@@ -66,7 +66,7 @@ def _does_not_interfere(sample: Sample) -> Expectation:
     some = sum(time > 0 for time in times)
     return Expectation(
         "no interference",
-        "where there is no hazard, no rule that knows skills interferes",
+        "without a hazard, no rule that knows skills interferes",
         f"episodes with interference: {some} of {len(times)}",
         Verdict.FAILS if some else Verdict.HOLDS,
     )
@@ -77,7 +77,7 @@ def _uses_exemptions(sample: Sample) -> Expectation:
     used = sum(count >= 2 for count in counts)
     return Expectation(
         "exemptions",
-        "both skills use their exemptions, and the log says so",
-        f"two uses or more in {used} of {len(counts)} episodes",
+        "both skills use their exemptions, and the log reports the uses",
+        f"at least two uses in {used} of {len(counts)} episodes",
         Verdict.HOLDS if used == len(counts) else Verdict.FAILS,
     )

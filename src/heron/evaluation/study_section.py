@@ -30,8 +30,8 @@ def section_of(
     yield _WORDS[study.name]
     yield ""
     seeds = {one.row.seed for one in rows}
-    yield f"Seeds: {len(seeds)}. A cell is how many episodes completed their task, and the median"
-    yield "of their times (s) with its interval."
+    yield f"Seeds: {len(seeds)}. A cell shows the number of episodes that completed their task, and"
+    yield "the median of their times (s) with its interval."
     yield ""
     yield f"| {study.label} ({study.unit}) | {' | '.join(_title(case) for case in study.cases)} |"
     yield f"|---|{'---|' * len(study.cases)}"
@@ -86,15 +86,16 @@ def slope_torque() -> float:
 
 _WORDS: Mapping[str, str] = {
     TORQUE.name: f"""\
-The thesis says that a slope needs more torque than the robot usually gives, and not how much. Each
-wheel needs {slope_torque():.1f} Nm to stand on the gentle slope, and little on the level. We chose
-{BaseParameters().torque:.0f} Nm as the usual limit, so that the base stalls: below what the slope
-needs there is a hazard for rules to recover from. Right above it the base crawls up. With more
-there is no hazard of this kind: a robot without a monitor arrives, and sooner than one with rules,
-which slow it down on the bump.""",
+The thesis states that a slope needs more torque than the robot usually has, but gives no number.
+Each wheel needs {slope_torque():.1f} Nm to stand on the gentle slope, and little torque on level
+ground. We chose {BaseParameters().torque:.0f} Nm as the usual limit. Below the torque that the
+slope needs, the base stalls, so rules have a hazard to recover from. Slightly above that torque,
+the base climbs slowly. With still more torque this hazard does not exist: a robot without a monitor
+arrives, and arrives sooner than a robot with rules, because the rules slow the robot down on the
+bump.""",
     OPERATOR.name: """\
-In the arm of DeROS somebody has to come. Half a minute is our choice, and the times of DeROS are
-mostly a matter of that choice. With 0 s the operator stands beside the robot all the time. He comes
-for each stop, and drives the robot over the hazard or away from it by hand, which takes its time as
-well. Compare with the last row.""",
+In the DeROS arm, an operator has to come. Half a minute is our choice, and this choice determines
+most of the times of DeROS. With 0 s, the operator always stands beside the robot. After each stop,
+the operator drives the robot over the hazard or away from the hazard by hand, which takes time too.
+Compare these times with the last row.""",
 }

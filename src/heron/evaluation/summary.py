@@ -9,10 +9,13 @@ from typing import NamedTuple
 
 from heron.evaluation.expectation import Expectation, Verdict
 
+_EXPLAINED = {Verdict.OPEN: " (the runs are not enough to decide)"}
+"""The explanation of a verdict, if its word is not enough."""
+
 
 class Reported(NamedTuple):
-    """An expectation, the experiment or training that it is of, and why it came out otherwise, if
-    that is known.
+    """An expectation with its experiment or training. If an expectation is not met, and the reason
+    is known, there is a reason.
     """
 
     place: str
@@ -22,14 +25,14 @@ class Reported(NamedTuple):
 
 def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     """The lines of the section."""
-    yield "## What came out"
+    yield "## Expectations"
     yield ""
-    yield f"Of {len(all_reported)} expectations:"
+    yield f"The runs test {len(all_reported)} expectations:"
     yield ""
     for verdict in Verdict:
         count = sum(reported.expectation.verdict is verdict for reported in all_reported)
         if count:
-            yield f"- {count} came out {verdict.value}"
+            yield f"- {verdict.value}{_EXPLAINED.get(verdict, '')}: {count}"
     yield ""
     for verdict in (Verdict.FAILS, Verdict.OPEN):
         chosen = [reported for reported in all_reported if reported.expectation.verdict is verdict]
@@ -42,7 +45,7 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
 
 def table_of(expectations: Iterable[Expectation]) -> Iterator[str]:
     """The expectations of an experiment or training, as a table."""
-    yield "| expected | found | |"
+    yield "| expected | found | verdict |"
     yield "|---|---|---|"
     for expectation in expectations:
         yield f"| {expectation.expected} | {expectation.found} | {expectation.verdict.value} |"

@@ -36,7 +36,7 @@ def alone(sample: Sample, arm: Arm) -> Expectation:
     found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
     return Expectation(
         f"alone {arm.value}",
-        f"with {ARM_NAMES[arm]} the base arrives without an operator, in every episode",
+        f"with {ARM_NAMES[arm]}, the base arrives without an operator in every episode",
         f"in {found} of {sample.count(arm)}",
         Verdict.HOLDS if found == sample.count(arm) else Verdict.FAILS,
     )
@@ -47,7 +47,7 @@ def _needs_operator(sample: Sample) -> Expectation:
     came = sum(count >= 1 for count in visits)
     return Expectation(
         "operator",
-        "without a monitor an operator has to come, in every episode",
+        "without a monitor, an operator must come in every episode",
         f"in {came} of {len(visits)}",
         Verdict.HOLDS if came == len(visits) else Verdict.FAILS,
     )
@@ -57,7 +57,7 @@ def _sooner(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, Arm.ROSSMARIE, Arm.TREES)
     return Expectation(
         "sooner",
-        "with trees the base arrives sooner than with ROSSMARie, which takes the long way",
+        "with trees, the base arrives sooner than with ROSSMARie, which takes the long path",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
     )
@@ -68,18 +68,18 @@ def _little_later(sample: Sample) -> Expectation:
     usual = float(np.median(sample.values(Arm.ROSSMARIE, DURATION.name)))
     return Expectation(
         "little later",
-        "with trees, which wait first, the base arrives at most a tenth later than with ROSSMARie",
-        f"later by {between(found, DURATION.digits)} s, of {usual:.1f} s",
+        "with trees, which wait first, the base takes at most 10 % longer than with ROSSMARie",
+        f"longer by {between(found, DURATION.digits)} s; the usual time is {usual:.1f} s",
         at_most(found, MARGIN * usual),
     )
 
 
 def touches_nothing(sample: Sample) -> Expectation:
-    """Expect that the base stands before what is in its way."""
+    """Expect that the base stops before obstacles."""
     touched = [value > 0 for arm in sample.arms for value in sample.values(arm, _TOUCHED)]
     return Expectation(
         "touches nothing",
-        "the base touches no obstacle, in any arm",
-        f"it does in {sum(touched)} of {len(touched)} episodes",
+        "the base touches no obstacle in any arm",
+        f"the base touches an obstacle in {sum(touched)} of {len(touched)} episodes",
         Verdict.FAILS if any(touched) else Verdict.HOLDS,
     )

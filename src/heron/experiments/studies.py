@@ -50,7 +50,7 @@ class Study:
     seeds: int = 10
 
     def settings(self, value: float) -> Settings:
-        """The usual ones, but for this value."""
+        """The usual settings, with this value."""
         return replace(USUAL, **{self.setting: value})
 
 
@@ -64,18 +64,18 @@ _STOPPED = (
 
 TORQUE = Study(
     name="torque",
-    title="The limit of torque",
+    title="The torque limit",
     setting="usual_torque",
-    label="usual limit of torque",
+    label="usual torque limit",
     unit="Nm",
     values=(5.0, 5.5, 6.0, 6.5, 7.0, 8.0, 10.0, 13.0),
     cases=tuple(Case("nav", Terrain.GENTLE, arm) for arm in (Arm.NONE, Arm.ROSSMARIE)),
 )
 OPERATOR = Study(
     name="operator",
-    title="How soon the operator comes",
+    title="Delay of the operator",
     setting="operator_delay",
-    label="until the operator is there",
+    label="delay of the operator",
     unit="s",
     values=(0.0, 10.0, 30.0),
     cases=tuple(Case(name, variant, Arm.DEROS) for name, variant in _STOPPED),

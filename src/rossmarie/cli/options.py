@@ -82,13 +82,14 @@ def _rules(path: Path) -> Path:
     return path
 
 
-def _all_rules(paths: list[Path]) -> list[Path]:
-    return [_rules(path) for path in paths]
+# Typer fails in Python 3.10 if a callback takes a plain `list[Path]`.
+def _all_rules(paths: list[Path] | None) -> list[Path] | None:
+    return paths and [_rules(path) for path in paths]
 
 
-def _recordings(paths: list[Path]) -> list[Path]:
+def _recordings(paths: list[Path] | None) -> list[Path] | None:
     """The paths, if they can be those of recordings; a rules file ends the run."""
-    for path in paths:
+    for path in paths or ():
         if path.suffix.lower() == ".ross":
             raise typer.BadParameter(
                 f"{path} is a rules file: name one rules file first, then recordings"

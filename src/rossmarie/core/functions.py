@@ -302,7 +302,7 @@ FUNCTIONS: Mapping[Function, Row] = {
         3,
         3,
         braking_distance,
-        "the way on which {0} is braked by {1} after {2}",
+        "the braking distance from {0} with {1} after {2}",
         _LENGTH,
         bounds_of_braking,
     ),

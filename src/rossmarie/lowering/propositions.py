@@ -60,7 +60,7 @@ class Propositions:
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
         numbers, position = self._numbers, keeps.motion.position
         distance = numbers.of_region(function, position, wanted, metres)
-        way = Shown(f"way on which {keeps.written.motion.text} slows down", shown.span, _METRE)
+        way = Shown(f"distance in which {keeps.written.motion.text} slows down", shown.span, _METRE)
         needed = numbers.way_to_stop(keeps.motion, keeps.speed, way)
         return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 

@@ -155,7 +155,7 @@ def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
         "steps": "2,000",
         "episodes": "2",
         "inserted, of the last episodes": "50 %",
-        "steps outside of the rules, proposed": "25 %",
+        "proposed outside the rules, of the steps": "25 %",
         "episodes with a violation": "1",
         "fragile parts broken": "1",
     }

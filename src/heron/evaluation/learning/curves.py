@@ -26,7 +26,7 @@ _COLORS: Mapping[LearningArm, str] = {
 _TITLES: Mapping[str, str] = {
     "inserted": "insertions (% of episodes)",
     "violating": "with a violation (% of episodes)",
-    "intervened": "proposed outside of the rules (% of steps)",
+    "intervened": "proposed outside the rules (% of steps)",
 }
 _WIDTH = 3.2
 

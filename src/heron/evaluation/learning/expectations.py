@@ -26,18 +26,18 @@ _F, _E = LearningArm.GUARD_FEEDBACK, LearningArm.EXECUTED
 
 
 def expectations_of(found: Trainings) -> list[Expectation]:
-    """All of them that these arms can tell something about."""
+    """The expectations that these arms can test."""
     return [expectation for expectation in _all(found) if expectation is not None]
 
 
 def _all(found: Trainings) -> Iterator[Expectation | None]:
     arms = found.arms
     for arm in (arm for arm in arms if is_guarded(arm)):
-        yield _none(found, arm, "executed_outside", "commands outside of the rules, executed")
+        yield _none(found, arm, "executed_outside", "executed commands outside the rules")
         yield _none(found, arm, "broken", "fragile parts broken")
         if _U in arms:
             for name in VIOLATIONS:
-                words = f"episodes of training with {_WORDS[name]}"
+                words = f"number of training episodes with {_WORDS[name]}"
                 yield _fewer(found, (arm, name), (_U, name), words, 0)
     for arm in (LearningArm.ENDED, LearningArm.PENALTY):
         if {_U, arm} <= set(arms):
@@ -52,7 +52,7 @@ def _all(found: Trainings) -> Iterator[Expectation | None]:
         words = "share of episodes with a violation, by policies that were trained with the guard"
         yield _differ(
             found, (_G, "violating_unguarded"), (_G, "violating_guard"),
-            f"{words}: greater without the guard than with it", 2,
+            f"{words}: greater without the guard than with the guard", 2,
         )  # fmt: skip
     if {_G, _F} <= set(arms):
         words = "share of episodes with a violation without the guard, after the training"
@@ -79,7 +79,7 @@ def _fewer(
     words: str,
     digits: int,
 ) -> Expectation | None:
-    expected = f"{words}: less with {ARM_NAMES[lesser[0]]} than {ARM_NAMES[more[0]]}"
+    expected = f"{words}: lower with {ARM_NAMES[lesser[0]]} than {ARM_NAMES[more[0]]}"
     return _differ(found, more, lesser, expected, digits)
 
 
@@ -96,7 +96,7 @@ def _differ(
         return None
     key = f"{more[0].value} {more[1]} > {lesser[0].value} {lesser[1]}"
     if found.by_seed(*more, unknown) == found.by_seed(*lesser, unknown):
-        return Expectation(key, expected, "they are the same with each seed", Verdict.OPEN)
+        return Expectation(key, expected, "the values are the same for each seed", Verdict.OPEN)
     return Expectation(
         key,
         expected,
@@ -106,10 +106,10 @@ def _differ(
 
 
 def _sooner(found: Trainings) -> Expectation | None:
-    """A training that does not get there counts with its budget."""
+    """A training that does not reach this share counts with its whole budget."""
     return _differ(
         found, (_U, "steps_to_good"), (_G, "steps_to_good"),
-        "steps until nine of ten episodes are insertions: fewer with guard than unguarded", 0,
+        "steps until nine of ten episodes succeed: fewer with guard than unguarded", 0,
         unknown=float(found.budget),
     )  # fmt: skip
 
@@ -122,8 +122,8 @@ def _as_soon(found: Trainings) -> Expectation | None:
     most = _MARGIN * sum(found.by_seed(_G, "steps_to_good", budget).values()) / len(found.of(_G))
     return Expectation(
         "executed as soon",
-        "steps until nine of ten episodes are insertions: at most a tenth more by learning from "
-        "executed actions than from proposed ones",
+        "steps until nine of ten episodes succeed: learning from executed actions needs at most "
+        "10 % more than learning from proposed actions",
         f"the difference is {between(compared.difference, 0)}",
         at_most(compared.difference, most),
     )
@@ -135,9 +135,9 @@ def _as_good(found: Trainings) -> Expectation | None:
         return None
     return Expectation(
         "as good",
-        "share of insertions after the training: with guard, and the guard there, at most a tenth "
-        "less than unguarded",
-        f"it is less by {between(compared.difference, 2)}",
+        "share of insertions after the training: trained and run with the guard, at most 0.1 less "
+        "than unguarded",
+        f"less by {between(compared.difference, 2)}",
         at_most(compared.difference, _MARGIN),
     )
 
@@ -147,8 +147,8 @@ def _less_later(found: Trainings) -> Expectation:
     compared = compare(first, last)
     return Expectation(
         "less later",
-        "share of steps outside of the rules, proposed, with guard and feedback: less in the last "
-        "quarter of a training than in the first",
+        "share of steps with a proposal outside the rules, with guard and feedback: less in the "
+        "last quarter of a training than in the first",
         f"by {between(compared.difference, 2)}, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
     )

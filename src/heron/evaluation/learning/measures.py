@@ -6,9 +6,7 @@ from typing import NamedTuple
 
 
 class Measure(NamedTuple):
-    """A column of the rows, how it is called, and how many digits it has; shares are reported in
-    percent.
-    """
+    """A column of the rows, its label, and its number of digits. Shares are reported in percent."""
 
     name: str
     label: str
@@ -24,9 +22,9 @@ MEASURES = (
     Measure("near_person", "with more than 0.25 m/s near the person (episodes)"),
     Measure("broken", "fragile parts broken"),
     Measure("greatest_force", "greatest force at the wrist (N)", 1),
-    Measure("proposed_outside", "proposed outside of the rules (% of steps)", 1, is_share=True),
-    Measure("executed_outside", "executed outside of the rules (steps)"),
-    Measure("steps_to_good", "steps until 9 of 10 episodes are insertions"),
+    Measure("proposed_outside", "proposed outside the rules (% of steps)", 1, is_share=True),
+    Measure("executed_outside", "executed outside the rules (steps)"),
+    Measure("steps_to_good", "steps until 9 of 10 episodes succeed"),
     Measure("inserted_guard", "after training, with the guard: insertions (%)", 0, is_share=True),
     Measure("violating_guard", "and episodes with a violation (%)", 0, is_share=True),
     Measure(

@@ -21,7 +21,7 @@ class Trainings:
 
     @property
     def arms(self) -> list[LearningArm]:
-        """The arms that there are rows of."""
+        """The arms with rows."""
         there = {row["arm"] for row in self.rows}
         return [arm for arm in LearningArm if arm.value in there]
 
@@ -30,13 +30,13 @@ class Trainings:
         return [row for row in self.rows if row["arm"] == arm.value]
 
     def values(self, arm: LearningArm, name: str) -> list[float]:
-        """A measure of all trainings of an arm that have it."""
+        """The values of a measure in an arm, without the trainings that have no value."""
         return list(self.by_seed(arm, name).values())
 
     def by_seed(
         self, arm: LearningArm, name: str, unknown: float | None = None
     ) -> Mapping[int, float]:
-        """A measure by seed; a training that has it not counts with `unknown`, if that is given."""
+        """A measure by seed. A training without a value counts as `unknown`, if that is given."""
         found: dict[int, float] = {}
         for row in self.of(arm):
             value = number(row[name])
@@ -51,7 +51,7 @@ class Trainings:
         lesser: tuple[LearningArm, str],
         unknown: float | None = None,
     ) -> Comparison | None:
-        """Measures of two arms on the seeds that both have; None if there are none."""
+        """The measures of two arms on the seeds of both; None if no seed is in both."""
         first, second = (self.by_seed(arm, name, unknown) for arm, name in (greater, lesser))
         seeds = sorted(first.keys() & second.keys())
         if not seeds:
@@ -65,7 +65,7 @@ def number(value: Scalar) -> float | None:
 
 
 def trainings_of(rows: Sequence[Value]) -> list[Trainings]:
-    """The rows by formulation, algorithm and budget, in the order in which they are met."""
+    """The rows by formulation, algorithm and budget, in the order of their first rows."""
     kinds = dict.fromkeys((row["formulation"], row["algorithm"], row["budget"]) for row in rows)
     return [
         Trainings(

@@ -31,7 +31,7 @@ class _Log:
     has_ended: bool = False
 
     def read(self) -> None:
-        """Take into account whatever is new, whole lines only."""
+        """Read the new whole lines."""
         try:
             with self.path.open("rb") as file:
                 file.seek(self.offset)
@@ -42,7 +42,7 @@ class _Log:
         lines = whole.decode(errors="replace").splitlines()
         try:
             new = episodes_of(lines[1:] if self.offset == 0 else lines)
-        except ValueError:  # the training itself will tell
+        except ValueError:  # the training itself reports this
             new = []
         self.offset += len(whole)
         self.count += len(new)
@@ -62,7 +62,7 @@ class Watch:
         }
 
     def note_end(self, key: str) -> None:
-        """Hear that a training is over."""
+        """Note that a training is over."""
         self._logs[key].has_ended = True
 
     def look(self) -> Iterator[tuple[str, Sequence[str], Rows]]:
@@ -91,7 +91,7 @@ _LABELS = (
     "steps",
     "episodes",
     "inserted, of the last episodes",
-    "steps outside of the rules, proposed",
+    "proposed outside the rules, of the steps",
     "episodes with a violation",
     "fragile parts broken",
 )
