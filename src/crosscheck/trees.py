@@ -25,7 +25,7 @@ class TreeRun:
 
     @property
     def afterwards(self) -> str:
-        """How the task continues: `resume`, `retry` or `replan`."""
+        """The continuation of the task: `resume`, `retry` or `replan`."""
         (found,) = self._field(AFTERWARDS)
         return found
 

@@ -219,7 +219,7 @@ class CommandLine:
         """Print a line about the run: on standard error if standard output is for an answer."""
         typer.echo(line, err=bool(self._answers))
 
-    # --- what is written --------------------------------------------------------------------------
+    # --- output files -----------------------------------------------------------------------------
 
     def permit(self, force: bool) -> None:
         """Let the user's `--force` decide whether files of others are replaced."""

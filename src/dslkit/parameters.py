@@ -40,8 +40,8 @@ class Group(TyperGroup):
 
 
 def _look_first_at_values_of(command: Any) -> None:
-    """Wrap the parameters of a command, including the option `--help`, which typer makes when it is
-    asked for the parameters.
+    """Wrap the parameters of a command, including the option `--help`, which typer makes when it
+    reads the parameters.
     """
     typers = command.get_params
 
@@ -65,7 +65,7 @@ class _Plain:
         self._parameter = parameter
 
     def itself(self) -> _Plain:
-        """Return itself: typer asks each parameter for an object with the method `coerce`."""
+        """Return itself: typer requires an object with the method `coerce` for each parameter."""
         return self
 
     def coerce(self, value: Any, **rest: Any) -> Any:

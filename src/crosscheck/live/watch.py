@@ -41,7 +41,7 @@ class Watch:
         self.findings = 0
         self.has_errors = False
 
-    # --- what happens -----------------------------------------------------------------------------
+    # --- events -----------------------------------------------------------------------------------
 
     def take(self, at: float, message: Message) -> list[Reported]:
         """Process a message. Returns everything new in it."""

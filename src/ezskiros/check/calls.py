@@ -118,7 +118,7 @@ class _Checker:
         start += self.call.span.start + 1
         return Span(self.call.span.file, start, start + len(spelled) - 1)
 
-    # --- what its parameters get --------------------------------------------------------------
+    # --- values of parameters ---------------------------------------------------------------------
 
     def _unknown(self, name: str, span: Span) -> Diagnostic:
         names = [each.name for each in self.skill.parameters]

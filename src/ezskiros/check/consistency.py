@@ -89,7 +89,7 @@ class _Consistency:
     def _world(self, said: Iterable[Statement]) -> World:
         return World(self._declared, self._model, said)
 
-    # --- classes, which never change
+    # --- classes, which never change --------------------------------------------------------------
 
     def _empty_classes(self) -> Iterator[Diagnostic]:
         for parameter in self._skill.parameters if self._model.has_disjoint_classes else ():
@@ -126,7 +126,7 @@ class _Consistency:
             if isinstance(each, Relation)
         )
 
-    # --- alternatives
+    # --- alternatives -----------------------------------------------------------------------------
 
     def _alternatives(
         self,
@@ -186,7 +186,7 @@ class _Consistency:
             whys[clash.reason(self._model)] = None
         return found.at(clause.span, *labels, notes=[found.Why(why=why) for why in whys if why])
 
-    # --- the end of hold-conditions
+    # --- the end of hold-conditions ---------------------------------------------------------------
 
     def _ended(self, clauses: Sequence[Clause], reported: list[Said]) -> Iterator[Diagnostic]:
         places = places_of(clauses)

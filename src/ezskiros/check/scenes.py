@@ -67,7 +67,7 @@ class _Scene:
         yield from self._functional()
         yield from find_locations(self._document, self._model).diagnostics
 
-    # --- one individual
+    # --- one individual ---------------------------------------------------------------------------
 
     def _types(self, thing: _Thing) -> Iterator[Diagnostic]:
         for kind in thing.types:
@@ -203,7 +203,7 @@ class _Scene:
             for wanted in union
         )
 
-    # --- all individuals
+    # --- all individuals --------------------------------------------------------------------------
 
     def _numbers(self) -> Iterator[Diagnostic]:
         seen: dict[str, str] = {}
@@ -234,7 +234,7 @@ class _Scene:
                         kind="functional" if found is objects else "inverse functional",
                     ).at(self._place(one if found is objects else second))
 
-    # --- words and places
+    # --- words and places -------------------------------------------------------------------------
 
     def _spelled(self, iri: str) -> str:
         return spelled_in(self._document, iri, self._model)

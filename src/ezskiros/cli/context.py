@@ -74,7 +74,7 @@ class Context:
             output.complain(f"the context is no longer published: {self._voice.problem!r}")
 
     def tell(self) -> None:
-        """Publish the running skills. Called by the ticking thread."""
+        """Publish the running skills. The ticking thread calls this."""
         snapshot = self._snapshots.of(self._task.execution.running, self._task.ahead)
         if self._voice is not None:
             self._voice.tell(snapshot)

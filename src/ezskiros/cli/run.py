@@ -263,7 +263,7 @@ class _Run:
                 after_tick=self._after_tick,
             )
 
-    # --- display
+    # --- display ----------------------------------------------------------------------------------
 
     def _tell(self, event: Event) -> None:
         if self._trace is not None:
@@ -289,7 +289,7 @@ class _Run:
         if self._live is not None:
             self._live.draw(self.task)
 
-    # --- stops
+    # --- stops ------------------------------------------------------------------------------------
 
     def _why_stop(self) -> str | None:
         if self._is_interrupted:
@@ -315,7 +315,7 @@ class _Run:
         finally:
             signal.signal(signal.SIGINT, before)
 
-    # --- questions to the user
+    # --- questions to the user --------------------------------------------------------------------
 
     def _choose(self, skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
         """The solution that the user chooses by its number."""

@@ -43,7 +43,7 @@ class Voice:
         self.problem: BaseException | None = None
         """The reason why nothing is published any more; None without a problem."""
 
-    # --- for the ticking thread
+    # --- for the ticking thread -------------------------------------------------------------------
 
     def tell(self, snapshot: Snapshot, alive: float | None = None) -> None:
         """Set the snapshot. This is a heartbeat at the current time, or at the time `alive`."""
@@ -90,7 +90,7 @@ class Voice:
         self._publish(snapshot)
         return True
 
-    # --- start and end
+    # --- start and end ----------------------------------------------------------------------------
 
     def begin(self) -> None:
         """Start to publish."""

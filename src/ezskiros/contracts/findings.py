@@ -172,7 +172,7 @@ class Findings:
         labels = [*self._declared(call, asked), *reasons]
         self._add(found, call, asked, labels, known, None, key=call.span)
 
-    # --- knowledge
+    # --- knowledge --------------------------------------------------------------------------------
 
     def last_touching(self, known: Known, said: Statement) -> Change | None:
         """The last change that may have ended a statement."""

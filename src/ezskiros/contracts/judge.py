@@ -78,7 +78,7 @@ class Judge:
     def _known(self, name: str) -> Name:
         return self._names.get(name, _ANYTHING)
 
-    # --- consequences
+    # --- consequences -----------------------------------------------------------------------------
 
     def entails(self, known: Known, said: Statement) -> bool:
         """Say whether a statement certainly holds."""
@@ -138,7 +138,7 @@ class Judge:
                 return True
         return False
 
-    # --- contradictions
+    # --- contradictions ---------------------------------------------------------------------------
 
     def clash(self, known: Known, said: Statement) -> Clash | None:
         """The reason why a statement cannot hold, for any assignment of names to individuals; None
@@ -185,7 +185,7 @@ class Judge:
                 if not self.is_impossible(merged):
                     yield one, other
 
-    # --- ended facts
+    # --- ended facts ------------------------------------------------------------------------------
 
     def touches(self, made: Made, fact: Statement) -> bool:
         """Say whether a change may end a fact."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Remark
 
-# --- places
+# --- places ---------------------------------------------------------------------------------------
 
 
 class ConditionOf(Remark):
@@ -62,7 +62,7 @@ class ItsTree(Remark):
     says = "its tree"
 
 
-# --- knowledge
+# --- knowledge ------------------------------------------------------------------------------------
 
 
 class Why(Remark):
@@ -99,7 +99,7 @@ class Branch(Remark):
     children: str
 
 
-# --- repairs
+# --- repairs --------------------------------------------------------------------------------------
 
 
 class AddPreCondition(Remark):

@@ -131,7 +131,7 @@ class Repairs:
             return None
         return f"self.pre_conditions += {spelled(said, self.judge.model)}"
 
-    # --- possible children
+    # --- possible children ------------------------------------------------------------------------
 
     def _fresh_in(self, change: Change) -> str | None:
         """A name in a change that only its child uses."""

@@ -344,9 +344,7 @@ class Walk:
         return self._retried(child, tries, outcome, place)
 
     def _retried(self, child: Node, tries: int, outcome: NodeOutcome, place: Place) -> NodeOutcome:
-        """The outcome of further tries, each of which starts after a failed one and may fail,
-        too.
-        """
+        """The outcome of further tries. Each try starts after a failed one and may fail, too."""
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
             for each in failures:
@@ -360,7 +358,7 @@ class Walk:
                 break
         return NodeOutcome(join(endings, self.judge), endings, failures)
 
-    # --- restarted children
+    # --- restarted children -----------------------------------------------------------------------
 
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False

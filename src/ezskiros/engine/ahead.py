@@ -103,7 +103,7 @@ def _after_decorated(node: decorators.Decorator) -> _After:
     return _After(skills, may_end, may_end)
 
 
-# --- first skills
+# --- first skills ---------------------------------------------------------------------------------
 
 
 def _beginning(node: Behaviour) -> Iterator[Ahead]:

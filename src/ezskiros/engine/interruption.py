@@ -65,7 +65,7 @@ class Recovery:
 
     @property
     def is_released(self) -> bool:
-        """True if no rule requests this tree any more."""
+        """True if no rule requests this tree anymore."""
         return self._released.is_set()
 
 

@@ -105,7 +105,7 @@ class RunningSkill(Behaviour):
         """
         return bool(self._waits_for)
 
-    # --- ticks: like those of py_trees, but without its log messages
+    # --- ticks: like those of py_trees, but without its log messages ------------------------------
 
     def tick(self) -> Iterator[Behaviour]:
         """Tick once."""
@@ -359,7 +359,7 @@ class RunningSkill(Behaviour):
         self._execution.running.end(self)
         return problem
 
-    # --- values and reports
+    # --- values and reports -----------------------------------------------------------------------
 
     def _held(self) -> Any:
         """The conditions that are checked at every tick. SkiROS2 checks them only for compounds."""

@@ -183,7 +183,7 @@ class World:
         for each in self._properties(data_property):
             self._forget(thing, each, None)
 
-    # --- statements of the ontology
+    # --- statements of the ontology ---------------------------------------------------------------
 
     def _some_value(self, data_property: str) -> Value:
         model = self.ontology.model

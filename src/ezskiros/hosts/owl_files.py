@@ -68,7 +68,7 @@ def file_name(document: Document) -> str:
     return f"{START}{Path(document.file.path).stem}.owl"
 
 
-# --- content for SkiROS2
+# --- content for SkiROS2 --------------------------------------------------------------------------
 
 
 def _triples(document: Document, prefixes: Mapping[str, str], relations: Iterable[str]) -> Triples:
@@ -125,7 +125,7 @@ def _unnamed(ontology: Ontology) -> Iterator[tuple[str, str]]:
             yield name, start
 
 
-# --- findings
+# --- findings -------------------------------------------------------------------------------------
 
 
 def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
@@ -195,7 +195,7 @@ def _place(documents: Sequence[Document], iri: str) -> Span:
     return declaration(documents, iri) or Span(documents[0].file, 0, 0)
 
 
-# --- text
+# --- text -----------------------------------------------------------------------------------------
 
 
 def _text(triples: Triples, prefixes: Mapping[str, str]) -> str:

@@ -78,7 +78,7 @@ class Child:
         """Rename the keys of a condition of the implementation to the shared ones."""
         _rename(condition, self.keys)
 
-    # --- called by SkiROS2
+    # --- called by SkiROS2 ------------------------------------------------------------------------
 
     @property
     def label(self) -> str:

@@ -101,7 +101,7 @@ class Bases:
             if base.is_about_robot
         }
 
-    # --- unchanged classes
+    # --- unchanged classes ------------------------------------------------------------------------
 
     def with_left(self, causes: Mapping[ClassId, Sequence[str]]) -> Bases:
         """The same bases with more unchanged classes. The classes in `causes` keep all related
@@ -121,7 +121,7 @@ class Bases:
         both = {*self.left, *before.left}
         return {each for each in both if self.left.get(each) != before.left.get(each)}
 
-    # --- relations of classes
+    # --- relations of classes ---------------------------------------------------------------------
 
     def _called(self, name: str, path: str) -> BuiltClass | None:
         found = self._by_name.get(name, [])

@@ -82,7 +82,7 @@ class Descriptions:
         name = last_name(argument.value)
         return name == "SkillDescription" or name in self._aliases
 
-    # --- derived descriptions
+    # --- derived descriptions ---------------------------------------------------------------------
 
     def leave_related(self, found: Sequence[Description]) -> None:
         """Keep descriptions unchanged that inherit from others, and their base descriptions."""

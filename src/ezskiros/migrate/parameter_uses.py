@@ -123,7 +123,7 @@ class ParameterUses(cst.CSTTransformer):
         self._reported: set[int] = set()
         self._place: cst.CSTNode | None = None
 
-    # --- findings
+    # --- findings ---------------------------------------------------------------------------------
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:
         """Report a part without a translation."""
@@ -147,7 +147,7 @@ class ParameterUses(cst.CSTTransformer):
             self._statements.pop()
         return found
 
-    # --- visited expressions
+    # --- visited expressions ----------------------------------------------------------------------
 
     def params(self) -> cst.BaseExpression:
         """The expression for the parameters."""

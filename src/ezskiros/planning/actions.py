@@ -174,7 +174,7 @@ def _effects(statement: Statement) -> Iterator[Literal]:
             yield literal(statement)
 
 
-# --- consequences
+# --- consequences ---------------------------------------------------------------------------------
 
 
 def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -> Action:

@@ -109,7 +109,7 @@ class Reach:
                 return next((each for each in lacking if each != goal), lacking[0])
         return None
 
-    # --- assignments
+    # --- assignments ------------------------------------------------------------------------------
 
     def ways(self, action: Action) -> Iterator[dict[str, str]]:
         """The individuals for which all needs of an action are possible."""

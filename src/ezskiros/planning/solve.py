@@ -113,7 +113,7 @@ def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str
     return process.returncode, said.decode("utf-8", "replace")
 
 
-# --- replay of a plan
+# --- replay of a plan -----------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
