@@ -78,12 +78,14 @@ class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
     """A query about an individual of a class that has no member in the scene."""
 
     title = "`{query}` is never true in this scene"
-    label = "the scene has no thing of the class that `{parameter}` needs"
+    label = "the scene has no individual of the class that `{parameter}` needs"
     query: str
     parameter: str
 
     class Others(Remark):
-        says = "in this scene `{parameter}` can be {known}; query one of these, or add a thing"
+        says = (
+            "in this scene `{parameter}` can be {known}; query one of these, or add an individual"
+        )
         parameter: str
         known: str
 
@@ -94,8 +96,8 @@ class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
     """
 
     title = "{thing} {problem} {property}, so {rules} {hold} while `{skill}` uses it"
-    label = "{rules} cannot read {property} of this thing"
-    help = "add one numeric {property} to this thing, or query a class without this thing"
+    label = "{rules} cannot read {property} of this individual"
+    help = "add one numeric {property} to this individual, or query a class without this individual"
     thing: str
     problem: str
     property: str

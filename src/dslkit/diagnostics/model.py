@@ -44,11 +44,11 @@ class Fix:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """A finding: the mistake, its place, the reason, and what to write instead.
+    """A finding: the mistake, its place, the reason, and the correction.
 
-    `code` is stable and never reused (`ROSS301`), `name` is its readable twin (`unit-mismatch`),
-    `title` the one line to show if only one can be shown, `primary` the mistake itself, `labels`
-    the other places that matter, `notes` the reason, `help` what to write instead.
+    `code` is stable and never reused (`ROSS301`), `name` is a readable name (`unit-mismatch`),
+    `title` a summary in one line, `primary` the place of the mistake, `labels` are other relevant
+    places, `notes` reasons, and `help` is the correction.
     """
 
     code: str

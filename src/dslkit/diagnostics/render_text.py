@@ -8,7 +8,7 @@
       |
       = help: write a value in N
 
-The result is `rich` text: a console shows its colours on a terminal and leaves them out elsewhere.
+The result is `rich` text. A console prints its colours only on a terminal.
 """
 
 from __future__ import annotations

@@ -95,13 +95,13 @@ class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
     """Two individuals with the same number, which SkiROS2 uses as their identifier."""
 
     title = "{thing} and {other} have the same number"
-    label = "SkiROS2 identifies things by their numbers"
+    label = "SkiROS2 identifies individuals by their numbers"
     help = "give one of them an unused number"
     thing: str
     other: str
 
     class Other(Remark):
-        says = "the other thing"
+        says = "the other individual"
 
 
 class TwoObjects(Error, code="EZS609", name="two-objects"):

@@ -34,9 +34,7 @@ from ezskiros.skills.nodes import Node
 from ezskiros.trees.tree import Tree
 
 Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
-"""Makes the behavior that ticks the tree of a compound, from the root of the tree. Raises
-`TooDeepError`.
-"""
+"""Makes the behavior that ticks the tree of a compound. Raises `TooDeepError`."""
 
 
 class RunningSkill(Behaviour):
@@ -100,9 +98,7 @@ class RunningSkill(Behaviour):
 
     @property
     def is_waiting(self) -> bool:
-        """True while a guard prevents the start: the status is RUNNING, and the skill does
-        nothing.
-        """
+        """True while a guard prevents the start. The status is RUNNING."""
         return bool(self._waits_for)
 
     # --- ticks: like those of py_trees, but without its log messages ------------------------------
@@ -273,9 +269,7 @@ class RunningSkill(Behaviour):
         return user_code.is_willing(self._instance, "onStart", Code.START)
 
     def _make(self) -> Reason | None:
-        """Instantiate the user's class. A compound needs this only if it defines a method of the
-        life cycle.
-        """
+        """Instantiate the user's class; for a compound only if it has a life-cycle method."""
         kind = self._plan.implementation
         if kind is None or (self._plan.is_compound and not _has_life(kind)):
             return None
@@ -388,9 +382,7 @@ class RunningSkill(Behaviour):
 
 
 def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
-    """The reason why no implementation can start; for several implementations, the reason of
-    each.
-    """
+    """The reason why no implementation can start, or the reason of each implementation."""
     first = problems[0][1]
     if len(problems) == 1:
         return first

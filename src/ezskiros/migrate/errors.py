@@ -63,7 +63,7 @@ class NoKind(Error, code="EZS705", name="no-parameter-kind"):
 class InferredBasic(Error, code="EZS706", name="inferred-basic"):
     """An inferred parameter with a basic type."""
 
-    title = "`{key}` is inferred, but SkiROS2 only infers things of the world model"
+    title = "`{key}` is inferred, but SkiROS2 only infers individuals of the world model"
     help = "use ParamTypes.Required with the default, or ParamTypes.Optional"
     key: str
 
@@ -162,7 +162,7 @@ class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
     """Options of a parameter that does not stand for an individual."""
 
     title = "the options of `{key}` are dropped: SkiROS2 ignores them"
-    label = "options are for parameters that stand for things"
+    label = "options are for parameters that stand for individuals"
     key: str
 
 

@@ -68,8 +68,9 @@ class SkillDescription(metaclass=SkillClass):
             def description(self, Robot: cora.Robot, Target: skiros.Location):
                 self.post_conditions += Robot.at(Target)
 
-    Parameters of the method are those of the skill (thesis, Paper IV, listing 5). The method is run
-    once, with symbols in their places, to learn the conditions; it is not called by users.
+    The parameters of the method are the parameters of the skill (thesis, Paper IV, listing 5).
+    EzSkiROS runs the method with symbols as arguments and records the conditions. Users do not
+    call it.
     """
 
     pre_conditions: Conditions

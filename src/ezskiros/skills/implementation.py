@@ -52,9 +52,9 @@ class SkillImplementation(metaclass=ImplementationClass):
                     ActuateGripper(Open=False),
                 )
 
-    A compound has the method `expandBT`, which writes its behavior tree (thesis, Paper IV, listing
-    7). The children of a processor are skills, processors and decorators, nested at will; what they
-    do with the results of their children is what SkiROS2's processors of these names do.
+    A compound has the method `expandBT`, which builds its behavior tree (thesis, Paper IV, listing
+    7). The children of a processor are skills, processors and decorators, with any nesting.
+    Processors treat the results of their children like the SkiROS2 processors of the same names.
     """
 
     description: ClassVar[SkillClass]

@@ -1,11 +1,11 @@
-"""The pre-conditions that an implementation has besides those of its skill.
+"""Additional pre-conditions of an implementation, besides those of its skill.
 
     class open_door(Open.SkillBase):
         def conditions(self, Door):
             self.pre_conditions += Door.Open == False
 
-SkiROS2's `modifyDescription` adds them. They decide which implementation does a child that names
-none: the first whose pre-conditions hold.
+They correspond to SkiROS2's `modifyDescription`. If a child names no implementation, the first one
+whose pre-conditions hold runs.
 """
 
 from __future__ import annotations

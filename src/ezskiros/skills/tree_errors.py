@@ -147,7 +147,7 @@ class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
 
     title = "`{spelled}` does not depend on the value of the parameter"
     note = "`is` compares object identity, and `params` contains placeholders"
-    help = "write `==` to compare a value, `if params.Name:` to test for a thing"
+    help = "write `==` to compare a value, `if params.Name:` to test for an individual"
     spelled: str
 
 
