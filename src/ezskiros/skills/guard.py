@@ -36,7 +36,7 @@ _DEEDS = {
     "socket.": "uses the network",
     "urllib.Request": "uses the network",
     "webbrowser.open": "opens a browser",
-    "builtins.input": "asks for input",
+    "builtins.input": "waits for input",
     "builtins.breakpoint": "stops in the debugger",
     "ctypes.dlopen": "loads a library",
     "fcntl.": "talks to a device",

@@ -37,7 +37,7 @@ _T = _TypeVar("_T")
 _N = _TypeVar("_N")
 
 class _Value(_Condition, _Generic[_T]):
-    """A data property: by itself the condition that there is a value."""
+    """A data property. Alone, it is the condition that a value exists."""
     def __eq__(self, value: _T, /) -> _Condition: ...
     def __ne__(self, value: _T, /) -> _Condition: ...
     def __lt__(self, value: _Nothing, /) -> _Condition: ...
@@ -59,7 +59,7 @@ class _Truth(_Value[_bool]): ...
 class _Anything(_Ordered[_float | _str | _bool, _float]): ...
 
 class _Ambiguous:
-    """Several namespaces have it: say it as `namespace.name(Subject, ...)`."""
+    """Several namespaces have this name: write `namespace.name(Subject, ...)`."""
 '''
 
 
@@ -88,13 +88,13 @@ class _Writer:
 
     def text(self) -> str:
         """The whole text."""
-        doc = _doc("Something in the world.")
+        doc = _doc("An individual of the world model.")
         thing = _block("class _Thing:", doc, *self._attributes(Thing))
         bodies = [_block(f"class {name}:", *self._inside(name)) for name in self._namespaces]
         public = [name for name in self._namespaces if name != ELSEWHERE]
         aliases = "".join(f"{alias(name)}: _TypeAlias = {name}\n" for name in public)
         again = [f"{name}: _TypeAlias = {alias(name)}" for name in public]
-        world = _block("class world:", _doc("The ontology: all its namespaces."), *again)
+        world = _block("class world:", _doc("All namespaces of the ontology."), *again)
         return "\n".join([_HEAD, thing, *bodies, aliases, *([] if "world" in public else [world])])
 
     def _inside(self, namespace: str) -> list[str]:
