@@ -314,7 +314,7 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
     command = ["evaluate", "--seeds", "2", "--experiment", "place", "--out", str(tmp_path)]
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 0, found.output
-    assert "30 of 30 are done already" in found.output
+    assert "30 of 30 are already done" in found.output
     assert "Seeds: 2." in (tmp_path / "experiments.md").read_text(encoding="utf-8")
     written = read_rows(Folder(tmp_path).rows("place"))
     assert len(written) == 18

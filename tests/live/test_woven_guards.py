@@ -82,7 +82,7 @@ input force = topic /force : std_msgs/Float64 in N timeout 3 sec;
 action halt { block /cmd_vel : geometry_msgs/Twist; }
 rule stop: if force > 5 N then { halt; };
 """
-UNKNOWN = "waits: nobody knows which rules are active"
+UNKNOWN = "waits: the active rules are unknown"
 ACTIVE = "waits: rule `stop` is active"
 
 

@@ -106,7 +106,7 @@ def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
     done = run("work", folder=tmp_path)
     assert done.returncode == 2
     assert "error[EZS" in done.stdout
-    assert done.stderr == "ezskiros: nothing is run: there are errors\n"
+    assert done.stderr == "ezskiros: nothing was run, because there are errors\n"
 
 
 @pytest.mark.parametrize(
