@@ -55,7 +55,7 @@ def _reported_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], 
                 | reactions.CancelGoal(server=name, action_type=found)
             ) if found is not None:
                 yield (UseKind.SERVER, name), Mention(found, task.span)
-            case _:  # The other effects have no type of a topic or server.
+            case _:  # open: the other effects have no type of a topic or server
                 pass
 
 

@@ -153,11 +153,7 @@ def test_what_is_consumed_cannot_be_used_again(tmp_path: Path) -> None:
         ("(contain shelf starter", "EZS850", "`)` is missing here"),
         ("contain shelf starter", "EZS850", "`(` is missing here"),
         ("(not contain shelf starter)", "EZS850", "`(` is missing here"),
-        (
-            "(contain shelf starter bench)",
-            "EZS850",
-            "brackets must contain a relation and two individuals",
-        ),
+        ("(contain shelf starter bench)", "EZS850", "a relation and two individuals"),
         ("(contain shelf stater)", "EZS851", "the scene has no `stater`"),
         ("(contains shelf starter)", "EZS852", "no relation or data property `contains`"),
         ("(contain gripper bench)", "EZS853", "no skill achieves"),
