@@ -231,7 +231,7 @@ def test_a_module_that_was_not_run_whole_is_only_simulated(tmp_path: Path) -> No
     done = run("Work", folder=tmp_path)
     assert done.returncode == 2
     assert "EZS231" in done.stderr + done.stdout
-    assert "nothing is run" in done.stderr
+    assert "nothing was run" in done.stderr
     assert run("Work", "--simulate", folder=tmp_path).returncode == 0
 
 
