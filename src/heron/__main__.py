@@ -7,7 +7,7 @@ from dslkit.signals import end_at_once
 
 
 def main() -> None:
-    """Run the command line. What is imported for it takes a while, and may be interrupted."""
+    """Run the command line. The import takes a while, and the user may interrupt it."""
     end_at_once()
     look_seldom()
     from heron.cli.main import main as run

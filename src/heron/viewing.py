@@ -35,8 +35,8 @@ def trouble() -> str | None:
 
 
 class Window:
-    """An observer that shows what there is 60 times a second. Whoever closes the window lets the
-    episode go on without it, as fast as it can. Each scene is seen by the next of the cameras.
+    """An observer that draws the scene 60 times a second. After the user closes the window, the
+    episode continues without the window, at full speed. The next camera shows the next scene.
     """
 
     period_ns = 16_000_000
@@ -53,7 +53,7 @@ class Window:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Close it, and wait for that: the display fails whoever draws in a window that is gone."""
+        """Close the window, and wait for its thread: drawing in a closed window fails."""
         if self._handle is not None:
             self._handle.close()
         for thread in self._drawing:

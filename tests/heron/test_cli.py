@@ -117,7 +117,7 @@ def test_what_hinders_a_link_to_ros_is_reported(
 def test_without_a_guard_there_is_nothing_to_link() -> None:
     found = CliRunner().invoke(app, ["run", "nav", "--ros1", "--arm", "none"])
     assert found.exit_code == 2
-    assert "--arm none has none" in found.stderr
+    assert "--arm none has no such node" in found.stderr
 
 
 NO_POLICY = ["run", "insertion", "--policy", "policy.npz"]
@@ -129,9 +129,9 @@ NO_POLICY = ["run", "insertion", "--policy", "policy.npz"]
         (["run", "insertion"], "an episode needs --policy FILE"),
         (["run", "insertion", "--arm", "ended"], "insertion has no arm ended; there are"),
         ([*NO_POLICY, "--ros1"], "leave out --policy, and run `heron policy policy.npz`"),
-        (["run", "insertion", "--ros1", "--arm", "unguarded"], "--arm unguarded has none"),
+        (["run", "insertion", "--ros1", "--arm", "unguarded"], "--arm unguarded has no such node"),
         (["run", "insertion", "--ros1", "--film", "a.gif"], "leave out --ros1"),
-        ([*NO_POLICY, "--film", "a.txt"], "has to end in .mp4 or .gif"),
+        ([*NO_POLICY, "--film", "a.txt"], "must end in .mp4 or .gif"),
     ],
 )
 def test_an_insertion_that_there_is_not_is_refused(command: list[str], reported: str) -> None:
@@ -152,7 +152,7 @@ def test_a_policy_that_is_not_there_is_reported(
     (tmp_path / "policy.npz").write_bytes(b"PK")
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
-    assert "policy.npz is no policy of this task" in found.stderr
+    assert "policy.npz is not a policy of this task" in found.stderr
 
 
 @needs(MUJOCO)

@@ -115,7 +115,7 @@ def test_a_film_that_does_not_fit_the_disk_is_no_film(suffix: str, tmp_path: Pat
 @pytest.mark.parametrize(
     ("arguments", "reported"),
     [
-        (("--film", "drive.avi"), "the name of the film has to end in .mp4 or .gif"),
+        (("--film", "drive.avi"), "the name of the film must end in .mp4 or .gif"),
         (("--film", "drive.mp4", "--view"), "leave out --view"),
         (("--film", "drive.mp4", "--ros1"), "leave out --ros1"),
         (("--film", "/dev/null/drive.mp4"), "cannot write"),
@@ -165,7 +165,7 @@ def test_every_command_of_the_gallery_is_one_that_there_is() -> None:
     for command in commands:
         assert command[-1].endswith(".mp4")
         found = CliRunner().invoke(app, [*command[:-1], "no-film.txt"])
-        assert "has to end in .mp4" in found.output, "all that is before the name is understood"
+        assert "must end in .mp4" in found.output, "all that is before the name is understood"
 
 
 @pytest.mark.parametrize("experiment", EXPERIMENTS.values(), ids=EXPERIMENTS)

@@ -133,9 +133,9 @@ def test_a_trace_has_the_stamps_of_the_recording(tmp_path: Path) -> None:
             ["record", "place", "--variant", "low", "--out", "a.mcap"],
             "no variant low; there are high",
         ),
-        (["record", "place", "--out", "a.bag"], "has to end in .mcap"),
+        (["record", "place", "--out", "a.bag"], "must end in .mcap"),
         (["record", "place", "--out", "there.mcap"], "is there, and heron did not write it"),
-        (["record", "place", "--out", "a.mcap", "--trace", "a.mcap"], "has to end in .jsonl"),
+        (["record", "place", "--out", "a.mcap", "--trace", "a.mcap"], "must end in .jsonl"),
         (
             ["record", "place", "--out", "a.mcap", "--trace", "there.jsonl"],
             "is there, and heron did not write it",

@@ -192,7 +192,9 @@ def test_bz2_in_a_bag_is_reported_with_its_chunk_and_the_rest_is_used(tmp_path: 
     done = replay(path)
     assert "ROSS615" in done.stdout
     at = path.read_bytes().index(bomb)
-    reported = f"the chunk at byte {at} is not whole: {len(bomb)} bytes stand for more than 64 MiB"
+    reported = (
+        f"the chunk at byte {at} is incomplete: {len(bomb)} bytes decompress to more than 64 MiB"
+    )
     assert reported in done.stdout
     assert "9 messages could be read" in done.stdout
 
@@ -205,7 +207,7 @@ def test_zstd_in_an_mcap_is_reported_with_its_chunk_and_the_rest_is_used(
     path = mcap_with(tmp_path / "drive", {4: bomb}, size)
     done = replay(path)
     assert "ROSS615" in done.stdout
-    assert f"the chunk at byte {path.read_bytes().index(bomb)} is not whole" in done.stdout
+    assert f"the chunk at byte {path.read_bytes().index(bomb)} is incomplete" in done.stdout
     assert "9 messages could be read" in done.stdout
 
 
@@ -214,7 +216,7 @@ def test_many_chunks_that_are_each_within_a_limit_are_reported(tmp_path: Path) -
     bombs = dict.fromkeys(range(1, 9), zstd.compress(metadata))
     path = mcap_with(tmp_path / "drive", bombs, len(metadata))
     done = replay(path)
-    assert "too much for a file of its size" in done.stdout
+    assert "too large for the size of the file" in done.stdout
     assert "2 messages could be read" in done.stdout
 
 
@@ -226,7 +228,7 @@ def test_a_file_that_is_compressed_as_a_whole_is_reported(tmp_path: Path) -> Non
     packed.write_bytes(zstd.compress(ZEROS) * 75)
     done = replay(folder)
     assert "ROSS614" in done.stdout
-    assert "too much for a file of its size" in done.stdout
+    assert "too large for the size of the file" in done.stdout
 
 
 def test_messages_that_are_compressed_one_by_one_are_reported(tmp_path: Path) -> None:
@@ -238,7 +240,7 @@ def test_messages_that_are_compressed_one_by_one_are_reported(tmp_path: Path) ->
         bomb = zstd.compress(ZEROS) * 75
         database.execute("UPDATE messages SET data = ? WHERE id = 9", (bomb,))
     done = replay(folder)
-    assert "stand for more than 64 MiB" in done.stdout
+    assert "decompress to more than 64 MiB" in done.stdout
 
 
 def test_metadata_that_doubles_with_each_line_is_reported(tmp_path: Path) -> None:
@@ -316,7 +318,7 @@ def test_a_message_of_many_small_parts_is_unknown(tmp_path: Path) -> None:
     path = redefined(tmp_path, "b/One[] many\n" + part("One", "bool is_one"), many, few)
     done = replay(path)
     assert "1 of 2 messages on `/battery` cannot be read" in done.stdout
-    assert "its parts are small" in done.stdout
+    assert "the limit for its type" in done.stdout
 
 
 # --- other files -----------------------------------------------------------------------------

@@ -126,7 +126,7 @@ def test_an_evaluation_that_is_ended_says_what_is_kept_and_ends_its_workers(tmp_
         _, said = started.communicate(timeout=TIME_LIMIT_S)
     assert started.returncode == 128 + signal.SIGTERM
     assert said.splitlines()[-1] == (
-        "heron: interrupted; what is done is kept, and the same command goes on from there"
+        "heron: interrupted; finished work is kept; run the same command again to continue"
     )
     assert len(workers) == 2
     assert not any(map(is_running, workers))

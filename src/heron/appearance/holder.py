@@ -77,8 +77,8 @@ class Holder:
         self._links = [model.body(name).id for name in _LINKS]
 
     def hold(self, model: Any, peg: NDArray[np.float64]) -> None:
-        """Turn the links so that the peg is held at a place (m). What is too far away for them is
-        pointed at.
+        """Turn the links so that the arm holds the peg at a position (m). The arm points at a peg
+        that is out of reach.
         """
         x, y, z = peg.tolist()
         x, y, z = x - _FOOT[0], y - _FOOT[1], z + _ABOVE - _HEIGHT

@@ -12,7 +12,7 @@ from dslkit.command_line import CommandLine
 from dslkit.ending import INTERRUPTED
 from dslkit.writing import reason
 
-_KEPT = "what is done is kept, and the same command goes on from there"
+_KEPT = "finished work is kept; run the same command again to continue"
 
 
 def carry_out(
@@ -41,4 +41,4 @@ def carry_out(
             typer.echo(f"the page:  {write_page(found.values)}")
     if found.failures:
         names = ", ".join(failure.key for failure in found.failures)
-        output.fail(f"not finished, and tried again by the same command: {names}", exit_code=1)
+        output.fail(f"not finished (run the same command again): {names}", exit_code=1)

@@ -74,8 +74,7 @@ def require_drawing() -> None:
     draw_without_display()
     if os.environ["MUJOCO_GL"] == "disable":
         output.fail(
-            "films are drawn by EGL, which is not there: on Debian, install libegl1 and "
-            "libgl1-mesa-dri",
+            "films need EGL, which is missing: on Debian, install libegl1 and libgl1-mesa-dri",
             exit_code=2,
         )
 
@@ -111,14 +110,14 @@ def require_campaign(out: Path, page: str, journal: Path) -> None:
 def require_trace(out: Path) -> None:
     """End the run if a trace could not be written into a file of this name."""
     if out.suffix != ".jsonl":
-        output.fail(f"the name of the trace has to end in .jsonl, not as {out}", exit_code=2)
+        output.fail(f"the name of the trace must end in .jsonl, unlike {out}", exit_code=2)
     require_place(out)
 
 
 def require_film(out: Path) -> None:
     """End the run if a film could not be written into a file of this name."""
     if out.suffix.lower() not in _FILMS:
-        output.fail(f"the name of the film has to end in .mp4 or .gif, not as {out}", exit_code=2)
+        output.fail(f"the name of the film must end in .mp4 or .gif, unlike {out}", exit_code=2)
     require_place(out)
 
 
@@ -189,7 +188,7 @@ def budget_of(formulation: Formulation, steps: int | None) -> int:
     least = LEAST_BUDGETS[formulation]
     if steps is not None and steps < least:
         output.fail(
-            f"--steps {steps} is too few: 32 environments of 300 steps learn side by side, "
+            f"--steps {steps} is too small: 32 environments of 300 steps learn in parallel, "
             f"so {formulation.value} needs {least} at least",
             exit_code=2,
         )
@@ -212,7 +211,7 @@ def require_learning(algorithms: Sequence[str]) -> None:
 def require_gymnasium() -> None:
     """End the run if there can be no environments."""
     if find_spec("gymnasium") is None:
-        output.fail(f"what was learned needs Gymnasium: {EXTRAS.advice('gym')}", exit_code=2)
+        output.fail(f"a learned policy needs Gymnasium: {EXTRAS.advice('gym')}", exit_code=2)
 
 
 def require_simulation() -> None:

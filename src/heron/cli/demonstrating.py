@@ -26,7 +26,7 @@ def demonstrate(output: CommandLine, seed: int, out: Path) -> None:
     output.save(out, page_of(shots))
     trouble = next((shot.frames.trouble for shot in shots if shot.frames.trouble), None)
     if trouble is not None:
-        output.complain(f"the page is without pictures: {trouble}")
+        output.complain(f"the page has no pictures: {trouble}")
     typer.echo(f"the page:  {out}")
 
 

@@ -30,8 +30,8 @@ def _drawing(output: CommandLine) -> Iterator[None]:
             yield
     except CannotDrawError as error:
         output.fail(
-            f"no film: OpenGL cannot draw without a display ({error}); on Debian, libegl1 and "
-            "libgl1-mesa-dri do that",
+            f"no film: OpenGL cannot draw without a display ({error}); on Debian, install "
+            "libegl1 and libgl1-mesa-dri",
             exit_code=2,
         )
 

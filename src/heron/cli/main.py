@@ -105,7 +105,8 @@ def nav(
         return
     if arm in (Arm.NONE, Arm.COLLISION_MONITOR):
         output.fail(
-            f"--ros1 is about the node on guard, and --arm {arm.value} has none", exit_code=2
+            f"--ros1 uses the generated node as the guard, but --arm {arm.value} has no such node",
+            exit_code=2,
         )
     if film is not None:
         output.fail("--film needs an episode in this process: leave out --ros1", exit_code=2)
@@ -249,7 +250,7 @@ def record(
     chosen = variant_of(known(experiment), variant)
     require_arm(experiment, arm)
     if out.suffix != ".mcap":
-        output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
+        output.fail(f"the name of the recording must end in .mcap, unlike {out}", exit_code=2)
     require_place(out)
     if trace is not None:
         require_trace(trace)

@@ -57,13 +57,14 @@ def insertion(
 def _insert_live(policy: Path | None, arm: LearningArm, seed: int, film: Path | None) -> None:
     if policy is not None:
         output.fail(
-            "--ros1 runs the arm, and the policy is a node of its own: leave out --policy, and "
+            "--ros1 runs only the arm, and the policy is a separate node: leave out --policy, and "
             f"run `heron policy {policy}`",
             exit_code=2,
         )
     if arm is LearningArm.UNGUARDED:
         output.fail(
-            f"--ros1 is about the node on guard, and --arm {arm.value} has none", exit_code=2
+            f"--ros1 uses the generated node as the guard, but --arm {arm.value} has no such node",
+            exit_code=2,
         )
     if film is not None:
         output.fail("--film needs an episode in this process: leave out --ros1", exit_code=2)

@@ -124,7 +124,7 @@ def run_blocked(
 
 
 def seeded_generators(seed: int) -> dict[str, np.random.Generator]:
-    """The generators of an episode; `obstacles` is that of what stands in the way."""
+    """The random generators of an episode. `obstacles` generates the obstacles on the path."""
     return seeded(("obstacles", *SEEDED), seed)
 
 

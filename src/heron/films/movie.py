@@ -29,8 +29,9 @@ def speed_for(duration: float) -> int:
 
 
 def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
-    """Clips side by side, each picture of one of that size, in the format that the suffix says. The
-    first second shows the hazard, for whoever sees the first picture only.
+    """Write a film of clips side by side. Each picture of a clip has the given size. The suffix
+    sets the format. The first second shows the hazard, for viewers that show only the first
+    picture.
 
     Raises `CannotDrawError` and `OSError`; then there is no file.
     """

@@ -100,7 +100,7 @@ class PegArm:
         mujoco.mj_step(self.model, self.data, nstep=STEPS)
 
     def _free_along_z(self, is_free: bool) -> None:
-        """Let the hand be free along z, but for its damping; or compliant as in the plane."""
+        """Make the hand free along z, with damping only, or compliant as in the plane."""
         model, number = self.model, self._spring_z
         self._is_pushing = is_free
         model.actuator_gainprm[number] = np.zeros(len(self._stiff)) if is_free else self._stiff

@@ -120,7 +120,7 @@ def read_log(path: Path) -> list[Episode]:
     try:
         return episodes_of(text[: text.rfind("\n") + 1].splitlines()[1:])
     except ValueError:
-        raise ValueError(f"{path} is no log of episodes; remove its folder") from None
+        raise ValueError(f"{path} is not a log of episodes; remove its folder") from None
 
 
 def episodes_of(lines: Iterable[str]) -> list[Episode]:
@@ -130,7 +130,7 @@ def episodes_of(lines: Iterable[str]) -> list[Episode]:
 
 def _episode(texts: Sequence[str]) -> Episode:
     if len(texts) != len(Episode._fields):
-        raise ValueError("this is no episode")
+        raise ValueError("this is not an episode")
     return Episode._make(map(_number, texts))
 
 

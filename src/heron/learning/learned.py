@@ -57,5 +57,5 @@ def _numbers(path: Path) -> dict[str, float]:
     except (ValueError, KeyError, TypeError, OverflowError, RecursionError):
         numbers = {}
     if not numbers or not all(map(math.isfinite, numbers.values())):
-        raise ValueError(f"{path} does not hold the numbers of the tree")
+        raise ValueError(f"{path} does not contain the numbers of the tree")
     return numbers

@@ -110,15 +110,15 @@ def load_policy(path: Path) -> Policy:
             return Policy(layers, (least, greatest), bool(found["is_squashed"]))
     except _OF_DAMAGE:
         pass
-    raise ValueError(f"{path} is no policy of this task")
+    raise ValueError(f"{path} is not a policy of this task")
 
 
 def require_small(path: Path) -> None:
-    """Raise `ValueError` if a path is no file, or one that is too large to be of a training, and
+    """Raise `ValueError` if a path is not a file, or one that is too large to be of a training, and
     `OSError` if there is none.
     """
     if path.stat() and not path.is_file():
-        raise ValueError(f"{path} is no file")
+        raise ValueError(f"{path} is not a file")
     if path.stat().st_size > _LARGEST_FILE:
         raise ValueError(f"{path} is larger than {_LARGEST_FILE // 2**20} MiB")
 

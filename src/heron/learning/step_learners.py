@@ -113,7 +113,7 @@ class SkrlLearner:
         try:
             found = flax.serialization.from_bytes(self._known(0), kept)
         except (ValueError, TypeError, AttributeError, KeyError, msgpack.UnpackException) as error:
-            raise ValueError("this is of another learner") from error
+            raise ValueError("this belongs to another learner") from error
         for name, model in self._models.items():
             model.state_dict = model.state_dict.replace(params=found["models"][name])
         for name, state in found["optimizers"].items():

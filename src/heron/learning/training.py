@@ -58,7 +58,7 @@ def train(folder: Path, key: str) -> Value:
         try:
             training.load(checkpoint.read_bytes())
         except ValueError:
-            raise ValueError(f"{checkpoint} is of another training; remove it") from None
+            raise ValueError(f"{checkpoint} belongs to another training; remove it") from None
     log = EpisodeLog(place / LOG, training.steps)
     before = log.episodes[-1].seconds if log.episodes else 0.0
     saved = training.steps

@@ -68,9 +68,9 @@ class TreeTraining:
             scores = [[float(each) for each in one] for one in found["scores"]]
             self.steps = int(found["steps"])
         except (KeyError, TypeError):
-            raise ValueError("these are no generations") from None
+            raise ValueError("this is not a list of generations") from None
         if any(len(one) != _CANDIDATES for one in scores):
-            raise ValueError("these are other generations")
+            raise ValueError("these are generations of another training")
         for one in scores:
             self._tell(self._candidates(), one)
 

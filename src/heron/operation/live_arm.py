@@ -43,9 +43,9 @@ class LiveArm:
         node.subscribe(PUSH.name, PUSH.type, self._hear_push)
 
     def run(self) -> InsertionOutcome:
-        """Stand until a command moves the arm; from there on, the episode lasts until the peg is
-        inserted or no time is left. Raises `Ros1Error` if nobody commands within 30 s, or whoever
-        did is gone.
+        """Wait until a command moves the arm. Then run the episode until the peg is inserted or the
+        time is over. Raises `Ros1Error` if no command arrives within 30 s, or if the commanding
+        node has gone.
         """
         self._node.wait_while(self._lacking)
         insertion, pace = self._insertion, Pace(READING_NS)
@@ -66,7 +66,7 @@ class LiveArm:
 
     def _lacking(self) -> str | None:
         silent = [topic for topic in (VELOCITY, PUSH) if not self._node.hears(topic.name)]
-        return f"nobody publishes {_names(silent)}: {_GUARD}" if silent else None
+        return f"no node publishes {_names(silent)}: {_GUARD}" if silent else None
 
     def _command(self) -> Command:
         x, y, z = self._velocity.now()

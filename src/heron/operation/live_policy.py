@@ -70,14 +70,14 @@ class LivePolicy:
     def _lacking(self) -> str | None:
         silent = [topic.name for topic in _HEARD if not self._node.hears(topic.name)]
         if silent:
-            return f"nobody publishes {', '.join(silent)}: start `heron run insertion --ros1`"
+            return f"no node publishes {', '.join(silent)}: start `heron run insertion --ros1`"
         deaf = [
             topic.name
             for topic in (WANTED_VELOCITY, WANTED_PUSH)
             if not self._node.has_listeners(topic.name)
         ]
         guard = "start the node that is built from insertion.ross"
-        return f"nobody listens to {', '.join(deaf)}: {guard}" if deaf else None
+        return f"no node subscribes to {', '.join(deaf)}: {guard}" if deaf else None
 
     def _observation(self) -> Any:
         """The numbers of an observation. Velocities follow from the last two places."""

@@ -125,8 +125,8 @@ class Arm(Physics):
             self.data.ctrl[: self._count] += self._stride
 
     def loosen(self) -> None:
-        """Gravity-free: the servos only carry what gravity pulls at, and give way to whoever leads
-        the arm. To be called again and again, for as long as it is to stay so.
+        """Compensate gravity: the servos only carry the weight, and yield to a person who moves the
+        arm. Call this in each step in which the arm must yield.
         """
         model, count = self.model, self._count
         if not self._is_loose:

@@ -144,7 +144,7 @@ class ArmController:
             self._begin_to_place()
 
     def scale_speed(self, scale: float) -> None:
-        """All speeds are this share of what they would be, until somebody says otherwise."""
+        """Scale all speeds by this factor (0 to 1), until the next call."""
         self._scale = max(0.0, min(1.0, scale))
 
     def _begin_to_carry(self, seconds: float = 0.0) -> None:

@@ -88,7 +88,7 @@ class Connection:
     def _hear(self) -> None:
         heard = self._socket.recv(65536)
         if not heard:
-            raise ConnectionError("the other side has gone")
+            raise ConnectionError("the other node has closed the connection")
         self._received += heard
 
 

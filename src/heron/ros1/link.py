@@ -23,7 +23,7 @@ CLOCK = Topic("/clock", "rosgraph_msgs/Clock")
 _LONGEST_NS = 10_000_000  # between two words about time, for what is due by itself
 _ON_ITS_WAY_S = 0.1  # what connections of a busy machine take longer for than others
 _LOOK_S = 0.0002
-_START = "start it anew, where /use_sim_time is true"
+_START = "restart the node with /use_sim_time set to true"
 
 
 class Ros1Link:
@@ -43,7 +43,7 @@ class Ros1Link:
         self._lockstep: Lockstep | None = None
 
     def close(self) -> None:
-        """The end of it: nobody hears of it any more."""
+        """Close all connections."""
         for one in (self._lockstep, self._guard):
             if one is not None:
                 one.close()
@@ -100,16 +100,16 @@ class Ros1Link:
             if not deaf and self._node.hears(f"{name}/state"):
                 return None
             if deaf == [CLOCK.name]:
-                return f"the node {name} has a time of its own: {_START}"
-            what = f"does not hear {', '.join(deaf)}" if deaf else "says nothing"
-            return f"the node {name} is not there, or of other rules: it {what}"
+                return f"the node {name} does not use the simulation time: {_START}"
+            what = f"does not subscribe to {', '.join(deaf)}" if deaf else "says nothing"
+            return f"the node {name} is missing, or has other rules: it {what}"
 
         self._node.wait_while(lacking)
         self._lockstep = Lockstep(self._node, name)
         self._lockstep.wait_for_all()
         self._node.deliver()
         if self._guard.has_begun:
-            raise Ros1Error(f"the node {name} has been on guard before: {_START}")
+            raise Ros1Error(f"the node {name} was used in an earlier run: {_START}")
 
 
 def _clock(at_ns: int) -> Message:

@@ -66,7 +66,7 @@ class Node:
             self._slave = SimpleXMLRPCServer((host, 0), _Quiet, logRequests=False)
         except OSError as error:
             advice = "correct ROS_IP or ROS_HOSTNAME, or unset both"
-            raise Ros1Error(f"{host} is no address of this machine; {advice}") from error
+            raise Ros1Error(f"{host} is not an address of this machine; {advice}") from error
         self._slave.register_function(self._request_topic, "requestTopic")
         self._slave.register_function(self._update_publishers, "publisherUpdate")
         self._address = f"http://{host}:{self._slave.server_address[1]}/"
@@ -145,7 +145,7 @@ class Node:
                 try:
                     bodies = list(connection.waiting())
                 except OSError as error:
-                    raise Ros1Error(f"who published {topic} is gone: {error}") from error
+                    raise Ros1Error(f"who published {topic} has gone: {error}") from error
                 for body in bodies:
                     heard.receive(messages.store().deserialize_ros1(body, kind))
 
@@ -187,7 +187,7 @@ class Node:
             connection.send_header(header)
             connection.header()
         except OSError as error:
-            raise Ros1Error(f"{name} is not to be reached: {error}") from error
+            raise Ros1Error(f"{name} cannot be reached: {error}") from error
         return Service(name, connection)
 
     # --- others ------------------------------------------------------------------------------

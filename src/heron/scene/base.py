@@ -46,9 +46,9 @@ class BaseParameters:
     rocker_mass: float = 0.5
     caster_friction: float = 0.01
     torque: float = 6.0
-    """At most, on each drive wheel, as long as nobody asks for more."""
+    """The usual torque limit of each drive wheel (Nm)."""
     boosted_torque: float = 13.0
-    """Likewise, for as long as the drive is told to give more."""
+    """The torque limit of each drive wheel after a request for more torque (Nm)."""
     gain: float = 12.0
     """The gain of the velocity servo on each wheel, in Nm s/rad."""
     imu_z: float = 0.2

@@ -57,8 +57,8 @@ class InsertionParameters:
 
 
 def build_insertion(scene: InsertionParameters) -> Any:
-    """The peg at the origin of its axes, each of which moves it in the frame of the scene. The
-    place of the peg is the middle of its lower end.
+    """The peg at the origin of its axes. Each axis moves the peg in the frame of the scene. The
+    position of the peg is the center of its lower end.
     """
     spec = new_spec()
     spec.option.timestep = STEP_NS * 1e-9

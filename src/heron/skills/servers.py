@@ -1,4 +1,4 @@
-"""Primitive skills reach the robot by the carrier of whoever ticks them."""
+"""The interface between primitive skills and the robot: the caller of a tick sets the carrier."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from heron.skills.ros1_servers import Ros1Servers
 
 _ROS1 = Ros1Servers()
 CARRIER: ContextVar[Servers] = ContextVar("carrier", default=_ROS1)
-"""Real SkiROS2 sets none: its skills reach the action servers of ROS 1."""
+"""SkiROS2 sets no carrier: its skills use the action servers of ROS 1."""
 
 
 class Sent:
-    """A goal that was sent to an action server. `is_reached` is None as long as nobody knows."""
+    """A goal that was sent to an action server. `is_reached` is None until the server answers."""
 
     def __init__(self, server: str, goal: Goal) -> None:
         self._server = CARRIER.get().server(server)
@@ -21,7 +21,7 @@ class Sent:
         self._server.send(goal, self._end)
 
     def cancel(self) -> None:
-        """Give it up."""
+        """Cancel the goal."""
         self._server.cancel()
 
     def _end(self, is_reached: bool) -> None:

@@ -83,12 +83,12 @@ class SkillTask:
 
     @property
     def ahead(self) -> list[Ahead] | None:
-        """The skills that can start next; None if nobody knows them."""
+        """The skills that can start next; None if they are not known."""
         return self._task.ahead
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
-        """The skills of the task, and what has become of them."""
+        """The skills of the task, with their states over time."""
         return tree_over_time(self._trees, self._events)
 
     @property

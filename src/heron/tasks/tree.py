@@ -25,7 +25,7 @@ class Status(enum.Enum):
 
 
 class Span(NamedTuple):
-    """A skill ran from when to when (s), and what came of it; no end if it still runs."""
+    """The start and the end of a skill (s), and its status. There is no end while it runs."""
 
     start: float
     end: float | None

@@ -1,4 +1,4 @@
-"""All queries about a machine, the quick ones first."""
+"""All queries about a machine. Quick queries come first."""
 
 from __future__ import annotations
 
@@ -75,17 +75,19 @@ def _in_time(inquiry: Inquiry, name: str, query: Query, limit_s: float) -> Itera
 
 
 def _not_all_asked(limit_s: float) -> str:
-    return f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
+    return f"the time limit of {limit_s:g} s was reached; `--thorough` has no limit"
 
 
 def _queries(thorough: bool, within_ns: int) -> dict[str, Query]:
     quick: dict[str, Query] = {
         "which rules are in conflict?": lambda asked: find_conflicts(asked, thorough=thorough),
-        "what is never or always so?": lambda asked: find_decided(asked, thorough=thorough),
-        "whose loss does nobody notice?": find_unnoticed,
+        "which conditions are never or always true?": lambda asked: find_decided(
+            asked, thorough=thorough
+        ),
+        "which stale inputs does no rule detect?": find_unnoticed,
         "which commands are blocked?": find_blocked,
         "which rules keep themselves active?": find_self_holding,
-        "which latches do rules release?": find_released_latches,
+        "which latched rules do rules reset?": find_released_latches,
         "which durations do not fit the rates of messages?": find_unfit_durations,
         "which rules set each other off?": find_alternating,
     }

@@ -1,4 +1,4 @@
-"""Recoveries that conflict with their own rule or with another rule: commands that a limit cuts to
+"""Recoveries that conflict with their own rule or with another rule: a limit cuts their commands to
 0.
 """
 
@@ -88,7 +88,7 @@ def _blocked(
     place = RecoveryBlocked.Limit().at(limit_task.span)
     if result.outcome is Satisfiability.UNDECIDED:
         query = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
-        open_one = Undecided(query=query, reason="whether both can be active is open")
+        open_one = Undecided(query=query, reason="it is undecided if both can be active")
         return Finding(open_one.at(task.span, place))
     finding = RecoveryBlocked(
         rule=name,

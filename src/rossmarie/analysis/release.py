@@ -41,7 +41,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
             yield Finding(NoWayOut(rule=rule.name).at(span))
         elif result.outcome is Satisfiability.UNDECIDED:
             query = f"can rule `{rule.name}` be cleared once it is active?"
-            reason = "no short trace of events does so, and no proof excludes it"
+            reason = "no short trace shows it, and no proof excludes it"
             yield Finding(Undecided(query=query, reason=reason).at(span))
 
 

@@ -103,12 +103,12 @@ def _placement(
     given = package.given()
     if not TARGETS[target].is_package:
         if given:
-            output.fail(f"{given[0]} is for packages: --target ros1 or ros2", exit_code=2)
+            output.fail(f"{given[0]} needs --target ros1 or ros2", exit_code=2)
         return None, OWN_PACKAGE
     if package.part_of is not None:
         if given != ["--part-of"]:
             reported = (
-                f"{given[0]} is not for --part-of: the package.xml of {package.part_of} says it"
+                f"leave out {given[0]} with --part-of: edit the package.xml of {package.part_of}"
             )
             output.fail(reported, exit_code=2)
         return None, Placement(part_of=package.part_of)
@@ -132,7 +132,7 @@ def _tell(built: Built, described: Described | None) -> None:
         options = " and ".join(f"--{field}" for field in described.missing)
         typer.echo(
             f"package.xml names no {' and no '.join(described.missing)}: "
-            f"give {options}, or put a package.xml that does beside the rules"
+            f"give {options}, or put a complete package.xml next to the rules"
         )
     if built.next_step:
         typer.echo(built.next_step)

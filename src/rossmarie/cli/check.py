@@ -35,7 +35,10 @@ def run_check(
     with output.answering(form, "check", files=len(files)):
         output.try_study(study)
         if toggle_s is not None and not thorough:
-            output.fail("--toggle needs --thorough: only that search looks for it", exit_code=2)
+            output.fail(
+                "--toggle needs --thorough: the other queries do not look for toggling rules",
+                exit_code=2,
+            )
         is_tests = witnesses is not None and witnesses.suffix == ".ross"
         if is_tests and len(files) > 1:
             output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
@@ -90,7 +93,7 @@ def _for_target(
     folders: Sequence[Path],
     only: Sequence[Category],
 ) -> Sequence[Diagnostic]:
-    """Find unsupported features of a target, and return all findings of the check once more."""
+    """Find unsupported features of a target. Returns them with all findings of the check."""
     from rossmarie.driver.build import check_for
 
     return check_for(target, path, systems=systems, message_folders=folders, only=only)

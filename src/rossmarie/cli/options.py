@@ -1,4 +1,4 @@
-"""Arguments and options that several subcommands take."""
+"""Arguments and options of several subcommands."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def written(text: str) -> Path:
 def ros_name(text: str) -> str:
     """A name that ROS and CMake accept for a package and for a node."""
     if not re.fullmatch("[a-z][a-z0-9_]*", text):
-        raise typer.BadParameter(f"`{text}` is no name of a package: it takes a-z, 0-9 and _")
+        raise typer.BadParameter(f"`{text}` is not a package name: use a-z, 0-9 and _")
     return text
 
 
@@ -41,7 +41,7 @@ def _category(text: str) -> Category:
         return Category(" ".join(text.lower().split()))
     except ValueError:
         known = ", ".join(f"`{each.value}`" for each in Category)
-        raise typer.BadParameter(f"`{text}` is none of {known}") from None
+        raise typer.BadParameter(f"`{text}` is not one of {known}") from None
 
 
 def _maintainer(text: str) -> Person:
@@ -59,7 +59,7 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
         if isinstance(word, kind):
             return word  # the default
         if word.lower() not in values:
-            raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
+            raise typer.BadParameter(f"`{word}` is not one of {', '.join(values)}")
         return kind(word.lower())
 
     return typer.Option(
@@ -71,24 +71,24 @@ _RECORDINGS = (".bag", ".csv", ".db3", ".mcap")
 
 
 def _rules(path: Path) -> Path:
-    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    """The path, if it can be the path of a rules file; a file of another kind ends the run."""
     suffix = path.suffix.lower()
     if suffix in _RECORDINGS:
         raise typer.BadParameter(
-            f"{path} is a recording, no rules file (.ross); a rules file stands before recordings"
+            f"{path} is a recording, not a rules file (.ross); name the rules file first"
         )
     if suffix == ".py":
         raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")
     return path
 
 
-# Typer fails in Python 3.10 if a callback takes a plain `list[Path]`.
+# Typer fails in Python 3.10 if a callback has the type `list[Path]`.
 def _all_rules(paths: list[Path] | None) -> list[Path] | None:
     return paths and [_rules(path) for path in paths]
 
 
 def _recordings(paths: list[Path] | None) -> list[Path] | None:
-    """The paths, if they can be those of recordings; a rules file ends the run."""
+    """The paths, if they can be paths of recordings; a rules file ends the run."""
     for path in paths or ():
         if path.suffix.lower() == ".ross":
             raise typer.BadParameter(
@@ -97,7 +97,7 @@ def _recordings(paths: list[Path] | None) -> list[Path] | None:
     return paths
 
 
-# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
+# Not `readable`: an unreadable file is an ordinary finding (ROSS801, ROSS611).
 Rules = Annotated[
     Path,
     typer.Argument(metavar="RULES", help="A rules file (.ross).", readable=False, callback=_rules),

@@ -69,7 +69,7 @@ def _today() -> str:
     try:
         return datetime.fromtimestamp(int(epoch), tz=timezone.utc).date().isoformat()
     except (ValueError, OverflowError, OSError):
-        output.fail(f"SOURCE_DATE_EPOCH is no time in seconds: `{epoch}`", exit_code=2)
+        output.fail(f"SOURCE_DATE_EPOCH is not a time in seconds: `{epoch}`", exit_code=2)
 
 
 def _parsed(day: str) -> date | None:

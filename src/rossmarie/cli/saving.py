@@ -12,4 +12,4 @@ from rossmarie.cli.output import output
 def refuse_report(report: Path, read: Sequence[Path]) -> None:
     """End the run early if the report would overwrite its own input."""
     if any(os.path.realpath(report) == os.path.realpath(each) for each in read):
-        output.fail(f"{report} is what is read; choose another --out", exit_code=2)
+        output.fail(f"{report} is an input file; choose another --out", exit_code=2)

@@ -61,7 +61,7 @@ def run_test(
 def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> None:
     """Write the tests of all boundaries into a file beside the rules."""
     if tests_beside(rules) == rules:
-        output.fail(f"{rules} holds tests; name the rules that they are for", exit_code=2)
+        output.fail(f"{rules} contains tests; name the rules file of the tests", exit_code=2)
     output.try_file(tests_beside(rules))
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
@@ -137,7 +137,7 @@ def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> s
 
 
 def tests_result(tested: RanTests) -> Json:
-    """Each test, and the common coverage of all tests. Lengths are seconds."""
+    """Each test, and the common coverage of all tests. Lengths are in s."""
     return {
         "engines": ["interpreter", "c"] if tested.has_c else ["interpreter"],
         "tests": [

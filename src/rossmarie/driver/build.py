@@ -83,12 +83,14 @@ def build_files(
     """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
     file, and `only` rules of these categories.
 
-    A file whose content would not change is not touched, so that a build system sees no change;
-    one that belongs to the user is not touched once it is there. With `replaces_others`, files that
+    A file whose content would not change is not written, so that a build system sees no change. An
+    existing file that belongs to the user is not written either. With `replaces_others`, files that
     were not generated from these rules are replaced.
-    Raises `RulesError` for errors in the rules, for what the target cannot do and for a folder that
-    holds another package, `ForeignFileError` if a file in the way was not generated from these
-    rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
+
+    Raises `RulesError` for errors in the rules, for features that the target does not support, and
+    for a folder that contains another package. Raises `ForeignFileError` if a present file was not
+    generated from these rules. In all these cases no file is written. Raises `OSError` if the
+    folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine if name is None else replace(compiled.machine, name=name)
@@ -98,7 +100,7 @@ def build_files(
     of_user = TARGETS[target].owned_by_user
     kept = set() if placement.part_of else {name for name in of_user if (folder / name).exists()}
     files = {name: text for name, text in files.items() if name not in kept}
-    # In a part of a package the files of the user lie elsewhere, and these are only examples.
+    # In a part of a package, the user's own files have other places; these files are only examples.
     written = write_generated(
         files, folder, rules, unnamed=of_user, replaces_others=replaces_others
     )
@@ -124,8 +126,8 @@ def write_generated(
     unnamed: Collection[str] = (),
     replaces_others: bool = False,
 ) -> list[Path]:
-    """Write what was generated from rules, by name, into a folder, and give the paths. Raises
-    as `build_files` does; files that are `unnamed` do not name their rules.
+    """Write files that were generated from rules, by name, into a folder. Returns their paths.
+    Raises the errors of `build_files`. Files that are `unnamed` do not name their rules.
     """
     changed = {}
     for name, text in files.items():

@@ -149,11 +149,11 @@ class _Reader:
         return len(self._bytes[: max(byte, 0)].decode("utf-8", errors="ignore"))
 
     def _entity(self, *_: object) -> None:
-        raise _TooMuchError("an entity is declared, which a build does not need")
+        raise _TooMuchError("it declares an entity, which is not supported")
 
     def _begin(self, tag: str, attributes: Mapping[str, str]) -> None:
         if len(self._open) == DEEPEST:
-            raise _TooMuchError(f"more than {DEEPEST} elements lie in each other")
+            raise _TooMuchError(f"elements are nested more than {DEEPEST} deep")
         self._open.append(_Open(tag, attributes, self.parser.CurrentByteIndex))
 
     def _characters(self, text: str) -> None:

@@ -49,7 +49,7 @@ _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 class NamedValues:
     """The names of one machine. Names of fields are names of inputs: `speed`, `orientation.x`. An
-    input of which rules read only the age has its own name. A query about skills is named by its
+    input whose rules read only its age has its own name. A query about skills is named by its
     words, `doing Push`, for all inputs with this query.
     """
 
@@ -65,8 +65,8 @@ class NamedValues:
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
         """The messages, by channel: one on each channel with a named field.
 
-        Raises `KeyError` for a name that no rule reads, `TypeError` for a value of another type
-        than the field, `OverflowError` for an integer beyond all floats.
+        Raises `KeyError` for a name that no rule reads, `TypeError` for a value whose type differs
+        from the field's, and `OverflowError` for an integer beyond all floats.
         """
         slots: dict[int, dict[int, float]] = {}
         arrays: dict[int, dict[int, Sequence[float]]] = {}
@@ -157,13 +157,13 @@ class NamedValues:
         if isinstance(value, _NUMBERS) and kind is not Kind.TEXT:
             number = float(value)
             return _flag(number) if kind is Kind.FLAG else number
-        raise TypeError(f"{_WANTED[kind]} is wanted, not {value!r}")
+        raise TypeError(f"expected {_WANTED[kind]}, not {value!r}")
 
     def _elements(self, name: str, array: int, value: Value) -> list[float]:
         if self._machine.arrays[array].kind is not Kind.TEXT:
             return _numbers(name, value)
         if isinstance(value, str) or not isinstance(value, Sequence):
-            raise TypeError(f"`{name}` is the strings of all elements, not {value!r}")
+            raise TypeError(f"`{name}` takes the strings of all elements, not {value!r}")
         return [self._number_of(Kind.TEXT, each) for each in value]
 
     def _columns(self, name: str, its_list: int, value: Value) -> dict[int, list[float]]:
@@ -176,7 +176,7 @@ class NamedValues:
         if is_of_points and is_cloud(value):
             return self._points(its_list, value)
         if isinstance(value, str) or not isinstance(value, Sequence):
-            raise TypeError(f"`{name}` is a list of messages, not {value!r}")
+            raise TypeError(f"`{name}` takes a list of messages, not {value!r}")
         if is_of_points:
             value = [point for point in value if not any(_is_nan(point, axis) for axis in AXES)]
         found = {}
@@ -256,6 +256,6 @@ def _flag(number: float) -> float:
 def _numbers(name: str, value: Value) -> list[float]:
     elements = np.asarray(value)
     if elements.ndim != 1 or elements.dtype.kind not in "buif":
-        raise TypeError(f"`{name}` is an array of numbers, not {value!r}")
+        raise TypeError(f"`{name}` takes an array of numbers, not {value!r}")
     found: list[float] = elements.astype(np.float64).tolist()
     return found

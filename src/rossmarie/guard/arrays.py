@@ -1,4 +1,4 @@
-"""Arrays of a policy. Values that are not arrays are refused before anything changes."""
+"""Arrays of a policy. Other values are refused before anything changes."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ FLOATS = (np.float64, np.float32)
 
 
 def require_array(what: str, array: object) -> None:
-    """Raise `TypeError` for a value that is not an array, `MappingError` for an array that is not
-    flat floats.
+    """Raise `TypeError` for a value that is not an array, and `MappingError` for an array that is
+    not flat or not of floats.
     """
     if not isinstance(array, np.ndarray):
         refuse(what, array)
     elif array.ndim != 1:
-        raise MappingError(f"the {what} has the shape {array.shape}, not that of a flat array")
+        raise MappingError(f"the {what} has the shape {array.shape}, but must be a flat array")
     elif array.dtype not in FLOATS:
         raise MappingError(f"the {what} holds {array.dtype}, not float64 or float32")
 
 
 def refuse(what: str, array: object) -> Array:
     """Raise `TypeError` for `what`."""
-    raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")
+    raise TypeError(f"the {what} is a {type(array).__name__}, not a NumPy array")

@@ -42,8 +42,8 @@ class GuardBatch:
         row_of: Callable[[int], GuardRow],
         wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
-        """`row_of` makes the guards, `wiring_of` connects arrays of the sizes of an observation and
-        of an action.
+        """`row_of` creates the guards. `wiring_of` connects arrays of the sizes of an observation
+        and of an action.
         """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
@@ -61,7 +61,9 @@ class GuardBatch:
         return self._count
 
     def __reduce__(self) -> NoReturn:
-        """Refuse `copy`, `deepcopy` and `pickle`: the copy would share the state of the guards."""
+        """Refuse `copy`, `deepcopy` and `pickle`, because the copy would share the state of the
+        guards.
+        """
         raise TypeError(
             "a batch of guards cannot be copied or pickled: make another with `guard.batch(n)`"
         )
@@ -113,8 +115,8 @@ class GuardBatch:
         return BatchDecision(_of_type(numbers, actions), active, changed)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Say which of some actions, of shape (k, m), would pass unchanged in each environment, as
-        a mask of shape (n, k). Changes nothing. Raises the errors of `decide`.
+        """For actions of shape (k, m), whether each would pass unchanged in each environment, as a
+        mask of shape (n, k). Changes nothing. Raises the errors of `decide`.
         """
         with self._lock:
             self._connect(None, actions, "k")
@@ -144,7 +146,7 @@ class GuardBatch:
 
     def _require_observed(self, done: int) -> None:
         if done != self._count:
-            raise ValueError(f"row {done} has observed nothing: `observe` comes first")
+            raise ValueError(f"row {done} has no observation yet: call `observe` first")
 
     def _connect(
         self, observations: Array | None, actions: Array | None, rows: str | None = None
@@ -162,7 +164,7 @@ class GuardBatch:
             if width not in (None, size):
                 raise MappingError(f"{what} have {width} numbers, but had {size} at first")
         if sizes[0] is None:
-            raise ValueError("nothing has been observed yet: `observe` comes first")
+            raise ValueError("there is no observation yet: call `observe` first")
         if self._sizes != sizes:
             self._row.connect(self._wiring_of(sizes[0], sizes[1]))
             self._sizes = (sizes[0], sizes[1])
@@ -180,7 +182,7 @@ class GuardBatch:
             return None
         mask = np.asarray(which)
         if mask.shape != (self._count,) or mask.dtype != np.bool_:
-            raise MappingError(f"a mask is bool of shape ({self._count},)")
+            raise MappingError(f"a mask needs the type bool and the shape ({self._count},)")
         return np.ascontiguousarray(mask)
 
     def _times(self, times_ns: int | NDArray[np.int64]) -> NDArray[np.int64]:
@@ -193,9 +195,9 @@ class GuardBatch:
         return np.ascontiguousarray(times)
 
     def _width(self, what: str, rows: Array, length: str | None = None) -> int:
-        """The numbers in a row. There are `length` rows, or as many as guards."""
+        """The number of values in a row. There are `length` rows, or as many as guards."""
         if not isinstance(rows, np.ndarray):
-            raise TypeError(f"{what} are a {type(rows).__name__}, not an array of numpy")
+            raise TypeError(f"{what} are a {type(rows).__name__}, not a NumPy array")
         if rows.ndim != 2 or (length is None and len(rows) != self._count):
             raise MappingError(
                 f"{what} have the shape {rows.shape}, not ({length or self._count}, ...)"
@@ -206,7 +208,7 @@ class GuardBatch:
 
 
 def _of_type(numbers: Array, actions: Array) -> Array:
-    """Numbers as actions, of the type of the proposed actions."""
+    """Numbers as actions. They get the type of the proposed actions."""
     if actions.dtype == np.float64:
         return numbers
     executed = np.array(actions, order="C")

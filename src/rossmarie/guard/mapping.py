@@ -1,12 +1,12 @@
-"""Declarations of what the numbers of observations and actions are, checked against a rules file.
+"""Declarations of the numbers in observations and actions, checked against a rules file.
 
     observe={"speed": 0, "force.z": (8, "N"), "joints.position": slice(1, 8), "battery": None}
     act={"/cmd_vel.linear.x": 0, "angular.z": (1, "deg/s")}
 
-A number is given by its index, an array by a slice, followed by a unit if it differs from the unit
-of the message. None is a field that the arrays do not contain. An array with named elements is
-given by a slice, too, or element by element: `efforts.elbow`. A query about skills is given by its
-words, `doing Push(Object: Fragile)`, and is 1 or 0.
+An index gives a number, a slice gives an array. A unit follows if it differs from the unit of the
+message. None is for a field that the arrays do not contain. For an array with named elements, give
+a slice, or declare each element: `efforts.elbow`. A query about skills has its words as name,
+`doing Push(Object: Fragile)`, and is 1 or 0.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class MappingError(ValueError):
 
 @dataclass(frozen=True)
 class _Entry:
-    """A declared field. `part` has everything but the indexes. A `listed` entry is an element of
+    """A declared field. `part` has everything except the indexes. A `listed` entry is an element of
     the declared array.
     """
 
@@ -146,14 +146,14 @@ class ArrayMapping:
         if name in values.slots and not whole:
             slot = values.slots[name]
             if machine.slots[slot].kind is Kind.TEXT and place is not None:
-                raise MappingError(f"`{name}` is a text, which is no number of an array")
+                raise MappingError(f"`{name}` is a string, which an array cannot contain")
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         elif name in values.arrays:
             array = machine.arrays[values.arrays[name]]
             if array.kind is Kind.TEXT and place is not None:
-                raise MappingError(f"`{name}` has texts, which are no numbers of an array")
+                raise MappingError(f"`{name}` has strings, which an array cannot contain")
             if isinstance(index, int):
-                raise MappingError(f"`{name}` is an array: a slice, such as slice(0, 7)")
+                raise MappingError(f"`{name}` is an array: give a slice, such as slice(0, 7)")
             part = Part()
             if unit is not None:
                 part = _converted(name, unit, array.unit, array.scale, array.offset)
@@ -198,7 +198,9 @@ class ArrayMapping:
             is_whole = all(entry.index is not None for entry in entries)
             if not is_whole or len({part.count for part in parts}) > 1:
                 listed = ", ".join(f"`{entry.name}`" for entry in entries)
-                raise MappingError(f"{listed} are of one list: as many numbers of each are wanted")
+                raise MappingError(
+                    f"{listed} belong to one list, so they need equally many numbers"
+                )
 
     def _arriving(self) -> frozenset[int]:
         inputs = self._machine.inputs
@@ -287,7 +289,7 @@ def _listed_slots(machine: Machine) -> dict[str, dict[int, Listed]]:
 
 def _enter(entries: dict[_Key, _Entry], key: _Key, entry: _Entry) -> None:
     if key in entries:
-        raise MappingError(f"`{entries[key].name}` and `{entry.name}` are one field")
+        raise MappingError(f"`{entries[key].name}` and `{entry.name}` are the same field")
     entries[key] = entry
 
 
@@ -300,7 +302,7 @@ def _full_name(topic: str, field: CommandField) -> str:
 
 
 def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
-    """The names of all fields of commands: with the topic, or by any unique ending."""
+    """The names of all fields of commands: with the topic, or by any unique end of the path."""
     found: list[tuple[str, tuple[int, int]]] = []
     for number, command in enumerate(machine.reactions.commands):
         for index, field in enumerate(command.fields):
@@ -315,12 +317,12 @@ def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
 def _converted(
     name: str, unit: str, of_message: str, scale: float | None = None, offset: float = 0.0
 ) -> Part:
-    """The part of a field whose unit differs from that of its message. The number of a message
-    becomes SI by its own scale and offset, or by those of its unit.
+    """The part of a field whose unit differs from that of its message. The message's own scale and
+    offset, or those of its unit, convert a number of a message to SI.
     """
     given, wanted = _parsed(name, unit), _parsed(name, of_message)
     if given.dimension != wanted.dimension:
-        raise MappingError(f"`{name}` is in {wanted}, and cannot be in {given}")
+        raise MappingError(f"`{name}` is in {wanted}, not in {given}")
     own_scale, own_offset = (wanted.scale, wanted.offset) if scale is None else (scale, offset)
     return Part(scale=given.scale / own_scale, offset=(given.offset - own_offset) / own_scale)
 

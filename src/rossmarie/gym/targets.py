@@ -49,8 +49,8 @@ class Targets:
         return moved
 
     def back(self, flat: Array, speeds: Array, bounded: Array) -> Array:
-        """The actions to execute: bounded speeds become targets, which are not further from the
-        last targets.
+        """The actions to execute. Bounded speeds become targets; rounding moves these only towards
+        the last targets.
         """
         if not self._places:
             return bounded
@@ -86,5 +86,5 @@ def _place(name: str, act: Declared) -> int:
     place = act.get(name)
     index = place[0] if isinstance(place, tuple) else place
     if not isinstance(index, int):
-        raise MappingError(f"`{name}` is a target, so `act` has to have its place: a number")
+        raise MappingError(f"`{name}` is a target, so `act` needs its index: a number")
     return index

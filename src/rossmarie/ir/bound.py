@@ -1,28 +1,31 @@
 """Bound the evaluations that one call of a monitor can take, from the structure of its machine
 alone.
 
-Before an event the wakes that fell due are run (S13), each at an instant of its own at which at
-least one timer is due; after a jump backwards there are none (S17). So there are at most as many as
-timers fall due, and those are counted here, a bit for each. The timer of an age, which is that of a
-timeout too, falls due once, and so does the window of an oscillation: only messages start them
-again. The timer of `C for d` falls due at most once for each stretch in which C is true. The first
-may have begun before; between two of them C both ceases to be true and becomes true. So it is at
-most one more than the lesser of how often C becomes true and how often it ceases to be.
+Before an event, the monitor runs the wakes that fell due (S13). Each wake has an instant of its
+own, at which at least one timer is due. After a jump backwards there are no wakes (S17). So there
+are at most as many wakes as timers that fall due. This module counts these, with one bit for each.
+The timer of an age or a timeout falls due once, and so does the window of an oscillation: only
+messages start them again. The timer of `C for d` falls due at most once for each stretch in which C
+is true. The first stretch may have begun before the call. Between two stretches, C ceases to be
+true and becomes true again. So the timer falls due at most n + 1 times, if C becomes true n times
+or ceases to be true n times, whichever is less.
 
-How often that is follows from left to right. Signals change only to NaN, when an input that they
-rest on expires, and a leaf over one is stale from then on (S30). An `and` or `or` becomes or ceases
-to be true or false only together with one of its operands. `C for d` becomes true when its timer
-falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
-it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
-when C ceases to be false or to be true. (What counts as true before the start is true without
+The numbers of these changes are computed from left to right:
 
-Edges of C within d become enough only with an edge, at which C becomes true and ceases to be false.
-maturing; that is at the first event, before which no timer falls due.) `A since B` becomes true or
-ceases to be false only when B does, for it was what its memory says; it ceases to be true or
-becomes false only when A or B does (S44).
-They cease to be enough when the window of one of them ends: of the one that counts now, or of one
-that came meanwhile. Besides, what is unknown after a gap is known a window after it, and a gap ends
-where C becomes true or false.
+- A signal changes only to NaN, when an input in its support expires. A leaf with this signal is
+  stale from then on (S30).
+- `and` and `or` change only together with one of their operands.
+- `C for d` becomes true when its timer falls due, and ceases to be true when C does. It becomes
+  false only when C does: while C is true and the timer runs, it has the value that C had before
+  (S33). It ceases to be false when its timer falls due, or when C ceases to be false or true. A
+  `for` that counts as true before the start becomes true without its timer. This happens at the
+  first event, before which no timer falls due.
+- `A since B` becomes true or ceases to be false only when B does, because otherwise it keeps its
+  last value. It ceases to be true or becomes false only when A or B does (S44).
+- The edges of C within d become enough only at an edge, where C becomes true and ceases to be
+  false. They cease to be enough when the window of an edge ends: of an edge that counts now, or
+  of an edge during the call. A value that is unknown after a gap is known again one window later;
+  a gap ends where C becomes true or false.
 """
 
 from __future__ import annotations
@@ -39,16 +42,16 @@ from rossmarie.ir.support import proposition_operands, supports
 def most_evaluations(machine: ir.Machine) -> int:
     """A bound on the evaluations of one call, including the event itself.
 
-    Takes time and memory in proportion to the bound: ask only of machines that `MOST_EVALUATIONS`
-    does not rule out.
+    The function takes time and memory in proportion to the bound. Call it only for machines that
+    `MOST_EVALUATIONS` does not rule out.
     """
     return 1 + sum(count for _, count in wakes(machine))
 
 
 def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Proposition, int]]:
-    """The evaluations that each input and each proposition adds, from left to right: the number of
-    times that its timer falls due in one call. It is 0 if there is no timer, or if it shares that
-    of one before it.
+    """The evaluations that each input and each proposition adds, from left to right. This is the
+    number of times that its timer falls due in one call. It is 0 if there is no timer, or if an
+    earlier input or proposition has the same timer.
     """
     counted = _Counted(machine)
     for declared in machine.inputs:
@@ -93,7 +96,7 @@ class _Counted:
         self._ages: dict[tuple[int, int], int] = {}
 
     def expiry(self, declared: ir.Input) -> int:
-        """The evaluation at which an input expires, as a bit; 0 if it never does."""
+        """The evaluation at which an input expires, as a bit; 0 if the input never expires."""
         if declared.timeout_ns is None:
             return 0
         return self._age(declared.channel, declared.timeout_ns)

@@ -23,14 +23,16 @@ from rossmarie.ir.path import INVALID, RETURNS, Beams, Sector
 TURN = 2.0 * HALF_TURN
 
 SLACK = 0.01
-"""The share of an increment by which beams may miss an angle, because scans have 32-bit numbers."""
+"""The share of an increment by which beams may miss an angle, because scans contain 32-bit
+numbers.
+"""
 
 _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers differ by one beam in its definition."""
 
 
 class Scan(Protocol):
-    """An object with the fields of the message, of whatever class."""
+    """An object of any class with the fields of the message."""
 
     angle_min: float
     angle_max: float
@@ -104,11 +106,11 @@ def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
     """
     measured = _measured(scan)
     if not _reaches_over(measured, wanted):
-        raise UnreadableScanError(f"it does not reach over {wanted}")
+        raise UnreadableScanError(f"it does not cover {wanted}")
     is_inside = _inside(measured.angles, measured.step, wanted) & measured.tells
     found = np.where(measured.sees_nothing, math.inf, measured.ranges)[is_inside]
     if not len(found):
-        raise UnreadableScanError(f"no beam tells anything in {wanted}")
+        raise UnreadableScanError(f"no beam has a valid reading in {wanted}")
     return found
 
 
@@ -151,7 +153,7 @@ def _measured(scan: Scan) -> _Measured:
     if not count:
         raise UnreadableScanError("it has no beams")
     if not all(map(math.isfinite, (first, last, step))):
-        raise UnreadableScanError("its angles are no numbers")
+        raise UnreadableScanError("its angles are not numbers")
     if count > 1 and not 0.0 < size <= RIGHT_ANGLE:
         raise UnreadableScanError(f"its `angle_increment` is {step:g}")
     if abs((last - first) - step * (count - 1)) > _MISCOUNT * size:

@@ -17,13 +17,13 @@ _STORED = 0
 
 
 def check_tables(execute: Callable[[str], Iterable[Any]]) -> None:
-    """Raises `LimitError` for a table that is more than stored rows; `execute` asks for rows."""
+    """Raises `LimitError` for a table that is not only stored rows; `execute` runs queries."""
     names = ", ".join(f"'{name}'" for name in _READ)
     for name, kind, text in execute(
         f"SELECT name, type, sql FROM sqlite_master WHERE name IN ({names})"
     ):
         if kind != "table" or str(text).upper().split()[:2] != ["CREATE", "TABLE"]:
-            raise LimitError(f"`{name}` is no table in it")
+            raise LimitError(f"it has no table `{name}`")
         columns = list(execute(f"PRAGMA table_xinfo({name})"))
         if any(column[-1] != _STORED for column in columns):
-            raise LimitError(f"`{name}` has a column that is computed")
+            raise LimitError(f"`{name}` has a computed column")

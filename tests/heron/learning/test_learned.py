@@ -100,7 +100,7 @@ DAMAGED: Mapping[str, bytes] = {
 def test_what_is_no_policy_is_refused(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "policy.npz"
     path.write_bytes(DAMAGED[kind])
-    with pytest.raises(ValueError, match=r"policy\.npz is no policy of this task"):
+    with pytest.raises(ValueError, match=r"policy\.npz is not a policy of this task"):
         read_learned(path)
 
 
@@ -108,7 +108,7 @@ def test_what_unpacks_to_too_much_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "policy.npz"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as parts:
         parts.writestr("weights0.npy", bytes(2**25))
-    with pytest.raises(ValueError, match="is no policy of this task"):
+    with pytest.raises(ValueError, match="is not a policy of this task"):
         read_learned(path)
 
 
@@ -138,14 +138,14 @@ def test_damage_is_refused_or_harmless(
 def test_what_are_no_numbers_is_refused(text: str, tmp_path: Path) -> None:
     path = tmp_path / "numbers.json"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError, match="does not hold the numbers of the tree"):
+    with pytest.raises(ValueError, match="does not contain the numbers of the tree"):
         read_learned(path)
 
 
 def test_only_files_are_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.npz")
     for path in (tmp_path, tmp_path / "pipe.npz", Path("/dev/zero")):
-        with pytest.raises(ValueError, match="is no file"):
+        with pytest.raises(ValueError, match="is not a file"):
             read_learned(path)
     large = tmp_path / "large.json"
     with large.open("wb") as file:

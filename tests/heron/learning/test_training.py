@@ -126,14 +126,14 @@ def best(learner: SkrlLearner, observations: Any) -> Any:
 def test_what_is_no_policy_is_refused(content: bytes, tmp_path: Path) -> None:
     path = tmp_path / "policy.npz"
     path.write_bytes(content)
-    with pytest.raises(ValueError, match=r"policy.npz is no policy of this task"):
+    with pytest.raises(ValueError, match=r"policy.npz is not a policy of this task"):
         load_policy(path)
 
 
 def test_a_policy_of_something_else_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "policy.npz"
     path.write_bytes(Policy([(np.zeros((3, 4)), np.zeros(4))]).file())
-    with pytest.raises(ValueError, match=r"is no policy of this task"):
+    with pytest.raises(ValueError, match=r"is not a policy of this task"):
         load_policy(path)
 
 
@@ -207,13 +207,13 @@ def test_a_checkpoint_of_something_else_is_refused(
     place = tmp_path / found.run.folder
     place.mkdir()
     (place / CHECKPOINT).write_bytes(kept)
-    with pytest.raises(ValueError, match=r"checkpoint is of another training; remove it"):
+    with pytest.raises(ValueError, match=r"checkpoint belongs to another training; remove it"):
         train(tmp_path, found.run.key)
 
 
 def test_a_learner_refuses_what_another_one_has_learned() -> None:
     kept = trained(*LEARNED[2]).training.save()
-    with pytest.raises(ValueError, match="of another learner"):
+    with pytest.raises(ValueError, match="belongs to another learner"):
         trained(*LEARNED[0]).training.load(kept)
 
 
@@ -282,7 +282,7 @@ def test_a_log_of_something_else_is_refused(line: str, tmp_path: Path) -> None:
     EpisodeLog(path, 0).append(NOTHING)
     text = path.read_text(encoding="utf-8")
     path.write_text(text + line + "\n", encoding="utf-8", errors="surrogateescape")
-    with pytest.raises(ValueError, match=r"is no log of episodes; remove its folder"):
+    with pytest.raises(ValueError, match=r"is not a log of episodes; remove its folder"):
         EpisodeLog(path, 0)
 
 

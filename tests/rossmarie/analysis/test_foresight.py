@@ -131,7 +131,7 @@ def test_a_requirement_for_which_there_is_no_time_is_an_error(
     (required,) = compile_file(path).requirements
     (late,) = ask_required(required, thorough=False)
     assert late.diagnostic.code == "ROSS723"
-    assert "within 0 s" in late.diagnostic.primary.text
+    assert "the time limit of 0 s" in late.diagnostic.primary.text
 
 
 def test_an_undecided_requirement_is_no_proved_one(tmp_path: Path) -> None:

@@ -77,10 +77,10 @@ def test_options_of_packages_are_for_packages(rules: Path, out: Path) -> None:
     for options in (ADA, BOTH[2:], ("--part-of", "robot")):
         done = run("build", rules, "--out", out, *options)
         assert done.returncode == 2
-        assert done.stderr == f"rossmarie: {options[0]} is for packages: --target ros1 or ros2\n"
+        assert done.stderr == f"rossmarie: {options[0]} needs --target ros1 or ros2\n"
     done = run("build", rules, "--target", "ros1", "--part-of", "robot", "--out", out, *ADA)
     assert done.stderr == (
-        "rossmarie: --maintainer is not for --part-of: the package.xml of robot says it\n"
+        "rossmarie: leave out --maintainer with --part-of: edit the package.xml of robot\n"
     )
     assert not out.exists()
 
@@ -90,7 +90,7 @@ def test_options_of_packages_are_for_packages(rules: Path, out: Path) -> None:
 def test_a_package_has_a_name_of_ros(option: str, name: str, rules: Path, out: Path) -> None:
     done = run("build", rules, "--target", "ros2", "--out", out, option, name)
     assert done.returncode == 2
-    assert "is no name of a package" in done.stderr
+    assert "is not a package name" in done.stderr
 
 
 @pytest.mark.parametrize("target", ["ros1", "ros2"])

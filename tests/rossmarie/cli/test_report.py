@@ -95,7 +95,7 @@ def test_an_epoch_that_is_no_number_is_refused(
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
     done = report()
     assert done.exit_code == 2
-    assert "SOURCE_DATE_EPOCH is no time in seconds: `soon`" in done.output
+    assert "SOURCE_DATE_EPOCH is not a time in seconds: `soon`" in done.output
 
 
 def test_rules_are_not_written_over(rules: Path) -> None:

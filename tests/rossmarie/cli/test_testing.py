@@ -65,7 +65,7 @@ def test_an_unknown_name_is_a_wrong_call(rules: Path) -> None:
     add(rules, RIGHT)
     code, printed = run("test", rules, "rigth")
     assert code == 2
-    assert "no test is called `rigth`; did you mean `right`?" in printed
+    assert "there is no test `rigth`; did you mean `right`?" in printed
 
 
 def test_tests_are_written_beside_the_rules(rules: Path) -> None:

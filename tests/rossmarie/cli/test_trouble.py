@@ -169,7 +169,7 @@ def test_an_empty_path_is_no_path(rules: Path, drive: Path, command: str) -> Non
 def test_a_topic_is_mapped_once(rules: Path, drive: Path) -> None:
     twice = ["--topic-map", "/on=/a", "--topic-map", "/on=/b"]
     done = run("replay", rules, drive, *twice)
-    assert is_refused(done, "--topic-map leads from `/on` to `/a` and `/b`; keep one")
+    assert is_refused(done, "--topic-map maps `/on` to `/a` and `/b`; keep one")
 
 
 def test_a_system_model_is_written_once_and_in_the_one_layout(tmp_path: Path) -> None:
@@ -215,5 +215,5 @@ def test_help_has_a_short_name() -> None:
 def test_formats_in_upper_case(rules: Path) -> None:
     assert json.loads(run("check", rules, "--format", "JSON").stdout)["version"] == 1
     done = run("check", rules, "--format", "xml")
-    assert "`xml` is none of text, json, sarif" in done.stderr
+    assert "`xml` is not one of text, json, sarif" in done.stderr
     assert "Value error" not in done.stderr

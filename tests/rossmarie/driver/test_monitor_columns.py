@@ -187,7 +187,7 @@ def without(name: str) -> Callable[[], tuple[np.ndarray, Table]]:
         (without("speed"), "no columns for speed"),
         (without("mode"), "no columns for mode"),
         (without("ranges"), "no columns for ranges"),
-        (changed(sped=np.zeros(4)), "nothing reads the column sped"),
+        (changed(sped=np.zeros(4)), "no rule reads the column sped"),
         (changed(**{"speed.x": np.zeros(4)}), "2 columns for speed"),
         (changed(speed=np.zeros(3)), r"shape \(3,\)"),
         (changed(speed=np.zeros(5)), r"shape \(5,\)"),

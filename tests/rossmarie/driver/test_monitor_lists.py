@@ -81,12 +81,12 @@ def test_a_field_that_a_dictionary_lacks_is_unknown(monitor: Monitor) -> None:
 @pytest.mark.parametrize(
     ("values", "said"),
     [
-        ({"path": 3.0}, "`path` is a list of messages, not 3.0"),
-        ({"path": "near"}, "`path` is a list of messages"),
+        ({"path": 3.0}, "`path` takes a list of messages, not 3.0"),
+        ({"path": "near"}, "`path` takes a list of messages"),
         ({"path": [SimpleNamespace(pose=3.0)]}, "has no field `pose.position.x`"),
-        ({"status": [{"name": 3, "level": 0}]}, "a string is wanted, not 3"),
-        ({"status.name": [3]}, "a string is wanted, not 3"),
-        ({"status.name": "motor"}, "`status.name` is the strings of all elements"),
+        ({"status": [{"name": 3, "level": 0}]}, "expected a string, not 3"),
+        ({"status.name": [3]}, "expected a string, not 3"),
+        ({"status.name": "motor"}, "`status.name` takes the strings of all elements"),
     ],
 )
 def test_what_is_no_list_is_refused(monitor: Monitor, values: dict[str, object], said: str) -> None:
@@ -111,5 +111,5 @@ def test_tables_have_as_many_elements_in_each_row(monitor: Monitor) -> None:
     run = monitor.run(times, columns)
     assert run.active.tolist() == [[True, True], [False, False]]
     columns["path.y"] = np.zeros((2, 3))
-    with pytest.raises(ColumnError, match="are of one list, but of shapes"):
+    with pytest.raises(ColumnError, match="belong to one list, but have the shapes"):
         monitor.run(times, columns)

@@ -25,12 +25,12 @@ def refusal(folder: Path, observe: Any = OBSERVE, act: Any = ACT, more: str = ""
     ("changed", "words"),
     [
         ({"sped": 0}, "no rule reads `sped`; did you mean `speed`?"),
-        ({"speed": (0, "mm")}, "`speed` is in m/s, and cannot be in mm"),
+        ({"speed": (0, "mm")}, "`speed` is in m/s, not in mm"),
         ({"speed": (0, "furlong")}, "`speed`: there is no unit `furlong`"),
         ({"speed": (0, "meter")}, "`speed`: there is no unit `meter`; did you mean `m`?"),
-        ({"held": (1, "m")}, "`held` is in 1, and cannot be in m"),
-        ({"scan": 2}, "`scan` is an array: a slice, such as slice(0, 7)"),
-        ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are one field"),
+        ({"held": (1, "m")}, "`held` is in 1, not in m"),
+        ({"scan": 2}, "`scan` is an array: give a slice, such as slice(0, 7)"),
+        ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are the same field"),
     ],
 )
 def test_observations_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
@@ -42,8 +42,8 @@ def test_observations_are_refused(tmp_path: Path, changed: Any, words: str) -> N
     [
         ({"linear.w": 1}, "no rule bounds `linear.w`; did you mean `linear.z`?"),
         ({"x": 1}, "no rule bounds `x`"),
-        ({"linear.x": (0, "rad/s")}, "`linear.x` is in m/s, and cannot be in rad/s"),
-        ({"/cmd_vel.linear.x": 1}, "`linear.x` and `/cmd_vel.linear.x` are one field"),
+        ({"linear.x": (0, "rad/s")}, "`linear.x` is in m/s, not in rad/s"),
+        ({"/cmd_vel.linear.x": 1}, "`linear.x` and `/cmd_vel.linear.x` are the same field"),
     ],
 )
 def test_actions_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
@@ -62,7 +62,7 @@ def test_what_rules_bound_has_to_be_declared(tmp_path: Path) -> None:
 
 def test_a_text_is_no_number(tmp_path: Path) -> None:
     text = refusal(tmp_path, observe={**OBSERVE, "mode": 4}, more=MODE)
-    assert text == "`mode` is a text, which is no number of an array"
+    assert text == "`mode` is a string, which an array cannot contain"
 
 
 @needs_c
@@ -123,7 +123,10 @@ def test_an_element_with_a_declared_name_is_declared_by_itself(tmp_path: Path) -
     [
         ({"efforts": slice(2, 4)}, "`efforts` has 3 names, not 2"),
         ({"efforts": 2}, "no rule reads `efforts`; did you mean `efforts.elbow`?"),
-        ({"efforts": slice(3), "efforts.elbow": 1}, "`efforts` and `efforts.elbow` are one field"),
+        (
+            {"efforts": slice(3), "efforts.elbow": 1},
+            "`efforts` and `efforts.elbow` are the same field",
+        ),
         ({"efforts.elbow": 1}, "rules read `efforts.wrist`, which `observe` lacks"),
     ],
 )
@@ -150,7 +153,7 @@ rule p: if any(q in path: q.pose.position.x < 1 m and q.pose.position.y < 1 m) t
 def test_all_fields_of_a_list_are_observed_alike(tmp_path: Path, y: slice | None) -> None:
     observe: Any = {**OBSERVE, "path.x": slice(4, 6), "path.y": y}
     guard = guard_of("python", tmp_path, rules=RULES + LIST, observe=observe, act=ACT)
-    with pytest.raises(MappingError, match="are of one list"):
+    with pytest.raises(MappingError, match="belong to one list"):
         guard.step(0, np.zeros(8), np.zeros(len(ACT)))
 
 

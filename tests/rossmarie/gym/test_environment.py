@@ -196,12 +196,12 @@ WRONG: list[tuple[dict[str, Any], Any, str]] = [
     ({"observe": {"wal": 0}}, None, "did you mean `wall`"),
     ({"observe": {"wall": ("rnge", 0)}}, Cart(as_dictionary=True), "did you mean `range`"),
     ({"observe": {"wall": ("range", 2)}}, Cart(as_dictionary=True), r"range\[2\], of 2 numbers"),
-    ({"observe": {"wall": (0, "N")}}, None, "`wall` is in m, and cannot be in N"),
+    ({"observe": {"wall": (0, "N")}}, None, "`wall` is in m, not in N"),
     ({"act": {"linear.x": [1.0]}}, Cart(kind="choice"), "a list of 4 finite numbers"),
     ({"act": {"linear.x": 0}}, Cart(kind="choice"), "a list of 4 finite numbers"),
-    ({"act": {"linear.x": (0, "m")}}, None, "`linear.x` is in m/s, and cannot be in m"),
-    ({"targets": {"linear.x": 9}}, None, "9 is no single number of an observation"),
-    ({"targets": {"linear.z": 0}}, None, "`linear.z` is a target, so `act` has to have"),
+    ({"act": {"linear.x": (0, "m")}}, None, "`linear.x` is in m/s, not in m"),
+    ({"targets": {"linear.x": 9}}, None, "9 is not a single number of an observation"),
+    ({"targets": {"linear.z": 0}}, None, "`linear.z` is a target, so `act` needs"),
     ({}, Cart(dtype=np.int32), "a guard bounds a Box of floats, or a Discrete choice"),
 ]
 
@@ -269,10 +269,10 @@ def test_substeps_are_counted(rules: str) -> None:
     cart = Cart()
     env = guarded(rules, cart, substeps=2)
     env.reset()
-    with pytest.raises(ValueError, match=r"no step, or it has more than `substeps` \(2\)"):
+    with pytest.raises(ValueError, match=r"no step now, or it has more than 2 substeps"):
         env.observe_substep(np.zeros(2))
     cart.dips, cart.on_substep = [1.0] * 3, env.observe_substep
-    with pytest.raises(ValueError, match="no step, or it has more"):
+    with pytest.raises(ValueError, match="no step now, or it has more"):
         env.step(fast())
     cart.dips = [1.0] * 2
     env.reset()

@@ -309,4 +309,4 @@ def test_definitions_that_make_no_sense_are_reported(tmp_path: Path, name: str, 
     updates, found = replay(path, rules)
     assert updates == []
     assert codes(found) == ["ROSS606"]
-    assert "cannot be understood" in found[0].notes[0]
+    assert "cannot be parsed" in found[0].notes[0]

@@ -73,7 +73,7 @@ def test_more_than_a_limit_gives_nothing(compression: str) -> None:
     data = COMPRESS[compression](bytes(limits.SMALL_CHUNK + 1))
     content, trouble = decompress_prefix(compression, data, Allowance(0))
     assert content == b""
-    assert trouble == f"{len(data)} bytes stand for more than 64 MiB"
+    assert trouble == f"{len(data)} bytes decompress to more than 64 MiB"
 
 
 def test_what_its_bytes_can_stand_for_may_be_large() -> None:
@@ -90,7 +90,7 @@ def test_an_allowance_is_for_all_chunks_together() -> None:
     content, trouble = decompress_prefix("zstd", data, allowance)
     assert content == b""
     assert trouble is not None
-    assert "too much for a file of its size" in trouble
+    assert "too large for the size of the file" in trouble
 
 
 def test_metadata_that_doubles_with_each_line_is_not_read() -> None:

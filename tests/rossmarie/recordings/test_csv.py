@@ -256,7 +256,7 @@ def test_a_cell_that_is_no_flag(tmp_path: Path, cell: str) -> None:
     )
     updates, found = replay(write(tmp_path, f"time,blocked\n0,{cell}\n1,TRUE\n2,1.0\n"), rules)
     assert codes(found) == ["ROSS605"]
-    assert "is none of `true`, `false`, `1` and `0`" in found[0].notes[0]
+    assert "is not `true`, `false`, `1` or `0`" in found[0].notes[0]
     assert math.isnan(volts(updates)[0])
     assert volts(updates)[1:] == [1.0, 1.0]
 

@@ -134,7 +134,7 @@ LAST_MOMENTS = machine([("/scan", "sensor_msgs/LaserScan")], [("scan", 0)], [slo
 def test_compressed_bag_cut_inside_a_chunk(
     tmp_path: Path, compression: Writer1.CompressionFormat, chunk_size: int
 ) -> None:
-    """The last moments before a robot stale power are in the chunk that is not whole."""
+    """The last moments before a robot loses power are in the chunk that is incomplete."""
     path = write_ros1(tmp_path / "drive.bag", incompressible(ROS1), chunk_size, compression)
     updates, found = replay(cut(path, 0.8), LAST_MOMENTS)
     assert codes(found) == ["ROSS615"]

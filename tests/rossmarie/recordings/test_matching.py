@@ -186,7 +186,7 @@ def test_messages_at_instants_that_cannot_be(tmp_path: Path) -> None:
     path = write_kind(tmp_path, "mcap", readings(ROS2) + late)
     updates, found = replay(path)
     assert codes(found) == ["ROSS608"]
-    assert "out of range" in found[0].notes[0]
+    assert "outside the range" in found[0].notes[0]
     assert volts(updates) == [12.0 + i / 2 for i in range(10)]
     with open_recording(path) as recording:
         assert recording.end_ns == START_NS + 910_000_000

@@ -200,7 +200,7 @@ def test_tests_are_chosen_by_name(tmp_path: Path) -> None:
     )
     path.write_text(INPUTS + FAST + text, encoding="utf-8")
     assert [ran.script.name for ran in run_test_file(path, ["a*"]).ran] == ["a1", "a2"]
-    with pytest.raises(UnknownTestError, match="no test is called `c`"):
+    with pytest.raises(UnknownTestError, match="there is no test `c`"):
         run_test_file(path, ["b", "c"])
 
 

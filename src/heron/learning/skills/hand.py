@@ -1,4 +1,4 @@
-"""Primitive skills reach the arm by the hand of whoever ticks them."""
+"""The interface between primitive skills and the arm: the caller of a tick sets the hand."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Vector = tuple[float, float, float]
 @dataclass
 class Hand:
     """The last reading, and the command for the next step: a velocity (m/s), and a force along z
-    (N). Places are those of the peg, from the hole on (m).
+    (N). Positions are positions of the peg relative to the hole (m).
     """
 
     place: Vector = (0.0, 0.0, 0.0)

@@ -75,7 +75,7 @@ def _is_assignable(field: Field, assignment: ast.FieldAssignment, context: Conte
         inside = [f"`{field.text}.{name}`" for name in field.type.fields][:8]
         help = kind.Fields(fields=", ".join(inside)) if inside else help
     elif field.leaf is None:
-        reason, help = "it takes more than a number", kind.Scalars()
+        reason, help = "it is not a single number, boolean or string", kind.Scalars()
         if not isinstance(field.type, Quantity):
             help = kind.Part(field=field.text)
     elif field.leaf.is_array is field.is_element or not field.is_element:
@@ -139,7 +139,7 @@ def _number(
 ) -> float | None:
     number = context.values[node].numbers[0]
     if unit is not None and not is_plain(type_):
-        reason = "this element has a unit, and so has the whole list"
+        reason = "both this element and the whole list have a unit"
         twice = MisplacedUnit(reason=reason)
         help = twice.OnceInList(unit=unit.symbol)
         context.collector.add(twice.at(node.span, help=help))

@@ -106,7 +106,7 @@ def _numbers(
 
 
 def _places(type_: Type, is_pose: bool) -> Iterator[tuple[str, ...]]:
-    """The paths to such a pose in a message: the message itself, or one of its fields."""
+    """The paths to a pose of this type in a message: the message itself, or one of its fields."""
     for path, each in (((), type_), *(((name,), field) for name, field in members(type_).items())):
         if is_pose and isinstance(each, Message) and each.name == POSE:
             yield path
@@ -125,10 +125,10 @@ def _apart(effect: ast.Retrace, context: Context) -> tuple[float, int] | None:
         if isinstance(type_, Unknown):
             is_right = False
         elif unit is not None and unit.dimension == SECOND.dimension and not time_ns:
-            time_ns = duration_ns(node, "what stands after `apart`", context) or 0
+            time_ns = duration_ns(node, "the value after `apart`", context) or 0
             is_right = is_right and time_ns > 0
         elif unit is not None and unit.dimension == _METRE.dimension and not distance:
-            is_known = require_constant(node, "what stands after `apart`", context)
+            is_known = require_constant(node, "the value after `apart`", context)
             is_right = is_right and is_known and is_positive(node, "a distance", context)
             distance = context.values[node].numbers[0] if is_right else 0.0
         else:

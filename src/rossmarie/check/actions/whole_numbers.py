@@ -22,7 +22,7 @@ def is_whole(
         return True
     symbol = "" if unit == DIMENSIONLESS else f" {unit.symbol}"
     is_near = limits[0] <= number <= limits[1]
-    problem = "is no whole number" if is_near else "is out of its range"
+    problem = "is not a whole number" if is_near else "is out of its range"
     finding = IntegerMismatch(
         field=field,
         reason=f"{number:.15g}{symbol} {problem}",

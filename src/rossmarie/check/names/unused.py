@@ -12,21 +12,22 @@ from rossmarie.check.scopes.declarations import Named, kind_of
 from rossmarie.syntax import ast
 
 _REASONS: Mapping[str, str] = {
-    "constant": "nothing is compared with it",
-    "parameter": "nothing is compared with it",
+    "constant": "no condition compares a value with it",
+    "parameter": "no condition compares a value with it",
     "input": "no condition reads it",
     "action": "no rule starts it",
-    "entity": "no rule rests on it",
-    "motion": "no rule rests on it",
-    "zone": "no rule asks for it",
-    "condition": "no rule rests on it",
+    "entity": "no rule depends on it",
+    "motion": "no rule depends on it",
+    "zone": "no rule uses it",
+    "condition": "no rule depends on it",
 }
 
 
 def warn_of_unused(context: Context) -> None:
     """Warn of every unused declaration of the main file.
 
-    A file without rules may be meant for import: other files use its names.
+    There is no warning for a file without rules: it may be meant for import, and other files use
+    its names.
     """
     main = context.declarations.main
     if not any(isinstance(item, ast.Rule) for item in main.items):
@@ -41,7 +42,7 @@ def warn_of_unused(context: Context) -> None:
 
 
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
-    """Report an entity with no used condition as one finding, not one for each condition."""
+    """Report an entity without any used condition as one finding, not one for each condition."""
     unused = [
         condition
         for condition in entity.conditions

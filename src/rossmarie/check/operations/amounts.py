@@ -17,7 +17,7 @@ AMOUNTS: Mapping[Operator, str] = {
     Operator.BRAKING_DISTANCE: "braking_distance(speed, 1.2 m/s^2, 0.3 sec)",
     Operator.TIME_TO: "time_to(distance, closing_speed)",
 }
-"""The functions, and the notation of each."""
+"""The functions, with the notation of each."""
 
 
 def type_of_amount(node: ast.Call, operator: Operator, context: Context) -> Type:
@@ -65,7 +65,7 @@ def _check_time(node: ast.Call, operands: Sequence[Operand], context: Context) -
     left, closing = operands
     unit = left.quantity.unit
     if unit is None or unit.offset:
-        expected = "an amount with a unit, and no temperature"
+        expected = "a number with a unit that is not a temperature"
         _report(node, left, "the distance", expected, describe(left.quantity), context)
         return False
     return _has_unit(node, closing, "the closing speed", divide(unit, SECOND), context)

@@ -25,7 +25,7 @@ def warn_of_filter(call: ast.Call, context: Context) -> None:
     """
     angle = _angle(call.arguments[0])
     if angle is not None:
-        effect = "what is between is near 0 deg, the opposite direction"
+        effect = "the filtered value is near 0 deg, the opposite direction"
         help = JumpingAngle.Unfiltered(angle=angle)
         _warn(call, angle, effect, context, help)
 

@@ -21,19 +21,19 @@ MOST_EDGES = 64
 def type_of_edges(node: ast.Edges, context: Context) -> Type:
     """`edges of condition within 10 sec`. The function around it checks the rest."""
     if node.window is None:
-        finding = EdgesMisused(reason="it is not said within which time")
+        finding = EdgesMisused(reason="the time after `within` is missing")
         context.collector.add(finding.at(node.span))
     else:
-        duration_ns(node.window, "what stands after `within`", context)
+        duration_ns(node.window, "the time after `within`", context)
     require_condition(node.condition, context)
     return Boolean()
 
 
 def report_edges_elsewhere(node: ast.Expression, function: str, context: Context) -> bool:
-    """Report edges in a function other than `count`. Returns True if they are."""
+    """Report edges in a function other than `count`. Returns True if there are any."""
     if not isinstance(node, ast.Edges) or function == Operator.COUNT.value:
         return False
-    finding = EdgesMisused(reason=f"`{function}` takes no edges, only `count` does")
+    finding = EdgesMisused(reason=f"only `count` takes edges, not `{function}`")
     context.collector.add(finding.at(node.span))
     return True
 
@@ -66,7 +66,7 @@ def _check_number(bound: ast.Expression, *, always: bool, context: Context) -> N
         if number.is_integer() and 0 <= number <= MOST_EDGES:
             if number > 0 or not always:
                 return
-            reason = "no count is below 0, so that this never changes"
+            reason = "no count is below 0, so this never changes"
         else:
             reason = f"this is {number:.15g}"
     context.collector.add(EdgeCount(reason=reason, most=MOST_EDGES).at(bound.span))

@@ -107,7 +107,7 @@ _TIMES: Mapping[Operator, str] = {
     Operator.MEAN: "the window of `mean`",
     Operator.LOW_PASS: "the time constant of `low_pass`",
 }
-"""The functions with a constant time, and the meaning of that time."""
+"""The functions with a constant time, and the meaning of this time."""
 _MOST_FIELDS = 4
 _OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
@@ -178,7 +178,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
 
 
 def _age(node: ast.Call, context: Context) -> Type:
-    """The type of an age. The expression around it checks that it is compared with a time."""
+    """The type of an age. The expression around the age checks that it is compared with a time."""
     outcome = apply(Operator.AGE, context.type_of(node.arguments[0]))
     argument = stripped(node.arguments[0])
     if isinstance(argument, ast.Reference) and argument.name.text in context.inputs:
@@ -209,7 +209,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
-    """The type of the result, whatever is wrong with the argument: one finding for `any(x) < 1` is
+    """The type of the result, whatever error the argument has: one finding for `any(x) < 1` is
     enough.
     """
     around = context.parents.get(node)
@@ -272,7 +272,7 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:
     """The type of the distance in which a motion stops. If the type is `Unknown`, the motion is
-    reported already.
+    already reported.
     """
     motion = context.type_of(node.arguments[0])
     if not isinstance(motion, Motion) or len(node.arguments) == 1:
@@ -319,12 +319,12 @@ def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
 
 
 def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
-    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one boolean."""
+    """The type of `oscillates(x, 3 times, within 0.25 sec, by 5 N)`: one boolean."""
     if report_edges_elsewhere(node.value, Operator.OSCILLATES.value, context):
         return Boolean()
     value = scalar_operand(node.value, context)
     _check_turning_points(node.count, context)
-    duration_ns(node.window, "what stands after `within`", context)
+    duration_ns(node.window, "the time after `within`", context)
     swing = None if node.swing is None else scalar_operand(node.swing, context)
     if swing is None:
         return Boolean()
@@ -347,7 +347,7 @@ def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> 
     if unit.offset:
         wrong = WrongArgument(
             function="oscillates",
-            expected="a swing, which is a difference",
+            expected="a swing, as a temperature difference",
             found=f"a temperature in {unit.symbol}",
             usage="by 5 K",
         )
@@ -357,6 +357,6 @@ def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> 
             purpose="a swing",
             bound="more than zero",
             found=f"{unit.from_si(number):.15g}",
-            reason="it is the height of the smallest wave that counts",
+            reason="it is the size of the smallest swing that counts",
         )
         context.collector.add(finding.at(node.span, help=finding.EveryTurn()))

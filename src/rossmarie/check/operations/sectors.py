@@ -48,7 +48,7 @@ def checked_sector(arc: ast.Arc, context: Context) -> Sector | None:
     first, last = (context.values[end].numbers[0] for end in (arc.first, arc.last))
     sector = sector_between(first, last)
     if sector is None:
-        found = "this is more than a full turn" if last > first else "this is no angle between two"
+        found = "this is more than a full turn" if last > first else "both angles are the same"
         context.collector.add(NoSector(found=found).at(arc.span))
     elif last < first and sector.width > math.pi:
         _warn_of_long_way(arc, sector, last, context)

@@ -21,14 +21,14 @@ _ONCE, _LASTING = " per activation", " per time"
 
 
 def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
-    """The amounts of a rule, and its margin. Anything else is reported."""
+    """The amounts of a rule, and its margin. Other values are reported."""
     found: dict[str, float] = {}
     margin: Unit | None = None
     said: set[str] = set()
     for each in rule.feedback:
         kind = _kind(each)
         if kind in said:
-            finding = OddFeedback(found=f"this is said twice{kind}")
+            finding = OddFeedback(found=f"this is given twice{kind}")
             context.collector.add(finding.at(each.span))
         elif isinstance(each, ast.Margin):
             margin = check_margin(rule, each, context)
@@ -67,14 +67,12 @@ def _amount(feedback: ast.Feedback, context: Context) -> float | None:
 
 
 def _seconds(unit: ast.Unit, context: Context) -> float | None:
-    """The length of a unit of time in seconds; None, after reporting, if it is not a unit of
-    time.
-    """
+    """The length of a unit of time in s; None, after reporting, if it is not a unit of time."""
     known = read_unit(unit, context.collector)
     if known is None:
         return None
     if known.dimension == _SECOND.dimension:
         return known.scale
-    finding = OddFeedback(found=f"`{unit.text}` is no time, and no activation")
+    finding = OddFeedback(found=f"`{unit.text}` is neither a time nor `activation`")
     context.collector.add(finding.at(unit.span))
     return None

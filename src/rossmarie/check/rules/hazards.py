@@ -19,7 +19,7 @@ def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.H
         if isinstance(item, ast.Hazard):
             first = found.setdefault(item.name.text, item)
             if first is not item:
-                reason = "rules say by its name which hazard they mitigate"
+                reason = "rules refer to a hazard by its name"
                 report_second(item.name, first.name, "hazard", reason, context.collector)
     mitigated = [name for rule in context.declarations.rules for name in rule.mitigates]
     for name in dict.fromkeys(mitigated):

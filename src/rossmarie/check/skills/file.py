@@ -27,7 +27,7 @@ def read_skills(context: Context) -> None:
         if context.skills is None:
             context.skills = found
         elif found.file.digest != context.skills.file.digest:
-            _report_second(item, "another file of skills", context.skills.declaration, context)
+            _report_second(item, "another skills file", context.skills.declaration, context)
 
 
 def _read(item: ast.Skills, context: Context) -> CheckedSkills | None:

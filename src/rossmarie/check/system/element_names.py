@@ -26,7 +26,7 @@ def with_names(type_: Type, field: str, declaration: ast.Input, collector: Colle
     first: dict[str, ast.Text] = {}
     for name in names.texts:
         if first.setdefault(name.value, name) is not name:
-            place = Here(what="the first of this name").at(first[name.value].span)
+            place = Here(what="the first element with this name").at(first[name.value].span)
             collector.add(RepeatedName(identifier=name.value).at(name.span, place))
     if len(first) < len(names.texts):
         return Unknown()
@@ -35,7 +35,7 @@ def with_names(type_: Type, field: str, declaration: ast.Input, collector: Colle
 
 def _report_misplaced(type_: Type, field: str, span: Span, name: str, collector: Collector) -> None:
     if isinstance(type_, Array):
-        reason = f"its elements have the names that each message brings in `{type_.names}`"
+        reason = f"each message contains the names of its elements in `{type_.names}`"
         help: Remark = MisplacedNames.OfMessage(input=name)
     else:
         reason = f"it is {describe(type_)}, not an array of numbers or flags"

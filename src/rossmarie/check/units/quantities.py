@@ -72,7 +72,7 @@ def operand_of(node: ast.Expression, context: Context) -> Operand | None:
 
 
 def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
-    """The written unit; None after reporting that there is no such unit."""
+    """The unit; None after reporting that there is no such unit."""
     try:
         return parse_unit(unit.text)
     except UnknownUnitError as error:
@@ -92,7 +92,9 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
 
 
 def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
-    """Say whether two quantities can be `purpose` (compared, added ...). Report an error if not."""
+    """Say whether two quantities can be `purpose` (compared, added ...). Report an error if they
+    cannot.
+    """
     if not unit_faults(first.quantity, second.quantity):
         return True
     odd, other = _odd_one(first, second, context)
@@ -118,7 +120,7 @@ def check_fit_of(
 
 
 def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
-    """The operand at fault: the constant one, else the second."""
+    """The operand at fault: the constant operand, or else the second."""
     if first.node in context.values and second.node not in context.values:
         return first, second
     return second, first
@@ -167,7 +169,7 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
 
 
 def _meant_unit(found: Unit, expected: Unit) -> Unit:
-    """Give `found` with or without its time: deg/s for deg, where rad/s is expected."""
+    """The unit `found` with or without its time: deg/s for deg, if rad/s is expected."""
     is_rate = _is_rate_of(found, expected)
     meant = multiply(found, SECOND) if is_rate else divide(found, SECOND)
     is_simple = "*" not in meant.symbol or "*" in expected.symbol
@@ -198,7 +200,9 @@ def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> No
     finding = MissingUnit(
         expected=unit.symbol,
         dimension=str(unit.dimension),
-        reason="a plain number is not an angle" if is_angle else "a plain number could be any",
+        reason="a plain number is not an angle"
+        if is_angle
+        else "a plain number could have any unit",
         corrected=corrected,
     )
     labels = (*_labels(plain, context), _is_in(other), *_labels(other, context))
@@ -218,7 +222,7 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
         declaration = found.declaration
         place = end_of_field(declaration)
         labels = (*labels, DeclaredHere().at(declaration.name.span))
-        fix = Fix(f"say that it arrives in {unit}", (Edit(place, f" in {unit}"),))
+        fix = Fix(f"declare that it arrives in {unit}", (Edit(place, f" in {unit}"),))
         context.collector.add(finding.at(unknown.node.span, *labels, fix=fix))
     else:
         field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
@@ -232,7 +236,7 @@ def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | No
     if literal is None or literal.unit is not None or literal is not stripped(node):
         return None
     behind = Span(literal.span.file, literal.span.end, literal.span.end)
-    return Fix(f"write `{symbol}` behind it", (Edit(behind, f" {symbol}"),))
+    return Fix(f"write `{symbol}` after it", (Edit(behind, f" {symbol}"),))
 
 
 def is_same_unit(unit: Unit, other: Unit) -> bool:

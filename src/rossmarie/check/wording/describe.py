@@ -52,7 +52,7 @@ def describe(type_: Type) -> str:
         case Message(name=name):
             return f"a message {name}"
         case Entry(message=message):
-            return f"all that {message.name} has under one name"
+            return f"the fields of one named element of {message.name}"
         case Motion(name=name):
             return f"the motion {name}"
         case Region(name=name, is_zone=True):

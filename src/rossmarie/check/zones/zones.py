@@ -135,7 +135,7 @@ def _repeats(shape: ast.Shape, corners: Sequence[tuple[float, float]], context: 
         is_last = number == len(corners)
         bracket = shape.brackets[-1 if is_last else number]
         found = f"the {'first' if is_last else 'same'} one again"
-        finding = _unfit("a corner", "another one than the corner before", found, shape)
+        finding = _unfit("a corner", "different from the previous corner", found, shape)
         help = finding.FirstAgain() if is_last else None
         context.collector.add(finding.at(bracket.span, help=help))
         return True
@@ -205,7 +205,7 @@ def _length(
     number = number if unit is None else unit.to_si(number)
     if math.isfinite(number) and abs(number) <= _FARTHEST:
         return number
-    expected = f"no farther than {_FARTHEST:g} m from the origin"
+    expected = f"at most {_FARTHEST:g} m from the origin"
     part = f"a number of a {shape.word.text}"
     _report(part, expected, f"{number:g} m", shape, node.span, context)
     return None
@@ -214,11 +214,11 @@ def _length(
 def _has_unit(
     node: ast.Expression, found: Quantity, unit: Unit | None, shape: ast.Shape, context: Context
 ) -> bool:
-    """Say whether a number has the unit that it needs: a length, or none if one unit applies to
-    all.
+    """Say whether a number has the unit that it needs: a length, or no unit if one unit applies to
+    all numbers.
     """
     if unit is not None and not is_plain(found):
-        finding = MisplacedUnit(reason="this number has a unit, and so have all of them")
+        finding = MisplacedUnit(reason="both this number and the whole list have a unit")
         help = finding.OnceInList(unit=unit.symbol)
         context.collector.add(finding.at(node.span, help=help))
         return False
