@@ -187,7 +187,7 @@ def test_a_skill_waits_while_a_rule_is_active_and_then_starts(
     robot.set(force=0.0)
     succeeds(trip)
     assert said(notes) == ["init", "drive"]
-    assert "nothing is run" not in trip.said()
+    assert "nothing was run" not in trip.said()
 
 
 def test_a_skill_starts_while_no_rule_is_active(

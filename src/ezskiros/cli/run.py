@@ -189,8 +189,9 @@ def _refuse_half_modules(ready: Ready) -> None:
     if lacking:
         output.print_findings(lacking)
         output.fail(
-            "nothing is run: primitives need what is missing here, or not done; install it, or "
-            "import it in the methods that use it; `--simulate` runs without",
+            "nothing was run: modules above were missing or not fully executed, so primitives "
+            "would have no effect; install them, import them in the methods that use them, or add "
+            "`--simulate`",
             exit_code=2,
         )
 

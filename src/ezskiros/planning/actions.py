@@ -34,9 +34,7 @@ GONE = Fluent(About.GONE)
 
 @dataclass(frozen=True)
 class Action:
-    """A skill. All `needs` must hold before it, and all `effects` hold after it. Later effects are
-    applied first.
-    """
+    """A skill. All `needs` must hold before it, and all `effects` hold after it, in order."""
 
     skill: SkillInterface
     description: SkillClass
