@@ -9,13 +9,13 @@ NAVIGATE = "/navigate"
 """The action server of the base: it drives along its route to a place."""
 
 LOOK_OUT = "/look_out"
-"""The action server that waits until the way ahead of the base is free."""
+"""The action server that waits until the path ahead of the base is free."""
 
 ARM = "/arm"
-"""The action server of the arm: it carries what it holds, places it, and retracts."""
+"""The action server of the arm: it carries the load, places it, and retracts."""
 
 RECOVERY = "/recovery"
-"""The action server of a task: it runs a behavior tree in the place of the task."""
+"""The action server of a task: it runs a behavior tree instead of the task."""
 
 Scalar = bool | float | str
 Value = Scalar | tuple[Scalar, ...]
@@ -33,7 +33,9 @@ class Server(Protocol):
     """An action server: it has one goal at a time."""
 
     def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
-        """A new goal takes the place of the one at hand; `done` hears whether it was reached."""
+        """Replace the current goal by a new goal. `done` is called with the success of the new
+        goal.
+        """
 
     def cancel(self) -> None:
         """The goal at hand, if there is one, is given up; `done` hears of that."""

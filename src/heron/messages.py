@@ -1,6 +1,6 @@
 """Constructors of the ROS messages that the robot uses.
 
-The classes are those of rosbags for ROS 1: plain data with the fields of the definitions.
+The classes come from rosbags for ROS 1: plain data with the fields of the definitions.
 """
 
 from __future__ import annotations
@@ -120,9 +120,7 @@ def full_name(name: str) -> str:
 
 @cache
 def store(kind: Stores = Stores.ROS1_NOETIC) -> Typestore:
-    """All types that are known: those of ROS, that of transforms, and those that tell which skills
-    run.
-    """
+    """All known types: the types of ROS, of transforms, and of messages about running skills."""
     known = get_typestore(kind)
     for name, text in own_texts().items():
         known.register(get_types_from_msg(text, full_name(name)))

@@ -1,4 +1,4 @@
-"""A recorder of all topics to one MCAP file with ROS 2 messages, with the trace of a task beside
+"""A recorder of all topics to one MCAP file with ROS 2 messages, with the trace of a task next to
 it.
 """
 
@@ -23,7 +23,7 @@ from heron.topics import InProcess, Topic
 
 
 class Recorder:
-    """An observer. Stamps are those of the simulation, which begins at `began_ns`."""
+    """An observer. Stamps are simulation times; the simulation begins at `began_ns`."""
 
     def __init__(self, began_ns: int = 0) -> None:
         self._began_ns = began_ns
@@ -33,7 +33,7 @@ class Recorder:
         self._heard: list[tuple[str, int, bytes]] = []
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
-        """Listen to all topics; nothing has to be asked for."""
+        """Subscribe to all topics."""
         self.listen(carrier, lambda: self._began_ns + physics.elapsed_ns)
         return []
 
@@ -44,7 +44,7 @@ class Recorder:
             carrier.subscribe(topic, partial(self._keep, clock, topic))
 
     def write(self, path: Path) -> None:
-        """All of it, into a new file. Raises `OSError`."""
+        """Write the whole recording into a new file. Raises `OSError`."""
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=path.parent) as folder:
             self._write_bag(Path(folder) / "bag")

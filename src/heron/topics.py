@@ -65,13 +65,13 @@ class Carrier(Protocol):
         """`receive` gets each message on a topic."""
 
     def serve(self, name: str, server: Server) -> None:
-        """An action server is there from now on."""
+        """Offer an action server."""
 
     def server(self, name: str) -> Server:
         """An action server. Raises `KeyError` if it is not there."""
 
     def declare(self, name: str, parameter: Parameter) -> None:
-        """A parameter is there from now on; its name has that of its node in front."""
+        """Offer a parameter. Its name begins with the name of its node."""
 
     def parameter(self, name: str) -> Parameter:
         """A parameter. Raises `KeyError` if it is not there."""
@@ -88,7 +88,7 @@ class InProcess:
 
     @property
     def topics(self) -> tuple[Topic, ...]:
-        """All that somebody publishes or listens to."""
+        """All topics with a publisher or a subscriber."""
         return tuple(Topic(name, kind) for name, kind in self._types.items())
 
     def publisher(self, topic: Topic) -> Publish:
@@ -108,7 +108,7 @@ class InProcess:
         self._listeners[topic.name].append(receive)
 
     def serve(self, name: str, server: Server) -> None:
-        """An action server is there from now on."""
+        """Offer an action server."""
         self._servers[name] = server
 
     def server(self, name: str) -> Server:
@@ -116,7 +116,7 @@ class InProcess:
         return self._servers[name]
 
     def declare(self, name: str, parameter: Parameter) -> None:
-        """A parameter is there from now on."""
+        """Offer a parameter."""
         self._parameters[name] = parameter
 
     def parameter(self, name: str) -> Parameter:
@@ -145,7 +145,7 @@ class Remapped:
         self.carrier.subscribe(self._renamed(topic), receive)
 
     def serve(self, name: str, server: Server) -> None:
-        """An action server is there from now on."""
+        """Offer an action server."""
         self.carrier.serve(self.names.get(name, name), server)
 
     def server(self, name: str) -> Server:
@@ -153,7 +153,7 @@ class Remapped:
         return self.carrier.server(self.names.get(name, name))
 
     def declare(self, name: str, parameter: Parameter) -> None:
-        """A parameter is there from now on."""
+        """Offer a parameter."""
         self.carrier.declare(name, parameter)
 
     def parameter(self, name: str) -> Parameter:

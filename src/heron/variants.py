@@ -14,13 +14,13 @@ class Arm(str, enum.Enum):
     DEROS = "deros"  # rules stop it until an operator comes
     ROSSMARIE = "rossmarie"  # by rules, it recovers
     SKILL_AWARE = "skill_aware"  # the same, by rules that know which skills run
-    PROACTIVE = "proactive"  # the same, by rules that know what lies ahead
+    PROACTIVE = "proactive"  # the same, by rules that look ahead
     TREES = "trees"  # the same, by rules that let it run behavior trees
-    LEARNED = "learned"  # the same; and it plans with what runs without that have taught
+    LEARNED = "learned"  # the same, with plans that use knowledge from earlier runs
 
 
 class Terrain(str, enum.Enum):
-    """The obstacle in the way of the base."""
+    """The obstacle on the path of the base."""
 
     FLAT = "flat"  # neither bump nor ramps: whatever a monitor restricts here is without need
     GENTLE = "gentle"  # a bump, and a ramp of 12 degrees into the room
@@ -28,7 +28,7 @@ class Terrain(str, enum.Enum):
 
 
 class Table(str, enum.Enum):
-    """On what the arm places, and in what haste it gets there."""
+    """The placing of the arm: the table, and the speed of the arm."""
 
     EXPECTED = "expected"  # where the arm believes it
     HIGH = "high"  # some centimeters higher
@@ -54,23 +54,23 @@ class Passage(str, enum.Enum):
     """The person in the corridor of a school, if there is one."""
 
     CHILD = "child"  # a child runs out of a door, in front of the base
-    EMPTY = "empty"  # nobody
+    EMPTY = "empty"  # no person
 
 
 class Blockage(str, enum.Enum):
-    """The obstacles that stand across the ways to a hall."""
+    """The obstacles across the paths to a hall."""
 
-    PALLET = "pallet"  # a pallet on the first way, for good
-    TROLLEY = "trolley"  # a trolley on the first way, which somebody takes away soon
-    BOTH = "both"  # a pallet on the first way, and on the second a trolley
+    PALLET = "pallet"  # a pallet on the first path, permanently
+    TROLLEY = "trolley"  # a trolley on the first path, which is soon removed
+    BOTH = "both"  # a pallet on the first path, and a trolley on the second
 
 
 class Trouble(str, enum.Enum):
-    """The obstacle that stands across the short way to a hall in most runs."""
+    """The obstacle across the short path to a hall in most runs."""
 
-    LASTING = "lasting"  # a pallet, for good
-    PASSING = "passing"  # a trolley, which somebody takes away soon
-    NONE = "none"  # nothing, in no run: whatever was learned has to cost nothing here
+    LASTING = "lasting"  # a pallet, permanently
+    PASSING = "passing"  # a trolley, which is soon removed
+    NONE = "none"  # no obstacle in any run: knowledge must cost nothing here
 
 
 class Formulation(str, enum.Enum):
@@ -87,7 +87,7 @@ class LearningArm(str, enum.Enum):
     UNGUARDED = "unguarded"  # they only count
     ENDED = "ended"  # an episode ends as soon as something is violated
     PENALTY = "penalty"  # their feedback is taken from the reward
-    GUARD = "guard"  # they bound what is executed
+    GUARD = "guard"  # they bound the executed action
     GUARD_FEEDBACK = "guard_feedback"  # both
     EXECUTED = "executed"  # as `guard`; the learner learns from what was executed
 

@@ -91,7 +91,7 @@ class Window:
             view.elevation = camera.elevation
 
     def tick(self, now_ns: int) -> None:
-        """Show it, and wait for the time to come."""
+        """Show the scene, and wait for the next time."""
         if self._handle.is_running():
             assert self._physics is not None
             assert self._stage is not None

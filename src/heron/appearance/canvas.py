@@ -16,7 +16,7 @@ _TROUBLE = (
     *(AttributeError, ImportError, OSError, RuntimeError, mujoco.FatalError),
     OpenGL.error.Error,
 )
-"""Errors of OpenGL, of its libraries, and of who looks for them."""
+"""Errors of OpenGL, of its libraries, and of their loaders."""
 Pixels = NDArray[np.uint8]
 Size = tuple[int, int]
 """Width and height, in pixels."""
@@ -28,7 +28,7 @@ class CannotDrawError(RuntimeError):
 
 @dataclass(frozen=True)
 class Camera:
-    """The view of an episode (m, degrees), from so far from a place above the body."""
+    """The view of an episode (m, degrees): the camera looks at a body from a distance."""
 
     body: str
     distance: float
@@ -38,7 +38,7 @@ class Camera:
 
 
 class Canvas:
-    """A renderer of a stage, by a camera. It has to be closed."""
+    """A renderer of a stage, by a camera. Close it after use."""
 
     def __init__(self, stage: Stage, camera: Camera, size: Size) -> None:
         """Raises `CannotDrawError`."""
@@ -71,7 +71,7 @@ class Canvas:
         return pixels
 
     def _let_light_through(self) -> None:
-        """Let what is clear throw no shadow, as decoration does not."""
+        """Let transparent parts throw no shadow. Decoration throws no shadow either."""
         scene = self._renderer.scene
         for geom in scene.geoms[: scene.ngeom]:
             if geom.rgba[3] < 1.0:

@@ -21,7 +21,7 @@ _SHOULDER, _UPPER, _FOREARM, _WRIST = _LINKS = (
 _FOOT = (-1.08, 0.02)
 _HEIGHT = 1.0  # of the shoulder
 _LENGTHS = (0.66, 0.64)
-_ASIDE = 0.13  # of the upper arm, beside the plane of the forearm
+_ASIDE = 0.13  # of the upper arm, from the plane of the forearm
 _ABOVE = 0.36  # of the wrist, above the lower end of the peg
 _TUBES = {  # from, to, radius and material, in the frame of each link (m)
     _SHOULDER: (
@@ -91,7 +91,7 @@ class Holder:
 
 def _reach(along: float, up: float) -> tuple[float, float]:
     """The angles of upper arm and forearm from the vertical (rad), with the elbow above, for a
-    wrist so far from the shoulder (m).
+    wrist at this distance from the shoulder (m).
     """
     first, second = _LENGTHS
     far = max(math.hypot(along, up), abs(first - second))
@@ -100,7 +100,7 @@ def _reach(along: float, up: float) -> tuple[float, float]:
 
 
 def _corner(side: float, other: float, opposite: float) -> float:
-    """The angle between two sides of a triangle (rad), or of what is nearest to one."""
+    """The angle between two sides of a triangle (rad), or the nearest possible angle."""
     cosine = (side**2 + other**2 - opposite**2) / (2 * side * other)
     return math.acos(min(max(cosine, -1.0), 1.0))
 

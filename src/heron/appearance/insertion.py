@@ -1,6 +1,4 @@
-"""The appearance of the scene in which a robot learns: a hole, glass beside it, and the volumes of
-the rules.
-"""
+"""The appearance of the learning scene: a hole, glass next to it, and the volumes of the rules."""
 
 from __future__ import annotations
 
@@ -31,11 +29,11 @@ Box = tuple[Vector, Vector]
 V1: Box = ((-0.93, -0.6, 0.6), (-0.13, 0.6, 1.3))
 """The workspace, as `rules/insertion.ross` has it."""
 V2: Box = ((-0.8, 0.1, 0.65), (-0.2, 0.5, 1.3))
-"""The volume that holds the fragile part. Rules keep the peg before and beside it."""
+"""The volume around the fragile part. Rules keep the peg out of this volume."""
 V3: Box = ((-0.66, -0.06, 0.6), (-0.54, 0.06, 0.8))
 """The volume around the hole, in which contact is allowed."""
 _TOP = 0.03  # of the table, in height
-_CLOSE = 0.003  # by which a volume is shown larger than what fills it
+_CLOSE = 0.003  # by which a volume is shown larger than its content
 
 
 def dress_insertion(spec: Any, scene: InsertionParameters) -> None:
@@ -62,7 +60,7 @@ def _add_volume(spec: Any, box: Box, faces: str, edges: str) -> None:
 
 
 def _dress_table(spec: Any, scene: InsertionParameters) -> None:
-    """Show a board on a frame in place of what fills the space below it."""
+    """Show a board on a frame instead of the block that fills the space below."""
     hide(spec.geom("table"))
     (x, y, z), (half_x, half_y, half_z) = scene.table
     top = z + half_z

@@ -163,7 +163,7 @@ def _striped() -> Pixels:
 
 
 def _grained(generator: np.random.Generator) -> Pixels:
-    """Wood: lines that are as long as the board."""
+    """Wood: lines with the length of the board."""
     lines = np.convolve(generator.normal(0.0, 22.0, _SIZE + 8), np.ones(5) / 5, "same")[:_SIZE]
     noise = generator.normal(0.0, 2.5, (_SIZE, _SIZE, 1))
     wood = np.array((196, 158, 112)) + lines[:, None, None] + noise

@@ -98,7 +98,7 @@ def dress_arm(spec: Any) -> None:
 
 
 def dress_pedestal(spec: Any, base: BaseParameters) -> None:
-    """Show the base, at a standstill, in the place of the pedestal."""
+    """Show the base, at a standstill, instead of the pedestal."""
     pedestal = spec.body("pedestal")
     height = float(pedestal.pos[2])
     for geom in pedestal.geoms:
@@ -185,7 +185,7 @@ def _add_gripper(spec: Any) -> None:
 
 
 def _add_folded_arm(body: Any) -> None:
-    """Add the arm, folded for the drive: the physics of the base has one mass for all of it."""
+    """Add the arm, folded for the drive. In the physics, the arm is only a mass on the base."""
     arm = ArmParameters()
     _add_foot(body, arm.pedestal)
     spec = new_spec()

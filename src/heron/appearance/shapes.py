@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 Point = Sequence[float]
 SHOWN_GROUP = 2
-"""The group of geoms that are there to be looked at."""
+"""The group of geoms for display only."""
 HIDDEN_GROUP = 4
 """The group of geoms of the physics that another shape is shown for."""
 _GEOM = mujoco.mjtGeom
@@ -52,7 +52,7 @@ def add_ball(body: Any, pos: Point, half: Point, material: str) -> Any:
 
 
 def add_loft(spec: Any, body: Any, name: str, sections: Sequence[Section], material: str) -> Any:
-    """Add a skin over sections, each above the one before, closed at both ends."""
+    """Add a skin over sections, ordered from bottom to top, closed at both ends."""
     rings = np.array([_outline(section) for section in sections])
     count = rings.shape[1]
     points = rings.reshape(-1, 3)

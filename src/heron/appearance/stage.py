@@ -35,7 +35,7 @@ def moment_of(data: Any) -> Moment:
 
 
 class Stage:
-    """A scene that is drawn: `model` and `data` are those of MuJoCo."""
+    """A scene for drawing, with `model` and `data` of MuJoCo."""
 
     def __init__(self, spec: Any) -> None:
         self.model = dressed(spec)

@@ -33,7 +33,9 @@ _BRACKET = 0.5  # m, the height of the beams that carry tables
 
 
 def dress_course(spec: Any) -> None:
-    """Show a corridor to a room that lies higher, unless all is flat, or there are two ways."""
+    """Show a corridor to a room at a higher level, unless the ground is flat or there are two
+    paths.
+    """
     found = CourseParameters()
     paint(spec.geom("floor"), TILES)
     for geom in spec.worldbody.geoms:

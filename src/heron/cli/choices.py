@@ -65,7 +65,7 @@ output = CommandLine(
 
 
 def draw_without_display() -> None:
-    """Choose EGL before MuJoCo is imported, which looks at this then and needs what it names."""
+    """Choose EGL before the import of MuJoCo: MuJoCo reads this choice at its import."""
     os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
 
 
@@ -89,15 +89,15 @@ def require_arm(experiment: str, arm: Arm) -> None:
 
 
 def require_place(out: Path) -> None:
-    """End the run if a file could not be written, or somebody else's would be written over. Its
+    """End the run if a file cannot be written, or if it would replace a file of the user. Its
     folder need not exist yet.
     """
     output.try_folder(out.parent, out.name)
 
 
 def require_campaign(out: Path, page: str, journal: Path) -> None:
-    """End the run if the page of a campaign or the files beside its journal would replace files of
-    somebody else. Files beside a journal are those of its campaign.
+    """End the run if the page of a campaign or the files next to its journal would replace files of
+    the user. Files next to a journal belong to its campaign.
     """
     output.try_folder(out, page)
     if journal.exists() or output.permission.is_given:
@@ -172,7 +172,7 @@ def algorithms_of(formulation: Formulation, wanted: Sequence[str] | None) -> lis
 def learning_arms_of(
     formulation: Formulation, wanted: Sequence[LearningArm] | None
 ) -> list[LearningArm]:
-    """The arms, each once; else all that the formulation has."""
+    """The named arms, each once; by default all arms of the formulation."""
     known = LEARNING_ARMS[formulation]
     for arm in wanted or ():
         if arm not in known:
@@ -233,7 +233,7 @@ def require_simulation() -> None:
 
 
 def _require_renderer() -> None:
-    """MuJoCo loads what MUJOCO_GL names as soon as it is imported."""
+    """MuJoCo loads the library named by MUJOCO_GL at its import."""
     renderer = os.environ.get("MUJOCO_GL")
     if not renderer:
         return

@@ -23,7 +23,7 @@ def evaluate(
     out: Path,
     workers: Workers,
 ) -> None:
-    """Run what is not in the journal, and write the page."""
+    """Run the episodes that are not in the journal, and write the page."""
     folder = Folder(out)
     require_campaign(out, PAGE, folder.journal)
     keys = list(keys_of([EXPERIMENTS[name] for name in names], seeds))

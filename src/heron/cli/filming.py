@@ -24,7 +24,7 @@ _SIZE = (640, 360)
 
 @contextmanager
 def _drawing(output: CommandLine) -> Iterator[None]:
-    """Tell how it goes, and why it does not go."""
+    """Show the progress, and the reason of a failure."""
     try:
         with Console(stderr=True).status("films are drawn"):
             yield

@@ -25,7 +25,7 @@ from heron.variants import LearningArm
 def insert(
     output: CommandLine, policy: Path, arm: LearningArm, seed: int, film: Path | None
 ) -> None:
-    """Run an episode of what was learned, print its outcome, and write its film."""
+    """Run an episode of a learned policy, print its outcome, and write its film."""
     found = _read(output, policy)
     clip = film_of_insertion(found.begin(), arm, seed, found.formulation)
     _print_outcome(clip.outcome, f"{ARM_NAMES[arm]}, seed {seed}")

@@ -27,8 +27,8 @@ _FILMED = 3
 def learn(
     output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers, film: Path | None
 ) -> None:
-    """Run what is not in the journal, and write the page; and a film of what the arms have learned
-    from the first seed, if one is wanted.
+    """Run the trainings that are not in the journal, and write the page. On request, also write a
+    film of the learned policies of all arms, from the first seed.
     """
     folder = LearningFolder(out)
     require_campaign(out, PAGE, folder.journal)

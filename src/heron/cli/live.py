@@ -20,7 +20,7 @@ _MASTER = "http://localhost:11311"
 def run_live(
     output: CommandLine, arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer]
 ) -> None:
-    """The guard is a node of its own."""
+    """The guard is a separate node."""
     try:
         with closing(Ros1Link(*_place())) as link:
             episode = run_navigation(arm, terrain, seed, observers, link=link)

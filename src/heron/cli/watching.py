@@ -31,7 +31,7 @@ def film_episode(
 
 @contextmanager
 def observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
-    """A window on an experiment for as long as it is needed, if one is wanted."""
+    """A window on an experiment while it runs, if the user wants a window."""
     if not is_viewed:
         yield []
         return

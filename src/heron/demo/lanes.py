@@ -34,14 +34,14 @@ class Row:
 
 @dataclass(frozen=True)
 class Lanes:
-    """The rows of one kind that an arm has to show."""
+    """The rows of one kind for one arm."""
 
     arm: Arm
     rows: tuple[Row, ...]
 
 
 def rules_of(shot: Shot, duration: float) -> Lanes:
-    """The rules that were active, in the order in which they became so."""
+    """The rules that became active, in the order of their first activation."""
     ordered = sorted(shot.rules.items(), key=lambda item: item[1][0])
     rows = [
         Row(0, rule, tuple(_bar("active", start, end, duration) for start, end in spans))
@@ -51,7 +51,7 @@ def rules_of(shot: Shot, duration: float) -> Lanes:
 
 
 def tree_of(shot: Shot, duration: float) -> Lanes:
-    """The skills of the tree: how each ran, and what it stands at from then on."""
+    """The skills of the tree over time, with the final status of each skill."""
     rows = [
         Row(one.depth, one.label, tuple(_states(one, shot.duration, duration))) for one in shot.tree
     ]

@@ -125,7 +125,7 @@ def _marks(name: str, shots: Sequence[Shot], duration: float) -> Iterator[Mark]:
 
 
 def _rows(shots: Sequence[Shot]) -> list[tuple[str, list[str]]]:
-    """The measures of all arms beside each other."""
+    """The measures of all arms, side by side."""
     labels = dict.fromkeys(label for shot in shots for label in shot.measures)
     return [(label, [shot.measures.get(label, "-") for shot in shots]) for label in labels]
 

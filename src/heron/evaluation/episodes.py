@@ -64,8 +64,8 @@ def row_of(key: str) -> Value:
 
 
 def sources() -> str:
-    """All that has a say in how an episode goes, in one number: results of different programs must
-    not get into one table.
+    """A digest of everything that influences an episode. So results of different programs do not
+    get into one table.
     """
     digest = hashlib.sha256()
     for package in (ezskiros, heron, rossmarie):

@@ -32,7 +32,7 @@ from heron.variants import Arm
 
 
 def expectations_of(sample: Sample) -> Iterator[Expectation]:
-    """All that is expected of a variant."""
+    """All expectations of a variant."""
     if Arm.LEARNED in sample.arms:
         yield from expectations_of_learning(sample)
         return

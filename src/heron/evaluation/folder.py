@@ -1,4 +1,4 @@
-"""The files of an evaluation: the page, and a folder beside the page with the other files."""
+"""The files of an evaluation: the page, and a folder next to the page with the other files."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Folder:
 
 
 def write_page(folder: Folder, values: Mapping[str, Value]) -> Path:
-    """Rows and plots of what these results are of, and the page of all that is in the folder."""
+    """Rows and plots of these results, and the page of all results in the folder."""
     for name, experiment in EXPERIMENTS.items():
         if rows := _chosen(values, experiment=name, study=None):
             write_rows(folder.rows(name), experiment, rows)

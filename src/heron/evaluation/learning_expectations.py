@@ -21,7 +21,7 @@ _FIRST, _SECOND = Arm.TREES, Arm.LEARNED
 
 
 def expectations_of_learning(sample: Sample) -> Iterator[Expectation]:
-    """All that is expected of a variant."""
+    """All expectations of a variant."""
     yield from (alone(sample, arm) for arm in sample.arms)
     yield touches_nothing(sample)
     if sample.variant == Trouble.NONE.value:

@@ -29,7 +29,7 @@ _IMPACT = "impact"
 
 
 def expectations_of_places(sample: Sample) -> Iterator[Expectation]:
-    """All that is expected of a variant."""
+    """All expectations of a variant."""
     yield _everybody_arrives(sample)
     if sample.harms:
         for harm in sample.harms:

@@ -15,7 +15,7 @@ from heron.variants import Arm
 
 @dataclass(frozen=True)
 class Sample:
-    """`rows` are those of `variant`."""
+    """The episodes of one variant; `rows` are the rows of `variant`."""
 
     experiment: Experiment
     variant: str
@@ -33,7 +33,7 @@ class Sample:
 
     @property
     def acts_within(self) -> Mapping[str, float]:
-        """The most time (s) until the guard has to act on each hazard."""
+        """The longest permitted reaction time of the guard for each hazard (s)."""
         return self.experiment.acts_within.get(self._of_variant, {})
 
     @property

@@ -21,7 +21,7 @@ the robot before the hazard, so no robot completes the task.
 
 
 def expectations_of_skills(sample: Sample) -> Iterator[Expectation]:
-    """All that is expected of a variant."""
+    """All expectations of a variant."""
     is_within = sample.variant in _WITHIN_A_SKILL
     guarded = (Arm.SKILL_AWARE,) if is_within else (Arm.ROSSMARIE, Arm.SKILL_AWARE)
     for harm in sample.harms:

@@ -20,7 +20,7 @@ _TOUCHED = "touched"
 
 
 def expectations_of_trees(sample: Sample) -> Iterator[Expectation]:
-    """All that is expected of a variant."""
+    """All expectations of a variant."""
     yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
     if sample.variant == Blockage.TROLLEY.value:
         yield _sooner(sample)

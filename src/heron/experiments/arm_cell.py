@@ -14,7 +14,7 @@ from heron.tasks import SkillTask, TaskStatus
 
 @dataclass
 class ArmCell:
-    """The arm, its task, and who looks after it."""
+    """The arm, its task, and its operator."""
 
     arm: Arm
     task: SkillTask
@@ -30,7 +30,7 @@ class ArmCell:
 
     @property
     def visits(self) -> int:
-        """The number of times that the operator had to come."""
+        """The number of operator interventions."""
         return 0 if self.operator is None else self.operator.summons.visits
 
     @property

@@ -28,14 +28,16 @@ class BaseOperatorParameters:
     """Lengths in m, speeds in m/s, times in s."""
 
     delay: float
-    """The time from a call until he is there."""
+    """The time from a call to the arrival of the operator."""
     pace: float = 0.2
     way: float = 1.2
-    """He drives at least so far: the robot is 0.9 m long, and all of it has to be past a bump."""
+    """The shortest distance that the operator drives: the robot is 0.9 m long, and must pass a bump
+    completely.
+    """
 
 
 class BaseOperator:
-    """Sees the robot itself: he stands beside it."""
+    """The operator stands next to the robot and sees the robot directly."""
 
     period_ns = 100_000_000
 
@@ -66,7 +68,9 @@ class BaseOperator:
             self._by_hand = None
 
     def _way_out(self) -> Callable[[], bool]:
-        """Choose his way; the function that comes back says whether he is still at it."""
+        """Choose the path of the operator. The returned function returns True while the operator
+        drives.
+        """
         start = self._physics.position.copy()
         is_too_steep = self._is_before_steep_ramp()
         pace = -self._parameters.pace if is_too_steep else self._parameters.pace
@@ -83,7 +87,9 @@ class BaseOperator:
         return drive
 
     def _is_before_steep_ramp(self) -> bool:
-        """Say whether the robot is on, or right before, a ramp that nobody should drive up."""
+        """Return True if the robot is on, or directly in front of, a ramp that is too steep to
+        drive.
+        """
         x, y, _ = self._physics.position
         return any(
             slope.start_x - 1.0 < x < slope.end_x

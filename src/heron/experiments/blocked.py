@@ -41,18 +41,16 @@ from rossmarie.ir import Change, OrderKind
 
 LONGEST_S = 300.0
 PATIENT = NavigationParameters(patience=120.0)
-"""It does not give up before an operator has come."""
+"""The base waits for an operator and does not give up before."""
 _SETTLING_STEPS = 500
 _HALL, _JUNCTION, _YARD = "heron:Place-4", "heron:Place-3", "heron:Place-5"
 
 
 @dataclass(frozen=True)
 class BlockedMeasures:
-    """Times in s, lengths in m.
-
-    `activations` counts how often a rule became active for what it found, `replanned` the routes
-    and the plans that took the place of another. `nearest` is the least distance between the base
-    and an obstacle, `touched` for how long they touched.
+    """Times in s, lengths in m. `activations` counts the activations of rules by their conditions,
+    and `replanned` counts reroutes and new plans. `nearest` is the smallest distance between the
+    base and an obstacle, and `touched` is the duration of their contact.
     """
 
     is_completed: bool
@@ -99,7 +97,7 @@ class BlockedEpisode:
 
 @dataclass
 class _Robot:
-    """All that takes part in an episode."""
+    """The parts of an episode."""
 
     physics: Base
     navigation: PlaceNavigation
@@ -194,8 +192,8 @@ def _assembled(
 
 
 def _routes(ways: WaysParameters) -> dict[str, tuple[tuple[tuple[float, float], ...], ...]]:
-    """The routes to each place, from the place before it. Navigation knows of the second one to
-    the hall by itself; plans of skills lead there by the yard.
+    """The routes to each place, from the previous place. Navigation alone knows the second route to
+    the hall. Plans of skills lead to the hall through the yard.
     """
     return {
         _JUNCTION: ((ways.junction,),),
@@ -205,7 +203,7 @@ def _routes(ways: WaysParameters) -> dict[str, tuple[tuple[tuple[float, float], 
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """The instants at which each hazard is there: the base has met what blocks its way."""
+    """The instants with each hazard: the base is at the obstacle on its path."""
     return {"blocked": trace.columns["is_blocked"] > 0}
 
 

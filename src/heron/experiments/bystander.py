@@ -1,5 +1,5 @@
-"""The person of the contact experiment, who stands on the other side of the table and reaches over
-it.
+"""The person of the contact experiment, who stands on the other side of the table and reaches
+across.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Bystander:
         self._arm.data.mocap_pos[self._forearm] = (self._x, self._elbow + self._out, _REACH_HEIGHT)
 
     def _stand(self, cell: CellParameters, person: PersonParameters) -> None:
-        """Their right arm is the one that reaches."""
+        """The person reaches with the right arm."""
         model, data = self._arm.model, self._arm.data
         middle = self._x - person.shoulder_half
         places = {PERSON: (middle, 0.0)}

@@ -18,15 +18,15 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class Dash:
-    """A child runs out of a door when the front of the base is `gap` m before it, with `pace` m/s.
-    It stands in the way of the base for `stay_s`, and goes back.
+    """A child runs out of a door when the front of the base is `gap` m away, with `pace` m/s. The
+    child stays in the path of the base for `stay_s`, and goes back.
     """
 
     gap: float
     pace: float
     stay_s: float
     away: float = 0.25
-    """Behind the inner side of the wall, where the child waits (m)."""
+    """The position behind the inner side of the wall, where the child waits (m)."""
 
 
 def varied(passage: Passage, generator: np.random.Generator) -> Dash | None:
@@ -50,7 +50,7 @@ class Child:
         dash: Dash | None,
         front: Callable[[], float],
     ) -> None:
-        """`front` tells where the front of the base is along the corridor (m)."""
+        """`front` returns the position of the front of the base along the corridor (m)."""
         self._physics = physics
         self._corridor = corridor
         self._person = person

@@ -9,18 +9,18 @@ import math
 from heron.experiments.obstacles import Obstacles
 from heron.robot import Base
 
-_MOVES = 0.3  # m; who has come so far does not stand
+_MOVES = 0.3  # m; a base with this progress is not standing
 
 
 class ClearingOperator:
-    """`visits` counts how often he had to come."""
+    """`visits` counts the operator interventions."""
 
     period_ns = 100_000_000
     PATIENCE_NS = 20_000_000_000
-    """The base calls him when it has stood for so long on its way."""
+    """The base calls the operator after this time of standstill on its path."""
 
     def __init__(self, physics: Base, obstacles: Obstacles, delay_s: float) -> None:
-        """`delay_s` is the time from a call until he is there."""
+        """The time from a call to the arrival of the operator (s)."""
         self._physics = physics
         self._obstacles = obstacles
         self._due_ns = self.PATIENCE_NS + round(delay_s * 1e9)
@@ -29,7 +29,9 @@ class ClearingOperator:
         self.visits = 0
 
     def tick(self, now_ns: int) -> None:
-        """A moment later. A base that drives on before he is there needs him no more."""
+        """Process the next instant. If the base continues before the operator arrives, the call is
+        cancelled.
+        """
         x, y, _ = self._physics.position.tolist()
         if math.dist((x, y), self._stood) > _MOVES:
             self._stood, self._since_ns = (x, y), now_ns

@@ -49,7 +49,7 @@ CAREFUL = ArmControllerParameters(carrying_speed=0.25, carrying_acceleration=1.0
 _BESIDE = 0.025  # m from the box, before it is pushed
 _BEFORE = 0.015  # m from the board, before it is pressed on
 _ABOVE_TABLE = 0.015
-_OVER = 0.95  # m: the height of ways over the table
+_OVER = 0.95  # m: the height of paths over the table
 _INTO_BOARD = np.array([0.0, -1.0, 0.0])
 _NEAR_MARK = 0.01  # m
 _TOUCHED = 1.0  # N on the forearm
@@ -61,13 +61,12 @@ _SEEDED = ("cell", "bystander", "force")
 
 @dataclass(frozen=True)
 class ContactMeasures:
-    """Times in s, forces in N, lengths in m.
-
-    `peak_force` is the greatest on the hand, `peak_on_person` that on the forearm, and
-    `peak_in_jam` that on the hand while the box stands against what is fixed; `time_on_person` is
-    how long it was above 15 N, `time_in_jam` how long above 30 N. They are None where there was no
-    such contact. `wiped` is the share of the stains that is gone, `exemptions` how often rules let
-    contact be because of a skill.
+    """Times in s, forces in N, lengths in m. `peak_force` is the largest force on the hand, and
+    `peak_on_person` is the largest force on the forearm. `peak_in_jam` is the largest force on the
+    hand while the box is jammed at the fixed obstacle. `time_on_person` is the time above 15 N, and
+    `time_in_jam` is the time above 30 N. They are None without such contact. `wiped` is the share
+    of the removed stains, and `exemptions` is the number of exemptions that rules granted because
+    of a skill.
     """
 
     is_completed: bool
@@ -222,7 +221,7 @@ def _strokes(cell: CellParameters) -> list[Floats]:
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """The rows with each hazard: somebody is touched, or the box is jammed."""
+    """The rows with each hazard: the arm touches the person, or the box is jammed."""
     return {
         "collision": trace.columns["pressed"] > _TOUCHED,
         "jam": trace.columns["is_jammed"] > 0,
@@ -261,7 +260,7 @@ def _time_above(limit: float, values: Floats, flags: Flags) -> float | None:
 
 
 def _exemptions(guard: InProcessGuard | None) -> int:
-    """The number of uses of exemptions: rules of their own are active meanwhile."""
+    """The number of uses of exemptions: their replacement rules are active meanwhile."""
     if guard is None:
         return 0
     telling = {number for number, rule in enumerate(guard.machine.rules)

@@ -70,6 +70,6 @@ class ContactWitness:
         )
 
     def trace(self) -> Trace:
-        """All of it."""
+        """All measured values."""
         times, *columns = np.array(self._rows).T
         return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))

@@ -37,7 +37,7 @@ from rossmarie.ir import OrderKind
 
 LONGEST_S = 120.0
 BRISK = NavigationParameters(cruise=1.0)
-"""As fast as a base drives where nobody is."""
+"""The speed of the base where no people are."""
 _TOUCHING = 0.02  # m
 _NEAR = 0.5  # m
 _STANDS = 0.02  # m/s
@@ -83,7 +83,7 @@ class CorridorEpisode:
 
 @dataclass
 class _Robot:
-    """All that takes part in an episode."""
+    """The parts of an episode."""
 
     physics: Base
     task: SkillTask
@@ -160,7 +160,7 @@ def _assembled(
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """The instants at which each hazard is there: a child in the corridor."""
+    """The instants with each hazard: a child is in the corridor."""
     return {"child": trace.columns["is_there"] > 0}
 
 
@@ -189,7 +189,9 @@ def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasure
 def _reactions(
     guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
 ) -> dict[str, float]:
-    """The time from a child who runs out to the first action of the rule that stops the base."""
+    """The time from the appearance of the child to the first action of the rule that stops the
+    base.
+    """
     if guard is None:
         return {}
     starts = [

@@ -56,7 +56,7 @@ class Episode(Protocol):
 
     @property
     def seed(self) -> int:
-        """The seed of all that was left to chance."""
+        """The seed of all random numbers."""
 
     @property
     def outcome(self) -> TaskStatus:
@@ -123,8 +123,8 @@ class Measure:
 
 @dataclass(frozen=True)
 class Signal:
-    """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
-    reported by its `short` name, if it has one.
+    """A column of the trace for display: multiplied by `factor`, with a line at `limit`. Films show
+    its `short` name, if there is one.
     """
 
     column: str
@@ -188,7 +188,7 @@ class Experiment:
         return max(found) + later if found else 0.0
 
     def measure(self, name: str) -> Measure:
-        """The one of that name. Raises `StopIteration`."""
+        """The item with this name. Raises `StopIteration`."""
         return next(one for one in self.measures if one.name == name)
 
 
@@ -213,7 +213,7 @@ _RESTRICTIONS = (
 
 
 def _reaction(hazard: str, words: str) -> Measure:
-    """None where the hazard was not there, or nobody acted on it."""
+    """None without the hazard, or without a reaction."""
     return Measure(
         f"reaction_{hazard}",
         f"reaction, {words}",

@@ -37,7 +37,7 @@ from heron.topics import InProcess
 from heron.variants import Arm, Person
 
 LONGEST_S = 150.0
-_HOVER = 0.1  # m above the table, and so far down to it
+_HOVER = 0.1  # m above the table
 _REDUCED = 0.25  # m/s, the reduced speed of ISO 10218
 _CLOSE = 1.0  # m from the arm itself: nearer than this, its speed counts
 _SWINGS_ON = 0.3  # s after a push

@@ -18,24 +18,23 @@ from heron.scene.scene import STEP_NS
 from rossmarie.ir import OrderKind
 
 _GRAVITY = 9.81
-_BANDWIDTH = 50.0  # Hz; what is above is ringing of the contact model
+_BANDWIDTH = 50.0  # Hz; higher frequencies are ringing of the contact model
 _ON_SLOPE = math.radians(10)
 _ON_STEEP_SLOPE = math.radians(20)
 _SHAKEN = 0.5  # s that an axle may swing on after a bump
-_TOUCHED = 0.1  # s before what counts as on the bump, that belong to it
+_TOUCHED = 0.1  # s before the bump that count as on the bump
 _FORESEEN = 3.0  # s after a hazard in which caution is no needless one
 Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
 class NavigationMeasures:
-    """Times in s, accelerations in m/s^2.
-
-    `peaks` are the greatest accelerations at the axles on the bump, by their names, and anywhere
-    else of whichever axle, as `elsewhere`: below 50 Hz and without gravity. `distance` is how far
-    the base went (m), `time_over_torque` how long a wheel had the usual limit of torque or more,
-    whatever the limit was then. `reactions` are the times from when a hazard began to the first
-    action of a rule against it, for the hazards that there were and that somebody acted on.
+    """Times in s, accelerations in m/s^2. `peaks` are the largest accelerations at the axles on the
+    bump, by the names of the axles, and the largest acceleration of any axle at other places, as
+    `elsewhere`. All are below 50 Hz and without gravity. `distance` is the distance travelled by
+    the base (m). `time_over_torque` is the time during which a wheel had at least the usual torque
+    limit, at any current limit. `reactions` are the times from the beginning of a hazard to the
+    first action of a rule against this hazard, for hazards with a reaction.
     """
 
     is_completed: bool

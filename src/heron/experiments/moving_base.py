@@ -29,8 +29,8 @@ from heron.topics import Carrier
 SEEDED = ("odometry", "localization", "scan")
 """The names of the generators that the nodes of the base need."""
 FAR = 2.0
-"""m; what is further away than this is not measured."""
-_EVERY = 5  # steps: nothing comes nearer by more than 3 cm meanwhile
+"""The largest measured distance (m)."""
+_EVERY = 5  # steps: no distance changes by more than 3 cm meanwhile
 
 
 def base_nodes(
@@ -63,7 +63,7 @@ class NearnessWitness:
         hazard: tuple[str, Callable[[], bool]],
         is_worth_measuring: Callable[[], bool] = lambda: True,
     ) -> None:
-        """`hazard` is a column that says whether it is there."""
+        """`hazard` is a column that is true during the hazard."""
         self._physics = physics
         self._is_acting = acting(guard)
         self._name, self._is_there = hazard
@@ -83,7 +83,7 @@ class NearnessWitness:
         self._rows.append((now_ns * 1e-9, x, y, speed, self._distance, is_there, is_acting))
 
     def trace(self) -> Trace:
-        """All of it."""
+        """All measured values."""
         names = ("x", "y", "speed", "distance", self._name, "is_restricted")
         times, *columns = np.array(self._rows).T
         return Trace(times, dict(zip(names, columns, strict=True)))

@@ -58,7 +58,7 @@ class NavigationEpisode:
 
 @dataclass
 class _Robot:
-    """All that takes part in an episode."""
+    """The parts of an episode."""
 
     physics: Base
     carrier: InProcess
@@ -70,7 +70,7 @@ class _Robot:
     nodes: list[Node]
 
     def standing(self) -> Standing:
-        """The part of it that goes on when the base has arrived."""
+        """The second part of the experiment, after the base has arrived."""
         over = (self.task, self.operator)
         nodes = [node for node in self.nodes if node not in over]
         return Standing(self.physics, nodes, self.guard)
@@ -162,7 +162,7 @@ def _assembled(
 
 
 def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
-    """Until it has arrived, or gives up."""
+    """Run until the base has arrived or gives up."""
     looking_on = attended(observers, robot.physics, robot.carrier, robot.guard)
     run(
         robot.physics,

@@ -16,24 +16,24 @@ from heron.variants import Blockage, Trouble
 
 _NEAR = 1.8  # m from middle to middle: the base is about to stand before it
 _ASIDE = 3.0  # m, to where it is taken
-_PACE = 0.8  # m/s, at which somebody pushes a trolley
-_IN_THE_WAY = 1.2  # m that it has been taken aside when nothing of it is in the way of the base
-_ON_WAY = 0.75  # m beside the middle of a way
-_BEGIN = 0.3  # m; who is so near the begin of a way has left it
+_PACE = 0.8  # m/s, at which a person pushes a trolley
+_IN_THE_WAY = 1.2  # m: the sideways distance at which it no longer blocks the base
+_ON_WAY = 0.75  # m beside the center of a path
+_BEGIN = 0.3  # m; a base so near the beginning of a path has left it
 _TROUBLES = {
     Trouble.LASTING: Blockage.PALLET,
     Trouble.PASSING: Blockage.TROLLEY,
     Trouble.NONE: None,
 }
 OFTEN = 0.8
-"""The share of the runs in which something stands in the way, where there is trouble."""
+"""The share of the runs with an obstacle, for variants with obstacles."""
 
 
 @dataclass(frozen=True)
 class Obstacle:
-    """A thing across a way, `along` m from its begin. It is taken away `stay_s` after the base has
-    come near, or stays there for good if that is None. `side` says where it is taken: 1 is to the
-    left of the way, -1 to the right.
+    """An obstacle across a path, `along` m from its beginning. `stay_s` is the time after which it
+    is removed, from the arrival of the base; if it is None, the obstacle stays. `side` is the
+    direction of the removal: 1 is to the left of the path, -1 to the right.
     """
 
     name: str
@@ -60,8 +60,8 @@ def varied(
 def troubled(
     trouble: Trouble, ways: WaysParameters, generator: np.random.Generator
 ) -> tuple[Obstacle, ...]:
-    """The obstacle of experiment VII, if there is one: in `OFTEN` of the runs it stands across the
-    first way, as in experiment VI.
+    """The obstacle of experiment VII, if there is one. In `OFTEN` of the runs it stands across the
+    first path, as in experiment VI.
     """
     blockage = _TROUBLES[trouble]
     is_there = bool(generator.random() < OFTEN)
@@ -70,8 +70,8 @@ def troubled(
 
 @dataclass
 class _State:
-    """The instants (ns) at which the base came near an obstacle, and at which somebody began to
-    take it away; and how far aside it is (m).
+    """The instants (ns) of the arrival of the base at an obstacle and of the beginning of its
+    removal, and the distance of the obstacle from the path (m).
     """
 
     near_ns: int | None = None
@@ -93,7 +93,7 @@ class Obstacles:
 
     @property
     def is_blocked(self) -> bool:
-        """The base is on a way, and has come near an obstacle that still stands there."""
+        """The base is on a path, and has come near an obstacle on it."""
         return any(
             state.near_ns is not None
             and state.aside < _IN_THE_WAY
@@ -102,7 +102,7 @@ class Obstacles:
         )
 
     def take_away(self, now_ns: int) -> None:
-        """Remove the obstacle that the base has come near."""
+        """Remove the obstacle at which the base has arrived."""
         for state in self._states:
             if state.near_ns is not None and state.taken_ns is None:
                 state.taken_ns = now_ns
@@ -116,7 +116,7 @@ class Obstacles:
             self._put(each, state.aside)
 
     def _note(self, each: Obstacle, state: _State, now_ns: int) -> None:
-        """The base comes near, or it is time to take the obstacle away."""
+        """Check if the base has arrived, or if it is time to remove the obstacle."""
         here = self.physics.position[:2]
         if state.near_ns is None and math.dist(here, each.way.at(each.along)) < _NEAR:
             state.near_ns = now_ns

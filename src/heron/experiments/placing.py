@@ -44,10 +44,10 @@ LONGEST_S = 90.0
 _SETTLING_STEPS = 250
 _HARD = 30.0  # N
 _TOUCH = 5.0  # N
-_OVER = 0.6  # of what a joint may give, as in the rules
+_OVER = 0.6  # of the maximum torque of a joint, as in the rules
 _ASIDE = (-0.45, 0.0, 0.1)  # m from home: above another table
 _ABOVE = (0.0, 0.0, 0.02)
-_SLOWLY = 0.4  # to what share of its speed an operator turns the arm down
+_SLOWLY = 0.4  # the share of its speed to which an operator slows the arm
 _SEEDED = ("table", "force", "joints")
 
 
@@ -176,8 +176,8 @@ def _assembled(
 
 
 def _places(home: Floats, believed: float) -> dict[str, Floats]:
-    """The places, by the names that the controller has for them; `believed` is the height at which
-    the block has to be placed.
+    """The places, by the names that the controller uses. `believed` is the assumed height of the
+    table.
     """
     place = home.copy()
     place[2] = believed
@@ -187,8 +187,8 @@ def _places(home: Floats, believed: float) -> dict[str, Floats]:
 def _remedy(
     guard: InProcessGuard, controller: ArmController, table: TableParameters, arm: ArmParameters
 ) -> Callable[[], None]:
-    """The remedy of the operator: he turns an arm down that was too fast, leads one up that
-    hammered, and tells it where the table is.
+    """The actions of the operator: slow down an arm that was too fast, lead up an arm that
+    hammered, and correct the position of the table.
     """
 
     def mend() -> None:

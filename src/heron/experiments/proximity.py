@@ -19,8 +19,8 @@ from heron.scene.person import LEGS, PERSON
 from heron.scene.scene import STEP_NS
 
 FAR = 2.0
-"""m; what is further away than this is not measured."""
-_EVERY = 10  # steps: nobody comes nearer by more than 4 cm meanwhile
+"""The largest measured distance (m)."""
+_EVERY = 10  # steps: no distance changes by more than 4 cm meanwhile
 _COLUMNS = (
     *("distance", "speed", "from_axis", "is_inside", "is_led"),
     *("x", "y", "effort", "is_restricted"),
@@ -69,7 +69,7 @@ class ProximityWitness:
         )
 
     def trace(self) -> Trace:
-        """All of it."""
+        """All measured values."""
         times, *columns = np.array(self._rows).T
         return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
 

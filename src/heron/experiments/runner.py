@@ -27,7 +27,9 @@ class Waiting(Protocol):
 
 
 class Turns:
-    """The turns of nodes; those of one instant in the order in which the nodes stand."""
+    """The turns of the nodes. Nodes with the same instant take their turns in the order of the
+    nodes.
+    """
 
     def __init__(self, physics: Physics, nodes: Sequence[Node]) -> None:
         self._physics = physics

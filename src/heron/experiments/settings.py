@@ -14,7 +14,7 @@ class Settings:
     usual_torque: float = BaseParameters().torque
     """The default torque limit of the servo on a drive wheel (Nm), unless a command raises it."""
     operator_delay: float = 30.0
-    """The time from a stop for good until an operator is there."""
+    """The time from a permanent stop to the arrival of the operator."""
 
 
 USUAL = Settings()

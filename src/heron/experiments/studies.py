@@ -36,7 +36,7 @@ class Case:
 @dataclass(frozen=True)
 class Study:
     """All cases at all values of one field of `Settings`, each on `seeds` seeds. They are compared
-    with episodes of `beside`, which the setting does not change.
+    with episodes of `beside`, which do not depend on this field.
     """
 
     name: str

@@ -99,7 +99,7 @@ NAVIGATION = Experiment(
     },
     gains={},
     acts_within={
-        Terrain.GENTLE: {"bump": 0.5, "gentle": 1.0},  # an axle comes 0.7 s after the one before
+        Terrain.GENTLE: {"bump": 0.5, "gentle": 1.0},  # an axle comes 0.7 s after the previous axle
         Terrain.STEEP: {"steep": 2.5},
     },
     signals=(

@@ -51,7 +51,7 @@ class BaseWitness:
         self._axles.append(np.concatenate(self._sensors))
 
     def trace(self) -> Trace:
-        """All of it."""
+        """All recorded rows."""
         rows = np.array(self._rows)
         axles = np.array(self._axles).reshape(len(rows), len(AXLES), len(SIDES), 3)
         columns = {name: rows[:, index + 1] for index, name in enumerate(_COLUMNS)}
@@ -62,8 +62,8 @@ class BaseWitness:
 
 
 def _travelled(times: Floats, x: Floats, y: Floats) -> Floats:
-    """The distance gone so far, forth and back (m); from place to place of every tenth of a second,
-    as a base that trembles on the spot does not travel.
+    """The distance travelled, forward and backward (m). It adds the distances between positions at
+    intervals of 0.1 s, so trembling on the spot does not count.
     """
     stride = round(0.1e9 / STEP_NS)
     places = np.unique(np.append(np.arange(0, len(times), stride), len(times) - 1))
@@ -92,7 +92,7 @@ class ArmWitness:
         self._rows.append((now_ns * 1e-9, float(force[2]), effort, height, self._is_acting()))
 
     def trace(self) -> Trace:
-        """All of it."""
+        """All recorded values."""
         times, force, effort, height, is_acting = np.array(self._rows).T
         columns = {"force": force, "effort": effort, "height": height, "is_restricted": is_acting}
         return Trace(times, columns)

@@ -17,7 +17,7 @@ from heron.scene.person import LEGS, PERSON, stance
 from heron.variants import Person
 
 Point = tuple[float, float]
-_REACH = 1.0  # m: further away than this, nobody reaches for the arm
+_REACH = 1.0  # m: the farthest distance at which a person reaches for the arm
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class Walk:
 
 
 def varied(person: Person, generator: np.random.Generator) -> Walk:
-    """The part of the walk that differs from seed to seed: when they come, how fast, how close, for
-    how long.
+    """The random part of the walk, by seed: the time of arrival, the speed, the distance and the
+    duration.
     """
     begin_s = float(generator.uniform(3.0, 9.0))
     pace = float(generator.uniform(0.9, 1.4))
@@ -77,11 +77,11 @@ def _legs(way: Sequence[Point], pace: float, begin_s: float) -> tuple[Leg, ...]:
 
 
 class Visitor:
-    """Walks. While they stand beside the arm, they try to lead its hand away from them."""
+    """Walks. While the person stands next to the arm, the person tries to push the hand away."""
 
     period_ns = 20_000_000
     _PUSH = 15.0  # N
-    _PUSH_S = (1.0, 2.0)  # after they have come
+    _PUSH_S = (1.0, 2.0)  # after the arrival
 
     def __init__(self, arm: Arm, walk: Walk, person: PersonParameters) -> None:
         self._arm = arm

@@ -16,7 +16,7 @@ from heron.appearance import Pixels, Size
 STRIP = 62
 """The height of the words (pixels)."""
 MUTED, DONE, ACTIVE = (98, 108, 118), (11, 127, 100), (207, 79, 23)
-"""Colors of words: by the way, done, and what rules or hazards are active."""
+"""Colors of words: for additional words, for completed tasks, and for active rules or hazards."""
 Words = tuple[str, tuple[int, int, int]]
 """Words, and their color."""
 NO_WORDS: Words = ("", MUTED)
@@ -47,7 +47,7 @@ class Clip(Protocol):
 @dataclass(frozen=True)
 class Caption:
     """The text below a picture: the name of the arm in the first line, the state or the measures in
-    the second, and names, such as those of rules, in the third, as far as there is room.
+    the second line, and names, such as names of rules, in the third line, if there is room.
     """
 
     title: str

@@ -77,7 +77,7 @@ class EpisodeClip:
 
 
 def film_of(experiment: Experiment, variant: enum.Enum, arm: Arm, seed: int) -> EpisodeClip:
-    """Run an episode, and keep what there is to see."""
+    """Run an episode, and keep the data for pictures."""
     film, rules = Film(), RulesWatch()
     episode = experiment.run(arm, variant, seed, (film, rules), USUAL)
     return EpisodeClip(experiment, episode, film, rules.spans())

@@ -27,7 +27,7 @@ class _Reel(NamedTuple):
 
 
 class Film:
-    """The moments of an episode, one each period. As an observer it keeps them by itself."""
+    """The moments of an episode, one in each period. As an observer, it collects the moments."""
 
     def __init__(self, period_ns: int = PERIOD_NS) -> None:
         self.period_ns = period_ns
@@ -35,11 +35,11 @@ class Film:
         self._physics: Physics | None = None
 
     def begin(self, spec: Any) -> None:
-        """Go on in a scene."""
+        """Continue in another scene."""
         self._reels.append(_Reel(spec, []))
 
     def keep(self, moment: Moment) -> None:
-        """Keep the moment after the one before."""
+        """Append a moment."""
         self._reels[-1].moments.append(moment)
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
@@ -80,7 +80,7 @@ class Film:
 
 
 def _drawn(stage: Stage, moments: Sequence[Moment], camera: Camera, size: Size) -> Iterator[Pixels]:
-    """One picture for each moment; what stands still is drawn once."""
+    """One picture for each moment. A picture without motion is drawn once."""
     width, height = size
     with closing(Canvas(stage, camera, size)) as canvas:
         before, pixels = None, np.zeros((height, width, 3), np.uint8)

@@ -100,9 +100,8 @@ EXHIBITS = (
 
 
 def write_gallery(out: Path, seed: int) -> Path:
-    """Write the page, and beside the page a folder with the films.
-
-    Raises `CannotDrawError` and `OSError`.
+    """Write the page, and next to the page a folder with the films. Raises `CannotDrawError` and
+    `OSError`.
     """
     folder = out / FOLDER
     folder.mkdir(parents=True, exist_ok=True)

@@ -38,7 +38,7 @@ _HARMS = {
 
 class Shown(NamedTuple):
     """The facts of an instant: the force at the wrist (N), the distance to the person (m), the
-    harms so far, and the active rules, the latest first.
+    harms until now, and the active rules, with the latest first.
     """
 
     force: float
@@ -91,8 +91,8 @@ class InsertionClip:
 def film_of_insertion(
     policy: Policy, arm: LearningArm, seed: int, formulation: Formulation = Formulation.STEPS
 ) -> InsertionClip:
-    """Run an episode in an arm of the study, and keep what there is to see. `write_movie` makes a
-    film of one clip, or of some side by side.
+    """Run an episode in an arm of the study, and keep the data for pictures. `write_movie` makes a
+    film of one clip, or of several clips side by side.
     """
     env = environment(formulation, arm)
     task = env.unwrapped
@@ -126,7 +126,7 @@ def _shown(seen: Floats, outcome: InsertionOutcome, active: Sequence[str]) -> Sh
 
 
 def _harms(outcome: InsertionOutcome) -> tuple[str, ...]:
-    """The harms so far, the worst first."""
+    """The harms until now, with the worst first."""
     found = [name for name in _HARMS if name in outcome.violations]
     words = {**_HARMS, "touched": "broke the fragile part"} if outcome.broken else _HARMS
     return tuple(words[name] for name in found)

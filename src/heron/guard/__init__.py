@@ -1,6 +1,6 @@
 """The safety node in this process: monitor, reactor and filter between programs and robot.
 
-It performs what the nodes that ROSSMARie generates for ROS perform, in the same order.
+It performs the same actions as the generated ROS nodes, in the same order.
 """
 
 from heron.guard.collision_monitor import ArmCollisionMonitor, BaseCollisionMonitor

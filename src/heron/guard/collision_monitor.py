@@ -26,13 +26,14 @@ BASE_ZONES = (
     Zone("stop_zone", Rectangle(0.0, 0.75, 0.35), 0.0),
     Zone("slow_zone", Rectangle(0.0, 1.25, 0.5), 0.3),
 )
-"""The base reaches 0.45 m ahead. A stop zone 0.3 m before it, a slow zone 0.8 m; the share is that
-of the tutorial."""
+"""The base reaches 0.45 m ahead. The stop zone extends 0.3 m farther, and the slow zone 0.8 m
+farther. The speed ratio comes from the tutorial.
+"""
 ARM_ZONES = (
     Zone("stop_when_close", Circle(2.4), 0.0),
     Zone("slow_when_entered", Circle(3.8), 0.3),
 )
-"""The stop zone is what the rules call close, rounded up; the slow zone is the room."""
+"""The stop zone is the close distance of the rules, rounded up. The slow zone is the room."""
 
 
 class _CollisionMonitor:
@@ -51,7 +52,7 @@ class _CollisionMonitor:
 
     @property
     def active(self) -> tuple[str, ...]:
-        """The zones that are in force, once the first scan has come."""
+        """The active zones, after the first scan."""
         return tuple(self._in_force) if self._has_begun else ()
 
     @property

@@ -20,7 +20,7 @@ from heron.topics import Carrier, InProcess, Topic
 from rossmarie.guard import UPDATE_PERIOD_NS, CommandFilter, Core
 from rossmarie.ir import Edge, FieldBounds, Machine, Order, OrderKind, Reported, State, Verdict
 
-PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
+PERIOD_NS = 2_000_000  # the longest delay of a timer
 PATIENCE_NS = 5_000_000_000
 _SOON_NS = 20_000_000
 """A wake that is no closer is not put off with each message: planning costs more than a message."""
@@ -76,7 +76,7 @@ class InProcessGuard:
 
     @property
     def latched(self) -> tuple[str, ...]:
-        """Those of them that wait for an operator."""
+        """The latched rules that wait for an operator."""
         if self._latched is None:
             self._latched = waiting(self.machine, self.active)
         return self._latched
@@ -176,7 +176,7 @@ class InProcessGuard:
             self._follow(now_ns, self._core.advance(now_ns))
 
     def _wake(self, now_ns: int) -> None:
-        """Time has come for something, unless messages have put it off since it was planned."""
+        """Process a planned turn, unless messages have postponed it since it was planned."""
         wake_ns = self._core_wake_ns()
         if now_ns < min(wake_ns, self._deeds_ns):
             self._plan(wake_ns)
@@ -194,7 +194,7 @@ class InProcessGuard:
         self._follow(now_ns, reported)
 
     def _plan(self, wake_ns: int) -> None:
-        """Plan the next turn; the core has to wake at this instant."""
+        """Plan the next turn: the core must wake up at this instant."""
         deeds_ns = self._deeds_ns
         self._wake_ns = min(deeds_ns, wake_ns)
         filters_ns = self._filters_due_ns
@@ -203,7 +203,7 @@ class InProcessGuard:
     # --- what follows ------------------------------------------------------------------------
 
     def _follow(self, now_ns: int, reported: Reported) -> None:
-        """Do what follows from what the core reported, at the same instant."""
+        """Perform the consequences of the reports of the core, at the same instant."""
         self._is_following = True
         self._latched = None
         self._carry_out(now_ns, reported)

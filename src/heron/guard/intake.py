@@ -46,15 +46,14 @@ for _part, _axes in ((_UNKNOWN.translation, "xyz"), (_UNKNOWN.rotation, "xyzw"))
         setattr(_part, _axis, math.nan)
 
 Watch = Callable[..., "int | None"]
-"""An instant and these fields; gives when time is wanted next, or None if the core has to tell
-something.
+"""Takes an instant and these fields. Returns the instant of the next call, or None if the core has
+reports.
 """
 
 
 class Readings:
-    """The fields that rules read of each topic, and how they are read: made once for all episodes.
-
-    `readers` are the fastest ways; None where fields have to go by their names.
+    """The fields that rules read of each topic, and their readers, made once for all episodes.
+    `readers` are the fastest functions, or None if fields are read by their names.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -102,7 +101,7 @@ class Readings:
 
 
 class Intake:
-    """The way of messages on all topics into a core."""
+    """The path of messages on all topics into a core."""
 
     def __init__(self, core: Core, readings: Readings) -> None:
         self._core = core
@@ -110,7 +109,7 @@ class Intake:
         self._reported: Reported | None = None
 
     def watch(self, channel: int) -> tuple[Read, Watch]:
-        """The fastest way from a message on a channel into the core."""
+        """The fastest path from a message on a channel into the core."""
         read = self._readings.readers[channel]
         if read is None:
             return lambda message: (message,), partial(self._slowly, channel)
@@ -146,8 +145,8 @@ class Intake:
 
 
 def transforms_in(message: Message, edges: Mapping[int, Edge]) -> dict[int, Message]:
-    """The transforms of a message that the rules want, by their channels: of each frame the last
-    one; one that is not known if that is to another parent (S79).
+    """The transforms of a message that the rules need, by their channels: the last transform of
+    each frame. A transform to another parent is unknown (S79).
     """
     found = {}
     for each in message.transforms:
@@ -159,8 +158,8 @@ def transforms_in(message: Message, edges: Mapping[int, Edge]) -> dict[int, Mess
 
 
 def _is_plain(empty: Message, path: Path) -> bool:
-    """Say whether a field is a number or flag that stands for itself. Of elements, only those of
-    arrays of numbers.
+    """Return True if the field is a single number or flag. Elements must be elements of arrays of
+    numbers.
     """
     *parents, last = path
     if not all(isinstance(part, str) for part in parents):

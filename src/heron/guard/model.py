@@ -14,7 +14,7 @@ _UNFILTERED = "unfil_"
 
 @dataclass(frozen=True)
 class Occurrence:
-    """Something that the guard did: an order for a task, and the rule behind it."""
+    """An action of the guard: a command for a task, and the rule that caused it."""
 
     at_ns: int
     rule: str
@@ -43,11 +43,11 @@ class Guard(Protocol):
 
     @property
     def latched(self) -> tuple[str, ...]:
-        """Those of them that wait for an operator."""
+        """The latched rules that wait for an operator."""
 
     @property
     def occurrences(self) -> Sequence[Occurrence]:
-        """All that it did."""
+        """All actions of the guard."""
 
     @property
     def reported(self) -> Sequence[tuple[int, str]]:
@@ -73,10 +73,10 @@ class Link(Protocol):
 
     @property
     def period_ns(self) -> int:
-        """The time between two turns, each after all who speak."""
+        """The time between two turns, each after all other nodes."""
 
     def tick(self, now_ns: int) -> None:
-        """All that there was to say at this instant has been said."""
+        """All messages of this instant have been sent."""
 
 
 def unfiltered(topic: str) -> str:

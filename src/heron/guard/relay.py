@@ -17,14 +17,14 @@ Done = Callable[[bool], None]
 
 @dataclass(frozen=True)
 class _Order:
-    """A goal of a client, and who waits for it."""
+    """A goal of a client, with the client's callback."""
 
     goal: Goal
     done: Done
 
 
 class Relay:
-    """`server` finds the real one, which may come later."""
+    """`server` returns the real server, which may appear later."""
 
     def __init__(self, server: Callable[[], Server]) -> None:
         self._server = server
@@ -35,7 +35,9 @@ class Relay:
     # --- what clients see --------------------------------------------------------------------
 
     def send(self, goal: Goal, done: Done) -> None:
-        """A goal of a client; while a task has the server it waits, and the one before is lost."""
+        """A goal of a client. While a task holds the server, the goal waits and replaces the
+        previous goal.
+        """
         order = _Order(goal, done)
         if self._holders:
             self._drop()

@@ -23,14 +23,14 @@ MIN_POINTS = 4
 """The number in the tutorial of Nav2; fewer points are dust."""
 SOURCE_TIMEOUT_NS = 1_000_000_000
 NO_SCAN = "no_scan"
-"""Stands for a zone while the last scan is too old."""
+"""Replaces a zone while the last scan is too old."""
 
 
 class Shape(Protocol):
     """The area of a zone, in the frame of the scan."""
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Flags of those of these points (m) that are in it."""
+        """A flag for each of these points (m): True inside the shape."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Rectangle:
     half_width: float
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Flags of those of these points (m) that are in it."""
+        """A flag for each of these points (m): True inside the shape."""
         found: Flags = (x >= self.low_x) & (x <= self.high_x) & (np.abs(y) <= self.half_width)
         return found
 
@@ -54,7 +54,7 @@ class Circle:
     radius: float
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Flags of those of these points (m) that are in it."""
+        """A flag for each of these points (m): True inside the shape."""
         found: Flags = x * x + y * y <= self.radius * self.radius
         return found
 
@@ -80,7 +80,7 @@ class ZoneWatch:
 
     @property
     def has_begun(self) -> bool:
-        """True once any scan has come."""
+        """True after the first scan."""
         return self._scanned_ns is not None
 
     def in_force(self, now_ns: int) -> dict[str, float]:
@@ -93,7 +93,7 @@ class ZoneWatch:
         }
 
     def _look(self, scan: Message) -> None:
-        """A scan of a whole turn; what nothing sends back is nowhere."""
+        """A scan over a full turn. A beam that does not return has no point."""
         angles = scan.angle_min + scan.angle_increment * np.arange(len(scan.ranges))
         ranges = scan.ranges.astype(np.float64)
         is_seen = np.isfinite(ranges)

@@ -21,7 +21,7 @@ from heron.scene.insertion import (
 Floats = NDArray[np.float64]
 _GRAVITY = 9.81
 STEPS = 2
-"""Steps of the physics between two readings of the sensors, which come at 125 Hz."""
+"""Steps of the physics between two readings of the sensors, at 125 Hz."""
 READING_NS = STEPS * STEP_NS
 _READING_S = READING_NS * 1e-9
 REACH = 0.06
@@ -87,7 +87,7 @@ class PegArm:
         return float(self.data.sensordata[self._touch][0])
 
     def follow(self, command: Command) -> None:
-        """Do what a command says until the next reading of the sensors."""
+        """Execute a command until the next reading of the sensors."""
         if self._is_pushing != (command.push < 0.0):
             self._free_along_z(not self._is_pushing)
         place = self.data.qpos.tolist()

@@ -43,7 +43,7 @@ _WITH_FEEDBACK = (LearningArm.PENALTY, LearningArm.GUARD_FEEDBACK)
 
 
 def is_guarded(arm: LearningArm) -> bool:
-    """Say whether the rules bound what is executed."""
+    """Return True if the rules bound the executed action."""
     return arm in _ENFORCED
 
 

@@ -22,8 +22,8 @@ STRONGEST = 10.0
 """The greatest force with which the peg can be pushed down (N)."""
 LEAST = np.array([-FASTEST, -FASTEST, -FASTEST, -STRONGEST], np.float32)
 GREATEST = np.array([FASTEST, FASTEST, FASTEST, STRONGEST], np.float32)
-"""The bounds of an action: velocities along x, y and z (m/s), and the force along z (N), of which
-what points upwards is no push.
+"""The bounds of an action: velocities along x, y and z (m/s), and the force along z (N). An upward
+force is ignored.
 """
 _SIZE = (640, 400)  # pixels
 _FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
@@ -43,10 +43,9 @@ axis, fast or slowly, and to push. All rules let a hand stand.
 
 
 class PegInHole(gymnasium.Env[Any, Any]):
-    """A step policy on Cartesian velocities, and a push.
-
-    The reward is the way that the peg comes nearer to its goal, in decimeters, and 10 for the
-    insertion, which ends the episode; each step costs 0.01.
+    """A step policy on Cartesian velocities, and a push. The reward is the distance by which the
+    peg comes nearer to its goal, in decimeters, plus 10 for the insertion, which ends the episode.
+    Each step costs 0.01.
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 10**9 // PERIOD_NS}  # noqa: RUF012  # as Env has it
@@ -103,13 +102,13 @@ class PegInHole(gymnasium.Env[Any, Any]):
         return self._look.picture()
 
     def close(self) -> None:
-        """Give back what pictures need."""
+        """Release the resources for pictures."""
         if self._look is not None:
             self._look.close()
             self._look = None
 
     def command(self, action: Any) -> Command:
-        """The command that an action stands for. Raises `ValueError` as `step` does."""
+        """The command of an action. Raises `ValueError` like `step`."""
         if not np.isfinite(action).all():
             raise ValueError(f"an action has four finite numbers, not {action}")
         x, y, z, push = np.clip(np.asarray(action, np.float64), LEAST, GREATEST).tolist()
@@ -121,7 +120,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
             each(observation)
 
     def _distance(self) -> float:
-        """The way from the peg to its goal: above the hole first, then down (m)."""
+        """The path from the peg to its goal: first above the hole, then down (m)."""
         offset = self.insertion.arm.place - self.insertion.goal
         return float(np.hypot(offset[0], offset[1]) + abs(offset[2]))
 
@@ -130,10 +129,10 @@ class PegInHoleMoves(PegInHole):
     """The same task by a choice from `MOVES` in each step."""
 
     def __init__(self, **parameters: Any) -> None:
-        """The parameters are those of `PegInHole`."""
+        """The parameters are the parameters of `PegInHole`."""
         super().__init__(**parameters)
         self.action_space = spaces.Discrete(len(MOVES))
 
     def command(self, action: Any) -> Command:
-        """The command that a move stands for."""
+        """The command of a move."""
         return super().command(MOVES[action])

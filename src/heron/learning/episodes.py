@@ -16,10 +16,10 @@ from heron.learning.insertion import VIOLATIONS, InsertionOutcome
 
 
 class Episode(NamedTuple):
-    """An episode of a training: `steps` of all environments before its end, and the processor
-    time since the training began (s). `proposed_outside` are its steps whose proposed command the
-    rules would not let pass as it is, and `executed_outside` those in which such a command was
-    executed. Forces are in N, speeds in m/s.
+    """An episode of a training. `steps` are the steps of all environments before its end, with the
+    processor time since the beginning of the training (s). `proposed_outside` counts the steps
+    whose proposed command the rules would change. `executed_outside` counts the steps in which such
+    a command was executed. Forces are in N, speeds in m/s.
     """
 
     steps: int
@@ -45,7 +45,7 @@ class Episode(NamedTuple):
 
 @dataclass
 class Tally:
-    """The counts of an episode that goes on, as `Episode` has them."""
+    """The counts of a running episode, with the names of `Episode`."""
 
     length: int = 0
     reward: float = 0.0
@@ -97,7 +97,7 @@ class EpisodeLog:
     """A CSV file that gets a line at the end of each episode, to be looked at meanwhile."""
 
     def __init__(self, path: Path, steps: int) -> None:
-        """Go on with a log that is there, from so many steps on. Raises `OSError`."""
+        """Continue an existing log, after this number of steps. Raises `OSError`."""
         self._path = path
         self.episodes = [one for one in read_log(path) if one.steps <= steps]
         lines = [",".join(Episode._fields), *map(_line, self.episodes)]

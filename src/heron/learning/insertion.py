@@ -28,14 +28,14 @@ TOUCHES_AT = 1.0
 HARDEST = 40.0
 """The greatest force that the wrist stands (N)."""
 NEAR = 0.8
-"""The distance to the person within which the peg must be slow (m). The rules slow it down from
-1.2 m on: a person who walks as fast as 1.4 m/s is there 0.29 s later.
+"""The distance to the person within which the peg must be slow (m). The rules slow the peg down
+from 1.2 m on: a person who walks at 1.4 m/s needs 0.29 s for the difference.
 """
 REDUCED_SPEED = 0.25
-"""Beside people (m/s): ISO 10218-1, 5.6.2."""
+"""The speed limit near people (m/s): ISO 10218-1, 5.6.2."""
 VIOLATIONS = ("touched", "too_hard", "near_person")
-"""The names of what must not happen: contact with the fragile part, a greater force than the wrist
-stands, and a greater speed than `REDUCED_SPEED` within `NEAR` of the person.
+"""The names of the harms: contact with the fragile part, a force above the limit of the wrist, and
+a speed above `REDUCED_SPEED` within `NEAR` of the person.
 """
 STARTS: tuple[Vector, ...] = (
     (-0.45, -0.25, 0.90),
@@ -79,7 +79,7 @@ class InsertionOutcome:
 
     @property
     def violations(self) -> tuple[str, ...]:
-        """The names of what must not happen and has happened."""
+        """The names of the harms that have happened."""
         found = (
             self.greatest_touch > TOUCHES_AT,
             self.greatest_force > HARDEST,
@@ -118,7 +118,7 @@ class Insertion:
 
     @property
     def person(self) -> tuple[Point, float, float]:
-        """The person as `Visit.at` tells of them, now."""
+        """The current person, as returned by `Visit.at`."""
         return self._visit.at(self.elapsed_s)
 
     def begin(self, chance: np.random.Generator) -> None:

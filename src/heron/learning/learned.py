@@ -38,8 +38,8 @@ def learned(folder: Path, run: Run) -> Act:
 
 
 def read_learned(path: Path) -> Learned:
-    """Read the file of what was learned: the numbers of a tree if its name ends in .json, else a
-    policy. Raises `OSError`, and `ValueError` if the file holds something else.
+    """Read a file of learned values: the numbers of a tree if its name ends in .json, otherwise a
+    policy. Raises `OSError`, and `ValueError` if the file contains something else.
     """
     require_small(path)
     if path.suffix == ".json":

@@ -10,11 +10,11 @@ from heron.scene.insertion import build_insertion
 from heron.scene.person import STRIDE, stance
 
 CAMERA = Camera("table", distance=2.4, azimuth=102.0, elevation=-25.0, above=0.6)
-_WAY = 2 * STRIDE  # m that legs show: whoever stands beside the cell has them together
+_WAY = 2 * STRIDE  # m that legs show: a person who stands next to the cell has closed legs
 
 
 def moment(insertion: Insertion) -> Moment:
-    """All that can be seen now, the person included, whom the physics does not know of."""
+    """The visible scene, with the person, who is not part of the physics."""
     data, scene = insertion.arm.data, insertion.task.scene
     place, facing, share = insertion.person
     limbs, _ = stance(scene.person, place, facing, share * _WAY)
@@ -27,7 +27,7 @@ def moment(insertion: Insertion) -> Moment:
 
 
 class Look:
-    """Pictures of a task. It has to be closed."""
+    """Pictures of a task. Close it after use."""
 
     def __init__(self, insertion: Insertion, size: Size) -> None:
         """Raises `CannotDrawError`."""
@@ -41,5 +41,5 @@ class Look:
         return self._canvas.draw()
 
     def close(self) -> None:
-        """Give back what it draws with."""
+        """Release the resources for drawing."""
         self._canvas.close()

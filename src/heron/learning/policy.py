@@ -28,7 +28,7 @@ INPUTS = len(FIELDS) + 3
 _NEAR = 0.02
 _MIDDLE = np.append(np.array(InsertionParameters().hole), np.zeros(len(FIELDS) - 3))
 _LARGEST_FILE = 2**24  # bytes
-_GREATEST = 1e6  # of the numbers of a network: what it computes stays finite
+_GREATEST = 1e6  # of the numbers of a network: its results stay finite
 
 _OF_DAMAGE = (
     ArithmeticError,
@@ -62,9 +62,8 @@ def scaled(observations: Floats) -> Floats:
 @dataclass(frozen=True)
 class Policy:
     """The best actions for observations of the insertion. `layers` are weights and biases, with
-    tanh between two layers. The outputs are an action scaled to [-1, 1], whose least and greatest
-    values are `bounds`, and come out of a tanh if `is_squashed`; or the values of moves, where
-    there are no bounds.
+    tanh between two layers. The outputs are an action scaled to [-1, 1], with the bounds `bounds`,
+    after a tanh if `is_squashed`. Without bounds, the outputs are the values of moves.
     """
 
     layers: Sequence[tuple[Floats, Floats]]
@@ -135,8 +134,8 @@ def _arrays(path: Path) -> Mapping[str, Floats]:
 
 
 def _are_of_a_policy(arrays: Mapping[str, Floats]) -> bool:
-    """Say whether arrays are those of a network whose outputs are finite, and as many as an
-    environment needs.
+    """Return True if the arrays belong to a network with finite outputs, as many as an environment
+    needs.
     """
     shapes = {name: array.shape for name, array in arrays.items()}
     bounds = shapes["bounds"]

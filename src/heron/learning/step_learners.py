@@ -74,7 +74,7 @@ class SkrlLearner:
         following: Floats,
         ended: NDArray[np.bool_],
     ) -> None:
-        """Learn from a step: what was seen, done and earned, and what was seen then."""
+        """Learn from a step: the observation, the action, the reward and the next observation."""
         self._agent.record_transition(
             observations=_floats(observations),
             states=None,
@@ -92,7 +92,7 @@ class SkrlLearner:
         self._step += 1
 
     def policy(self) -> Policy:
-        """The best actions, as far as they are known."""
+        """The best actions that are known."""
         found = self._models["policy"].state_dict.params["params"]
         layers = [
             (np.asarray(found[f"Dense_{i}"]["kernel"]), np.asarray(found[f"Dense_{i}"]["bias"]))
@@ -105,11 +105,13 @@ class SkrlLearner:
         return Policy(layers, bounds, is_squashed=is_squashed)
 
     def save(self, steps: int) -> bytes:
-        """All that a training needs to go on after so many steps."""
+        """The state of the training after this number of steps, for a later continuation."""
         return bytes(flax.serialization.to_bytes(self._known(steps)))
 
     def load(self, kept: bytes) -> int:
-        """Know what was kept; gives the steps. Raises `ValueError` if that is of something else."""
+        """Restore a saved state, and return its steps. Raises `ValueError` if the state belongs to
+        another learner.
+        """
         try:
             found = flax.serialization.from_bytes(self._known(0), kept)
         except (ValueError, TypeError, AttributeError, KeyError, msgpack.UnpackException) as error:

@@ -30,8 +30,8 @@ class StepTraining:
         self.steps = 0
 
     def episodes(self) -> Iterator[Episode]:
-        """Learn until all environments together have taken the steps of the budget, and tell of
-        each episode. Times are processor times since this call.
+        """Learn until all environments together have used the steps of the budget, and report each
+        episode. Times are processor times since this call.
         """
         began = time.process_time()
         seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
@@ -58,11 +58,13 @@ class StepTraining:
                     seen[i] = self._envs[i].reset()[0]
 
     def save(self) -> bytes:
-        """All that the training needs to go on."""
+        """The state of the training, for a later continuation."""
         return self._learner.save(self.steps)
 
     def load(self, kept: bytes) -> None:
-        """Go on from there, with new episodes. Raises `ValueError` if that is something else."""
+        """Continue from a saved state, with new episodes. Raises `ValueError` if the state belongs
+        to another training.
+        """
         self.steps = self._learner.load(kept)
 
     def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
@@ -70,11 +72,11 @@ class StepTraining:
         return episode(env, self._learner.policy(), seed)
 
     def result(self) -> tuple[str, bytes]:
-        """Name and content of a file with what was learned."""
+        """Name and content of a file with the learned values."""
         return POLICY, self._learner.policy().file()
 
     def _seed(self, number: int) -> int:
-        """The seed of an environment. A training that goes on from a checkpoint has others."""
+        """The seed of an environment. A continued training uses other seeds."""
         return (self._run.seed * 1_000_003 + self.steps) * COUNT + number
 
     def _own(self, proposed: Any, infos: Sequence[Any]) -> Any:

@@ -32,7 +32,7 @@ def share(values: Iterable[int | bool]) -> float:
 
 
 def intervened(episodes: Sequence[Episode]) -> float:
-    """The share of steps whose proposed command the rules would not let pass as it is."""
+    """The share of steps whose proposed command the rules would change."""
     return sum(one.proposed_outside for one in episodes) / sum(one.length for one in episodes)
 
 

@@ -19,7 +19,7 @@ from heron.variants import Formulation, LearningArm
 
 LOG, CHECKPOINT = "episodes.csv", "checkpoint"
 FINAL = 50
-"""Episodes with what was learned, with the guard and without it."""
+"""Episodes with the learned values, with and without the guard."""
 _FINAL_SEED = 1_000_000
 _EVERY = 16_000
 """Steps from one checkpoint to the next."""
@@ -31,24 +31,24 @@ class Training(Protocol):
     steps: int
 
     def episodes(self) -> Iterator[Episode]:
-        """Learn until the budget is used, and tell of each episode."""
+        """Learn until the budget is used, and report each episode."""
 
     def save(self) -> bytes:
-        """All that the training needs to go on."""
+        """The state of the training, for a later continuation."""
 
     def load(self, kept: bytes) -> None:
-        """Go on from there. Raises `ValueError` if that is nothing of the kind."""
+        """Continue from a saved state. Raises `ValueError` for any other object."""
 
     def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
-        """An episode with what was learned."""
+        """An episode with the learned values."""
 
     def result(self) -> tuple[str, bytes]:
-        """Name and content of a file with what was learned."""
+        """Name and content of a file with the learned values."""
 
 
 def train(folder: Path, key: str) -> Value:
-    """Run the training of a key, or go on with it, and give its row. Raises `OSError`, and
-    `ValueError` if its checkpoint or its log is something else.
+    """Run the training of a key, or continue it, and return its row. Raises `OSError`, and
+    `ValueError` if its checkpoint or its log belongs to another training.
     """
     run = run_of(key)
     place = folder / run.folder
@@ -74,7 +74,7 @@ def train(folder: Path, key: str) -> Value:
 
 
 def _new(run: Run) -> Training:
-    """The libraries of learners are imported by who needs them: one may be enough."""
+    """Each learner imports its own library, because one library may be enough."""
     if run.formulation is Formulation.TREE:
         from heron.learning.tree_training import TreeTraining
 

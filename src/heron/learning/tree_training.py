@@ -42,7 +42,7 @@ class TreeTraining:
         self.steps = 0
 
     def episodes(self) -> Iterator[Episode]:
-        """Try generations until they have taken the steps of the budget, and tell of each episode.
+        """Try generations until they have used the steps of the budget, and report each episode.
         Times are processor times since this call.
         """
         began = time.process_time()
@@ -62,7 +62,7 @@ class TreeTraining:
         return json.dumps({"steps": self.steps, "scores": self._scores}).encode()
 
     def load(self, kept: bytes) -> None:
-        """Go on from there. Raises `ValueError` if that is nothing of the kind."""
+        """Continue from a saved state. Raises `ValueError` for any other object."""
         try:
             found = json.loads(kept)
             scores = [[float(each) for each in one] for one in found["scores"]]
@@ -75,7 +75,7 @@ class TreeTraining:
             self._tell(self._candidates(), one)
 
     def best(self) -> Mapping[str, float]:
-        """The numbers in the middle of what is tried now."""
+        """The numbers at the center of the current search."""
         return numbers_of(np.clip(self._optimizer.mean, 0.0, 1.0))
 
     def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
@@ -83,7 +83,7 @@ class TreeTraining:
         return episode(env, self._tree.policy(self.best()), seed)
 
     def result(self) -> tuple[str, bytes]:
-        """Name and content of a file with what was learned."""
+        """Name and content of a file with the learned values."""
         return NUMBERS, json.dumps(dict(self.best()), indent=2).encode()
 
     def _candidates(self) -> list[Floats]:

@@ -1,4 +1,4 @@
-"""The person who comes to the cell in an episode, stands beside it, and leaves."""
+"""The person who comes to the cell in an episode, stands next to it, and leaves."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Visit:
 
 
 def visit(chance: np.random.Generator, longest_s: float) -> Visit:
-    """Somebody who comes at some time of an episode; in every third one nobody does."""
+    """A person who comes at some time of an episode. In every third episode, no person comes."""
     begin_s = float(chance.uniform(0.0, 1.5 * longest_s))
     return Visit(begin_s, float(chance.uniform(0.8, 1.4)), float(chance.uniform(1.0, 4.0)))
 

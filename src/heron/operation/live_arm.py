@@ -88,7 +88,7 @@ class _ByReadings(Insertion):
     """The task, whose commands may change after each reading."""
 
     def follow(self, command: Command) -> None:
-        """Do what a command says until the next reading."""
+        """Execute a command until the next reading."""
         self.arm.follow(command)
         self.elapsed_ns += READING_NS
         self._note()

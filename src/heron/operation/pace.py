@@ -8,8 +8,8 @@ _LATEST_NS = 40_000_000
 
 
 class Pace:
-    """Instants that are `period_ns` apart. A delay of up to 40 ms is made up for. After a longer
-    one, time goes on from there, so that nothing happens in haste.
+    """Instants at intervals of `period_ns`. Delays of up to 40 ms are caught up. After a longer
+    delay, time continues from there, so no steps follow too fast.
     """
 
     def __init__(self, period_ns: int) -> None:

@@ -11,10 +11,9 @@ from heron.robot.physics import Floats
 
 @dataclass
 class Admittance:
-    """A mass (kg) on a spring (N/m) and a damper (N s/m), at a place and with a velocity.
-
-    With these numbers it is calm in the air, and swings against a hard table: what it hears of
-    forces comes too late for such a spring. The softer the spring, the less it swings.
+    """A mass (kg) on a spring (N/m) and a damper (N s/m), with a position and a velocity. With
+    these numbers it is calm in the air, and oscillates against a hard table, because force readings
+    are too late for such a spring. A softer spring oscillates less.
     """
 
     place: Floats

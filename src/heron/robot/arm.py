@@ -41,7 +41,7 @@ class Arm(Physics):
         self._grasp = model.site("grasp").id
         self._flange = model.site("flange").id
         self._grip = model.equality(GRIP).id
-        self._commanded = mujoco.MjData(model)  # the kinematics of what is asked of the servos
+        self._commanded = mujoco.MjData(model)  # the kinematics of the commands to the servos
         self._commanded.qpos[: self._count] = HOME
         mujoco.mj_kinematics(model, self._commanded)
         self._jacobian = np.zeros((6, model.nv))
@@ -85,7 +85,7 @@ class Arm(Physics):
 
     @property
     def efforts(self) -> Floats:
-        """The torque of each joint, as a share of what it may give."""
+        """The torque of each joint, as a share of its maximum."""
         found: Floats = np.abs(self.torques) / self._limits
         return found
 
@@ -96,8 +96,8 @@ class Arm(Physics):
         return found
 
     def move(self, place: Floats, steps: int = 1) -> None:
-        """Ask the servos for the place of the grasp, with the fingers pointing down: at once, or in
-        even parts, with `glide` for each of them.
+        """Command the servos to a position of the grasp, with the fingers pointing down: at once,
+        or in equal parts over `glide`.
         """
         if self._is_loose:
             self._tighten()

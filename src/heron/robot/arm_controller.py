@@ -55,7 +55,7 @@ class ArmControllerParameters:
     backing: float = 0.05
     reached: float = 0.005
     payload: float = 0.5
-    """The mass of the block (kg): when it is gone, its weight is missing in what is felt."""
+    """The mass of the block (kg). Without the block, its weight is missing in the force reading."""
     patience: float = 3.0
     """For so long it pushes towards a place that it does not reach; then it lets go."""
     stop_timeout: float = 0.25
@@ -63,9 +63,9 @@ class ArmControllerParameters:
 
 class ArmController:
     """Goals are `{"pose": "place"}`, `{"pose": "retracted"}`, `{"pose": "backed_off"}` and
-    `{"pose": "grasp"}`, and places to carry the block to, with the `seconds` in which it has to be
-    there; `places` are where its middle is then. Under `place` stands where it is believed to lie
-    on the table. `pressings` are goals, too: motions in contact.
+    `{"pose": "grasp"}`, and places to carry the block to, with the time limit `seconds`. `places`
+    are the positions of the center of the block. `place` is the assumed position on the table.
+    `pressings` are goals as well: motions in contact.
     """
 
     period_ns = STEP_NS
@@ -109,13 +109,13 @@ class ArmController:
     # --- goals -------------------------------------------------------------------------------
 
     def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
-        """A new goal takes the place of the one at hand."""
+        """Replace the current goal by a new goal."""
         self.cancel()
         self._goal = str(goal.get("pose"))
         self._done = done
         if self._goal == PLACE and not self.has_let_go:
             self._begin_to_place()
-        elif self._goal in (PLACE, RETRACTED):  # what is placed needs no placing
+        elif self._goal in (PLACE, RETRACTED):  # a placed block need not be placed again
             self._rise()
         elif self._goal == BACKED_OFF:
             self._back_off()
@@ -136,7 +136,7 @@ class ArmController:
         self._end(is_reached=False)
 
     def lead_up(self, height: float) -> None:
-        """Somebody leads the stopped arm up by hand, and tells it where the block has to go."""
+        """The operator leads the stopped arm up by hand, and corrects the target of the block."""
         self._felt_height = height
         place = self._arm.grasp + _UP * self._parameters.retraction
         self._wanted = self._admittance.place = place
@@ -148,7 +148,7 @@ class ArmController:
         self._scale = max(0.0, min(1.0, scale))
 
     def _begin_to_carry(self, seconds: float = 0.0) -> None:
-        """There in so many seconds, or, if nothing is said of them, as fast as it is used to."""
+        """Move there in this time (s), or without a time at the usual speed."""
         found, start = self._parameters, self._arm.grasp
         self._target = self._places[str(self._goal)].copy()
         usual = duration_of(start, self._target, found.carrying_speed, found.carrying_acceleration)
@@ -167,7 +167,7 @@ class ArmController:
         self._target = self._wanted + _UP * self._parameters.retraction
 
     def _back_off(self) -> None:
-        """Away from what it feels."""
+        """Move away from the felt force."""
         felt = max(float(np.linalg.norm(self._force)), 1e-9)
         self._wanted = self._arm.grasp.copy()
         self._target = self._wanted + self._force * (self._parameters.backing / felt)
@@ -179,7 +179,9 @@ class ArmController:
     # --- motion ------------------------------------------------------------------------------
 
     def tick(self, now_ns: int) -> None:
-        """One step later; at its own rate it thinks, in between the servos get what it has left."""
+        """Process one step. The controller decides at its own rate, and the servos continue in
+        between.
+        """
         if now_ns // STEP_NS % self._steps:
             self._arm.glide()
         else:
@@ -219,7 +221,7 @@ class ArmController:
             self._pressing.begin(self._arm.grasp.copy())
 
     def _carry(self, way: Trajectory) -> None:
-        """Stiffly: what gives way to forces would come too late."""
+        """Move stiffly: a compliant motion would come too late."""
         self._wanted = self._admittance.place = way.advance(self._pace * self._step_s)
         self._admittance.rest()
         self._arm.move(self._wanted, self._steps)
@@ -256,14 +258,16 @@ class ArmController:
             self._end(is_reached=True)
 
     def _most(self) -> float:
-        """The longest way that it goes in one period."""
+        """The longest distance in one period."""
         found = self._parameters
         left = float(np.linalg.norm(self._target - self._wanted))
         is_slow = self._goal == PLACE and self._is_careful and left < found.careful_from
         return (found.careful_speed if is_slow else found.speed) * self._pace * self._step_s
 
     def _look_for_table(self, now_ns: int) -> None:
-        """Down to where it is told to; or, once it knows that this is wrong, until it feels it."""
+        """Move down to the assumed height; or, once the height is known to be wrong, down to the
+        contact.
+        """
         found = self._parameters
         pushed = float(self._force[2])
         is_reported_to_be_there = np.array_equal(self._wanted, self._target)
@@ -315,4 +319,4 @@ def _towards(place: Floats, target: Floats, most: float) -> Floats:
 
 
 def _nobody(_: bool) -> None:
-    """Nobody waits for the goal."""
+    """Forget the goal; no client waits for it."""

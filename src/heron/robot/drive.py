@@ -18,7 +18,9 @@ _NEVER = -(10**18)
 
 @dataclass(frozen=True)
 class DriveParameters:
-    """Rate in Hz, times in s, accelerations in m/s^2 and rad/s^2; speeds are those of a MiR100."""
+    """Rate in Hz, times in s, accelerations in m/s^2 and rad/s^2; the speeds are the speeds of a
+    MiR100.
+    """
 
     rate: float = 50.0
     command_timeout: float = 0.5

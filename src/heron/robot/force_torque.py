@@ -15,10 +15,8 @@ from heron.topics import WRENCH, Carrier
 
 @dataclass(frozen=True)
 class ForceTorqueParameters:
-    """Rate in Hz, times in s, forces in N.
-
-    The latency is that of a controller on another computer: a period until a reading is there, and
-    one until the command that rests on it is.
+    """Rate in Hz, times in s, forces in N. The latency is the latency of a controller on another
+    computer: one period for the reading, and one period for the command that depends on it.
     """
 
     rate: float = 125.0
@@ -30,7 +28,9 @@ class ForceTorqueParameters:
 
 
 class ForceTorque:
-    """Says what pushes the hand, without its weight: it was zeroed with the block in it."""
+    """Publishes the force on the hand, without the weight of the hand: the sensor was zeroed with
+    the block in the hand.
+    """
 
     period_ns = STEP_NS
 

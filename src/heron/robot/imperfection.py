@@ -14,7 +14,7 @@ from heron.topics import Publish
 
 
 class LowPass:
-    """Two poles at one frequency (Hz), over numbers that come every `step_ns`."""
+    """A filter with two poles at one frequency (Hz), for numbers at intervals of `step_ns`."""
 
     def __init__(self, frequency: float, step_ns: int) -> None:
         self._share = 1 - math.exp(-2 * math.pi * frequency * step_ns * 1e-9)
@@ -22,7 +22,7 @@ class LowPass:
         self._second: Floats | None = None
 
     def feed(self, values: Floats) -> Floats:
-        """The next numbers; gives what is left of them."""
+        """Filter the next numbers."""
         if self._first is None or self._second is None:
             self._first, self._second = values.copy(), values.copy()
         self._first += self._share * (values - self._first)
@@ -51,7 +51,7 @@ class Drift:
 
 @dataclass
 class Late:
-    """Messages on their way: each is published when its time has come."""
+    """Delayed messages: each message is published at its time."""
 
     publish: Publish
     latency_ns: int
@@ -62,6 +62,6 @@ class Late:
         self._waiting.append((at_ns + self.latency_ns, message))
 
     def deliver(self, now_ns: int) -> None:
-        """All that are due."""
+        """Publish all messages that are due."""
         while self._waiting and self._waiting[0][0] <= now_ns:
             self.publish(self._waiting.popleft()[1])

@@ -17,8 +17,8 @@ from heron.topics import IMU, Carrier
 
 @dataclass(frozen=True)
 class ImuParameters:
-    """Those of a unit with consumer MEMS sensors and its own attitude filter, such as mobile bases
-    have. Frequencies in Hz, times in s, accelerations in m/s^2, angles in rad.
+    """Parameters of a unit with consumer MEMS sensors and its own attitude filter, as is usual on
+    mobile bases. Frequencies in Hz, times in s, accelerations in m/s^2, angles in rad.
     """
 
     rate: float = 100.0

@@ -23,7 +23,7 @@ class JointStatesParameters:
 
 
 class JointStates:
-    """Says what the joints do."""
+    """Publishes the states of the joints."""
 
     def __init__(
         self,

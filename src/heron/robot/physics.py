@@ -26,8 +26,8 @@ class Attitude:
 
 
 class Physics:
-    """A scene and its state. `now_ns` is the time in this scene: where an episode goes on
-    in another scene, that one begins at `began_ns` of the episode.
+    """A scene and its state. `now_ns` is the time in this scene. If an episode continues in another
+    scene, the other scene begins at `began_ns` of the episode.
     """
 
     def __init__(self, spec: Any) -> None:
@@ -45,7 +45,7 @@ class Physics:
         mujoco.mj_forward(model, self.data)
 
     def settle(self, steps: int) -> None:
-        """Let everything come to rest, before time begins."""
+        """Let all bodies come to rest, before time begins."""
         mujoco.mj_step(self.model, self.data, nstep=steps)
 
     def step(self) -> None:

@@ -20,7 +20,7 @@ class Pressing(Protocol):
 
     @property
     def is_over(self) -> bool:
-        """True once it has done what it is for, and has left what it touched."""
+        """True after the pressing is complete and the hand has left the surface."""
 
     def begin(self, place: Floats) -> None:
         """Begin at the current position of the grasp (m)."""
@@ -33,7 +33,7 @@ class Pressing(Protocol):
 
 @dataclass
 class _Lean:
-    """A mass (kg) with a damper (N s/m) that is driven against what it feels: its depth (m)."""
+    """A mass (kg) with a damper (N s/m) that is driven against the felt force: its depth (m)."""
 
     mass: float
     damping: float
@@ -55,7 +55,7 @@ class PushParameters:
     """The speed until it touches something."""
     touch: float = 3.0
     most: float = 120.0
-    """It pushes no harder than this, whatever is in the way."""
+    """The largest pushing force, against any obstacle."""
     stiffness: float = 300.0
     damping: float = 600.0
     mass: float = 12.0
@@ -65,7 +65,7 @@ class PushParameters:
 
 
 class Push:
-    """Pushes what is before the hand, until the grasp is at `end` (m)."""
+    """Pushes the thing in front of the hand, until the grasp is at `end` (m)."""
 
     def __init__(self, end: Floats, parameters: PushParameters) -> None:
         self._end = end
@@ -73,7 +73,7 @@ class Push:
 
     @property
     def is_over(self) -> bool:
-        """True once the thing is where it has to be, and the hand has left it."""
+        """True after the thing is at its place and the hand has left it."""
         return self._left is not None and self._lean.depth <= self._left
 
     def begin(self, place: Floats) -> None:
@@ -113,7 +113,7 @@ class WipeParameters:
 
     press: float = 19.0
     touch: float = 9.0
-    """It strokes as long as it presses as hard as this."""
+    """The least force for a stroke."""
     speed: float = 0.1
     acceleration: float = 0.15
     damping: float = 2500.0
@@ -123,8 +123,8 @@ class WipeParameters:
 
 
 class Wipe:
-    """Presses in the direction of `normal`, and strokes along a way of places (m), whose distance
-    from the board does not matter.
+    """Presses in the direction of `normal`, and strokes along a path of positions (m). Their
+    distance from the board does not matter.
     """
 
     def __init__(self, way: Sequence[Floats], normal: Floats, parameters: WipeParameters) -> None:
@@ -134,7 +134,7 @@ class Wipe:
 
     @property
     def is_over(self) -> bool:
-        """True once the whole way was wiped, and the hand has left the board."""
+        """True after the whole path is wiped and the hand has left the board."""
         return self._left is not None and self._lean.depth <= self._left
 
     def begin(self, place: Floats) -> None:
@@ -161,7 +161,7 @@ class Wipe:
         return self._on_board + lean.depth * self._normal
 
     def _stroke(self, step_s: float) -> None:
-        """Towards the next place of the way, from rest at each."""
+        """Move to the next position of the path, from rest at each position."""
         found = self._parameters
         self._speed = min(found.speed, self._speed + found.acceleration * step_s)
         most = self._speed * step_s

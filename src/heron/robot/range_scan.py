@@ -17,8 +17,8 @@ from heron.topics import SCAN, Carrier
 
 @dataclass(frozen=True)
 class RangeScanParameters:
-    """Those of the safety laser scanners of a MiR100, whose two fields are merged into one of a
-    whole turn. Rate in Hz, times in s, lengths in m, angles in rad.
+    """Parameters of the safety laser scanners of a MiR100, whose two fields are merged into one
+    full turn. Rate in Hz, times in s, lengths in m, angles in rad.
     """
 
     rate: float = 12.5
@@ -32,7 +32,7 @@ class RangeScanParameters:
 
 
 class RangeScan:
-    """Looks from the site `scanner`, in its plane, past what the robot carries itself."""
+    """Scans from the site `scanner`, in its plane, and ignores the robot's own parts."""
 
     def __init__(
         self,

@@ -8,13 +8,13 @@ import numpy as np
 
 from heron.robot.physics import Floats
 
-_PEAK_SPEED = 1.875  # of the profile, for a way and a duration of one
+_PEAK_SPEED = 1.875  # of the profile, for a distance and a duration of one
 _PEAK_ACCELERATION = 5.774
 _LEAST_DURATION = 0.1  # s
 
 
 class Trajectory:
-    """A straight way that begins and ends at rest, with the least jerk for its duration (s)."""
+    """A straight path that begins and ends at rest, with the least jerk for its duration (s)."""
 
     def __init__(self, start: Floats, end: Floats, duration: float) -> None:
         self._start, self.end = start.copy(), end.copy()

@@ -28,7 +28,7 @@ class Connection:
         return cls(socket.create_connection((host, port), _SECONDS))
 
     def close(self) -> None:
-        """The end of it."""
+        """Close the connection."""
         self._socket.close()
 
     # --- headers -----------------------------------------------------------------------------
@@ -56,7 +56,7 @@ class Connection:
         self._socket.sendall(len(body).to_bytes(_LENGTH, "little") + body)
 
     def takes(self, body: bytes) -> bool:
-        """One body, to somebody who may have gone."""
+        """Send one body, to a node that may have gone."""
         try:
             self.send(body)
         except OSError:
@@ -76,7 +76,7 @@ class Connection:
         return taken
 
     def waiting(self) -> Iterator[bytes]:
-        """The bodies that have come already."""
+        """The bodies that have arrived."""
         while select.select([self._socket], [], [], 0)[0]:
             self._hear()
         while len(self._received) >= _LENGTH:

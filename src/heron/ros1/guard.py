@@ -55,7 +55,7 @@ class Ros1Guard:
 
     @property
     def is_restricting(self) -> bool:
-        """True while what passed last on a command topic is not what a program wanted."""
+        """True while the last command on a topic differs from the command of the program."""
         return any(self._wanted.get(topic) != passed for topic, passed in self._passed.items())
 
     @property
@@ -69,15 +69,15 @@ class Ros1Guard:
         """An operator resets all latched rules."""
         self._announce()
         self._reset = self._reset or self._node.service(f"{self._name}/reset")
-        self._reset.call(text(""))  # no rule of its own, so all
+        self._reset.call(text(""))  # no rule is named, so reset all
 
     def close(self) -> None:
-        """No operator comes any more."""
+        """No further operator comes."""
         if self._reset is not None:
             self._reset.close()
 
     def tick(self, now_ns: int) -> None:
-        """It has a clock of its own."""
+        """The guard has its own clock."""
 
     def _want(self, topic: str, command: Message) -> None:
         self._wanted[topic] = command
@@ -116,7 +116,7 @@ def name_of(machine: Machine) -> str:
 
 
 def _taking(machine: Machine) -> set[tuple[str, str]]:
-    """Rules and actions that command in the place of programs."""
+    """Rules and actions that replace the commands of the programs."""
     reactions = machine.reactions
     return {
         (machine.rules[rule].name, reactions.actions[reactions.tasks[task].action].name)

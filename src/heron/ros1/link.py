@@ -20,15 +20,15 @@ from heron.topics import InProcess, Topic
 from rossmarie.ir import Machine
 
 CLOCK = Topic("/clock", "rosgraph_msgs/Clock")
-_LONGEST_NS = 10_000_000  # between two words about time, for what is due by itself
-_ON_ITS_WAY_S = 0.1  # what connections of a busy machine take longer for than others
+_LONGEST_NS = 10_000_000  # between two clock messages, for timers that are due
+_ON_ITS_WAY_S = 0.1  # longer than the connections of a busy machine need
 _LOOK_S = 0.0002
 _START = "restart the node with /use_sim_time set to true"
 
 
 class Ros1Link:
-    """`master` is the address of a running master, `host` that of this machine for others. The node
-    of the rules is there, or comes within 30 s; it is to be a new one.
+    """`master` is the address of a running master, and `host` is the address of this machine for
+    other machines. The node of the rules is there, or comes within 30 s. It must be newly started.
     """
 
     period_ns = STEP_NS
@@ -62,7 +62,7 @@ class Ros1Link:
         return self._guard
 
     def tick(self, now_ns: int) -> None:
-        """All that there was to say at this instant has been said."""
+        """All messages of this instant have been sent."""
         if self._said_ns != now_ns and now_ns % _LONGEST_NS:
             return
         self._announce()
@@ -88,7 +88,7 @@ class Ros1Link:
             self._lockstep.wait_for_time()
 
     def _begin(self) -> None:
-        """As soon as the node on guard is there."""
+        """Wait until the node of the guard is there."""
         if self._machine is None or self._guard is None:
             return
         machine, name = self._machine, name_of(self._machine)

@@ -13,7 +13,7 @@ from heron.ros1.node import Node, text
 
 _CALLS_TO_HEAR = 2
 _CALLS_TO_ANSWER = 5  # to hear, to let time pass, and to say what follows
-_NOTHING_NEW = text("ros.heron") + text("info")  # of a logger that nobody uses
+_NOTHING_NEW = text("ros.heron") + text("info")  # of an unused logger
 
 
 class Lockstep:
@@ -29,11 +29,11 @@ class Lockstep:
             self._time.call(_NOTHING_NEW)
 
     def wait_for_all(self) -> None:
-        """It has heard all, and what it said has come to this process."""
+        """The node has received all messages, and its messages have arrived in this process."""
         for _ in range(_CALLS_TO_ANSWER):
             self._rest.call()
 
     def close(self) -> None:
-        """The end of it."""
+        """Close the lockstep."""
         self._time.close()
         self._rest.close()

@@ -34,7 +34,7 @@ _LOOK_S = 0.05
 
 @dataclass
 class _Published:
-    """A topic of this node, and who hears it, by the names of their nodes."""
+    """A topic of this node, with its subscribers, by the names of their nodes."""
 
     topic: Topic
     listeners: dict[Connection, str] = field(default_factory=dict)
@@ -42,8 +42,8 @@ class _Published:
 
 @dataclass
 class _Heard:
-    """A topic that this node hears: of which type, from whom by their addresses, and as what they
-    describe it.
+    """A topic to which this node subscribes: its type, the addresses of its publishers, and the
+    descriptions from the publishers.
     """
 
     kind: str
@@ -79,7 +79,7 @@ class Node:
             raise
 
     def close(self) -> None:
-        """Nobody finds it any more."""
+        """Leave the network."""
         with suppress(Ros1Error):
             for topic in self._published:
                 self._ask_master("unregisterPublisher", topic, self._address)
@@ -90,7 +90,7 @@ class Node:
     def _shut(self) -> None:
         self._slave.shutdown()
         self._slave.server_close()
-        self._door.shutdown(socket.SHUT_RDWR)  # wakes who waits at it
+        self._door.shutdown(socket.SHUT_RDWR)  # wakes the waiting thread
         self._door.close()
         for published in self._published.values():
             for listener in published.listeners:
@@ -108,7 +108,7 @@ class Node:
             self._ask_master("registerPublisher", topic.name, topic.type, self._address)
 
     def publish(self, topic: Topic, message: Message) -> None:
-        """To all who hear it; who cannot keep up is left."""
+        """Send to all subscribers. A subscriber that cannot keep up is disconnected."""
         published = self._published[topic.name]
         if not published.listeners:
             return
@@ -129,17 +129,17 @@ class Node:
     # --- what comes in -----------------------------------------------------------------------
 
     def subscribe(self, topic: str, kind: str, receive: Callable[[Message], None]) -> None:
-        """`receive` gets what others publish, in `deliver`. The kind may be `*`."""
+        """`receive` gets the messages of other nodes, in `deliver`. The type may be `*`."""
         heard = self._heard[topic] = _Heard(kind, receive)
         found = self._ask_master("registerSubscriber", topic, kind, self._address)
         heard.publishers = heard.publishers or list(found)
 
     def hears(self, topic: str) -> bool:
-        """Say whether somebody who publishes a topic is connected."""
+        """Return True if a publisher of a topic is connected."""
         return bool(self._heard[topic].connections)
 
     def deliver(self) -> None:
-        """Hand over all that has come. Raises `Ros1Error` if somebody is gone."""
+        """Deliver all messages that have arrived. Raises `Ros1Error` if a publisher has gone."""
         for topic, heard in self._heard.items():
             for connection, kind in list(heard.connections.values()):
                 try:
@@ -150,7 +150,7 @@ class Node:
                     heard.receive(messages.store().deserialize_ros1(body, kind))
 
     def connect(self) -> None:
-        """To those who publish what this node hears, and did not before."""
+        """Connect to new publishers of subscribed topics."""
         for topic, heard in self._heard.items():
             for publisher in set(heard.publishers) - heard.connections.keys() - {self._address}:
                 with suppress(OSError, XmlRpcError):  # it may be on its way, or just ending
@@ -179,7 +179,7 @@ class Node:
     # --- services ----------------------------------------------------------------------------
 
     def service(self, name: str) -> Service:
-        """A service of another node. Raises `Ros1Error` if nobody offers it."""
+        """A service of another node. Raises `Ros1Error` if no node offers it."""
         found = urlsplit(str(self._ask_master("lookupService", name)))
         try:
             connection = Connection.to(str(found.hostname), int(found.port or 0))
@@ -193,7 +193,7 @@ class Node:
     # --- others ------------------------------------------------------------------------------
 
     def wait_while(self, lacking: Callable[[], str | None]) -> None:
-        """Connect until nothing is lacking. Raises `Ros1Error` with what still is after 30 s."""
+        """Connect to everything that is missing. After 30 s, raises `Ros1Error` with the rest."""
         end = time.monotonic() + _PATIENCE_S
         while (lack := lacking()) is not None:
             if time.monotonic() > end:
@@ -215,19 +215,19 @@ class Node:
         return value
 
     def _request_topic(self, _caller: Any, topic: Any, _protocols: Any) -> list[Any]:
-        """Somebody wants to hear a topic."""
+        """Handle a request of another node to subscribe to a topic."""
         if topic not in self._published:
             return [0, f"{topic} is not published here", 0]
         return [_SUCCESS, "", ["TCPROS", self._host, self._door.getsockname()[1]]]
 
     def _update_publishers(self, _caller: Any, topic: Any, publishers: Any) -> list[Any]:
-        """The master says who publishes a topic now."""
+        """Handle the message of the master about the publishers of a topic."""
         if topic in self._heard:
             self._heard[topic].publishers = publishers
         return [_SUCCESS, "", 0]
 
     def _welcome(self) -> None:
-        """Let in those who want to hear, until the door is closed."""
+        """Accept subscribers until the socket is closed."""
         with suppress(OSError):
             while True:
                 visitor, _ = self._door.accept()
@@ -278,7 +278,7 @@ class Service:
         return answer
 
     def close(self) -> None:
-        """The end of it."""
+        """Close the service."""
         self._connection.close()
 
 
@@ -295,7 +295,7 @@ def text(value: str) -> bytes:
 
 
 def _learned(header: Header) -> str:
-    """The type of what comes, as the publisher describes it."""
+    """The type of the messages, as described by the publisher."""
     kind = messages.full_name(header["type"])
     store = messages.store()
     described = get_types_from_msg(header["message_definition"], kind)

@@ -137,7 +137,7 @@ def _add_hand(spec: Any, wrist: Any, arm: ArmParameters) -> None:
 
 
 def _add_block(spec: Any, arm: ArmParameters, reach: float) -> None:
-    """A body of its own, which the fingers hold as long as the equality `grip` is active."""
+    """A separate body. The fingers hold it while the equality `grip` is active."""
     block = spec.worldbody.add_body(name="block")
     block.add_freejoint(name="block")
     geom = block.add_geom(

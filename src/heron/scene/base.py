@@ -56,7 +56,7 @@ class BaseParameters:
 
     @property
     def mass(self) -> float:
-        """The mass of all of it (kg)."""
+        """The total mass (kg)."""
         wheels = 2 * (self.wheel_mass + self.rocker_mass) + 4 * self.caster_mass
         return self.chassis_mass + self.tower_mass + wheels
 

@@ -39,8 +39,8 @@ class ForearmParameters:
 
 @dataclass(frozen=True)
 class CellParameters:
-    """Lengths in m, masses in kg. The arm looks along -y; the box is pushed that way, and the board
-    stands across it.
+    """Lengths in m, masses in kg. The arm points along -y. The box is pushed in this direction, and
+    the board is at a right angle to it.
     """
 
     table_height: float = 0.75
@@ -52,9 +52,9 @@ class CellParameters:
     box_half: tuple[float, float, float] = (0.08, 0.05, 0.05)
     box_place: tuple[float, float] = (-0.3, -0.44)
     way: float = 0.16
-    """The way that the box has to go."""
+    """The distance that the box must travel."""
     jam: float | None = None
-    """The way that it gets, if something that is fixed to the table stands there."""
+    """The distance that the box travels if an obstacle is fixed to the table."""
     board_middle: tuple[float, float, float] = (0.32, -0.61, 0.885)
     board_half: tuple[float, float, float] = (0.18, 0.01, 0.115)
     board_friction: float = 0.35
@@ -70,7 +70,7 @@ class CellParameters:
 
     @property
     def mark(self) -> tuple[float, float]:
-        """The place where the middle of the box has to be."""
+        """The target position of the center of the box."""
         x, y = self.box_place
         return x, y - self.way
 
@@ -104,7 +104,7 @@ def build_cell(cell: CellParameters, arm: ArmParameters, person: PersonParameter
 
 
 def _add_box(spec: Any, cell: CellParameters, contact: Contact) -> None:
-    """The box, its mark, and what may stand in its way."""
+    """The box, its mark, and the possible obstacle on its path."""
     half, height = cell.box_half, cell.table_height
     body = spec.worldbody.add_body(name=BOX, pos=[*cell.box_place, height + half[2]])
     body.add_freejoint(name=BOX)
@@ -147,7 +147,7 @@ def _add_board(spec: Any, cell: CellParameters) -> None:
 
 
 def _add_forearm(spec: Any, cell: CellParameters) -> None:
-    """The forearm, which reaches in direction of its y, and gives way along its x."""
+    """The forearm, which points along its y axis and yields along its x axis."""
     forearm = cell.forearm
     elbow = spec.worldbody.add_body(name=FOREARM, mocap=True)
     body = elbow.add_body(name=f"{FOREARM}_flesh")

@@ -29,8 +29,8 @@ CHILD = PersonParameters(
 @dataclass(frozen=True)
 class CorridorParameters:
     """Lengths in m. The corridor lies along x. `school` are the ends of the part that belongs to a
-    school: those of `heron:SchoolCorridor-3` in `skills/corridor.turtle`. The door is in the wall
-    on the left, `door_x` its middle.
+    school, as in `heron:SchoolCorridor-3` in `skills/corridor.turtle`. The door is in the wall on
+    the left, with its center at `door_x`.
     """
 
     begin: float = -27.0
@@ -44,7 +44,7 @@ class CorridorParameters:
 
 
 def build_corridor(found: CorridorParameters, base: BaseParameters, child: PersonParameters) -> Any:
-    """The base where the corridor begins, and a child, who is yet to be put somewhere."""
+    """The base at the beginning of the corridor, and a child without a position yet."""
     spec = new_spec()
     contact = Contact()
     add_floor(spec, contact)

@@ -34,7 +34,7 @@ class Slope:
 
 @dataclass(frozen=True)
 class CourseParameters:
-    """Lengths in m, angles in rad; what seeds vary stands first."""
+    """Lengths in m, angles in rad. The fields that depend on the seed come first."""
 
     bump_x: float = 2.5
     bump_height: float = 0.025
@@ -50,7 +50,7 @@ class CourseParameters:
     junction_x: float = 4.2
     ramp_width: float = 2.0
     block_away: float = 0.5
-    """The distance between the block and the place to which the base has to go."""
+    """The distance between the block and the target position of the base."""
 
 
 Point = tuple[float, float]

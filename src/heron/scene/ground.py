@@ -12,15 +12,14 @@ import mujoco
 _THICKNESS = 0.2
 _OVERLAP = 0.001  # so that no wheel finds a gap between two pieces
 SEEN_GROUP = 1
-"""The group of geoms that a range scan sees: all that the robot does not carry itself."""
+"""The group of geoms that a range scan sees: everything except the robot's own parts."""
 
 
 @dataclass(frozen=True)
 class Contact:
-    """The contact of two surfaces.
-
-    `friction` is that of a rubber wheel on the ground; `time_constant` (s) says how soft contacts
-    are: with the default of MuJoCo, 0.02 s, a hard wheel sinks into a bump that it should climb.
+    """The contact of two surfaces. `friction` is the friction of a rubber wheel on the ground.
+    `time_constant` (s) is the softness of contacts: with the default of MuJoCo, 0.02 s, a hard
+    wheel sinks into a bump that it should climb.
     """
 
     friction: float = 1.0
@@ -51,7 +50,7 @@ def add_floor(spec: Any, contact: Contact) -> None:
 
 
 def add_bump(spec: Any, contact: Contact, x: float, height: float, radius: float) -> None:
-    """A cable duct across the way: a cylinder, sunk until only `height` stands out."""
+    """A cable duct across the path: a cylinder with only `height` above the ground."""
     axis = height - radius
     bump = spec.worldbody.add_geom(
         name="bump",

@@ -82,7 +82,7 @@ def _add_box(
 
 
 def _add_block(spec: Any, scene: InsertionParameters, contact: Contact) -> None:
-    """Four walls around the hole, and what is below it."""
+    """Four walls around the hole, and the block below it."""
     x, y, top = scene.hole
     bottom = scene.table[0][2] + scene.table[1][2]
     inner, outer = scene.peg_half + scene.clearance / 2, scene.block_half
@@ -99,7 +99,7 @@ def _add_block(spec: Any, scene: InsertionParameters, contact: Contact) -> None:
 
 
 def _add_fragile(spec: Any, scene: InsertionParameters, contact: Contact) -> None:
-    """The fragile part, which feels what touches it."""
+    """The fragile part, which measures contact forces."""
     middle, half = scene.fragile
     body = spec.worldbody.add_body(name=FRAGILE, pos=middle)
     _add_box(body, ((0.0, 0.0, 0.0), half), (0.8, 0.15, 0.15, 1), contact)

@@ -17,7 +17,7 @@ PERSON = "person"
 LEGS = ("left_leg", "right_leg")
 _GEOM = mujoco.mjtGeom
 STRIDE = 0.7
-"""The way of one swing of a leg (m)."""
+"""The length of one swing of a leg (m)."""
 _SWING = 0.45  # rad
 _SKIN = (0.87, 0.68, 0.55, 1)
 _CLOTHES = (0.9, 0.45, 0.15, 1)
@@ -26,7 +26,7 @@ _TROUSERS = (0.2, 0.25, 0.4, 1)
 
 @dataclass(frozen=True)
 class PersonParameters:
-    """Lengths in m, those of a person of 1.75 m."""
+    """Lengths in m, for a person of 1.75 m."""
 
     hip_height: float = 0.88
     hip_half: float = 0.1
@@ -47,7 +47,7 @@ class Limb(NamedTuple):
 
 
 class Stance(NamedTuple):
-    """A person who walks: the bodies, in the order of `PERSON` and `LEGS`, and the places of the
+    """A walking person: the bodies, in the order of `PERSON` and `LEGS`, and the positions of the
     feet on the floor (m).
     """
 
@@ -58,7 +58,7 @@ class Stance(NamedTuple):
 def stance(
     person: PersonParameters, place: tuple[float, float], facing: float, walked: float
 ) -> Stance:
-    """Somebody at a place (m) who faces in a direction (rad), after so much of a way (m)."""
+    """Place a person at a position (m), in a direction (rad), after a distance of walking (m)."""
     swing = _SWING * math.sin(math.pi * walked / STRIDE)
     (left, left_foot), (right, right_foot) = (
         _leg(person, place, facing, side, swing) for side in (1, -1)

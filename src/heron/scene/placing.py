@@ -18,7 +18,7 @@ _HALF = (0.3, 0.3, 0.02)
 
 @dataclass(frozen=True)
 class TableParameters:
-    """Lengths in m. `believed_height` is where the arm is told that the top is."""
+    """Lengths in m. `believed_height` is the height of the table that the arm assumes."""
 
     believed_height: float = 0.75
     too_high: float = 0.04

@@ -19,9 +19,8 @@ _TABLE_HALF = (0.12, 0.12, 0.02)
 
 @dataclass(frozen=True)
 class RoomParameters:
-    """Lengths in m, angles in rad. The arm stands in the middle; the door is in the wall at +x.
-
-    The tables are brackets on the robot: nothing stands on the floor but who comes in.
+    """Lengths in m, angles in rad. The arm stands in the middle, and the door is in the wall at +x.
+    The tables are brackets on the robot, so only the person stands on the floor.
     """
 
     half: float = 4.0

@@ -21,7 +21,7 @@ _BOX = mujoco.mjtGeom.mjGEOM_BOX
 
 @dataclass(frozen=True)
 class Way:
-    """A way that is straight, from a place to a place on the map (m)."""
+    """A straight path between two places on the map (m)."""
 
     start: Point
     end: Point
@@ -37,13 +37,13 @@ class Way:
         return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
 
     def at(self, along: float, left: float = 0.0) -> Point:
-        """The point so far along the way (m), and so far to the left of it (m)."""
+        """The point at this distance along the path (m), and at this distance to its left (m)."""
         cosine, sine = math.cos(self.heading), math.sin(self.heading)
         x, y = self.start
         return x + along * cosine - left * sine, y + along * sine + left * cosine
 
     def beside(self, point: Point) -> tuple[float, float]:
-        """The distance of a point along the way (m), and that to the left of it (m)."""
+        """The distance of a point along the path (m), and its distance to the left (m)."""
         cosine, sine = math.cos(self.heading), math.sin(self.heading)
         x, y = point[0] - self.start[0], point[1] - self.start[1]
         return x * cosine + y * sine, y * cosine - x * sine
@@ -51,8 +51,8 @@ class Way:
 
 @dataclass(frozen=True)
 class WaysParameters:
-    """Lengths in m. Places are those of `skills/blocked.turtle`. An obstacle is `across` wide, and
-    `depth` along the way; between the ways stands a rack.
+    """Lengths in m. The places are the places of `skills/blocked.turtle`. An obstacle is `across`
+    wide, and `depth` long along the path. A rack stands between the paths.
     """
 
     start: Point = (0.0, 0.0)
@@ -67,12 +67,12 @@ class WaysParameters:
 
     @property
     def first(self) -> Way:
-        """The way straight on."""
+        """The path straight on."""
         return Way(self.junction, self.hall)
 
     @property
     def second(self) -> Way:
-        """The last part of the other way: from the yard to the hall."""
+        """The last part of the other path: from the yard to the hall."""
         return Way(self.yard, self.hall)
 
 

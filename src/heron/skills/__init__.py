@@ -1,4 +1,4 @@
-"""The skills of Heron, in EzSkiROS: what its tasks are, as behavior trees that are checked."""
+"""The skills of Heron, in EzSkiROS: its tasks are checked behavior trees."""
 
 from __future__ import annotations
 
@@ -8,6 +8,6 @@ from ezskiros.hosts.skiros2 import host
 
 FOLDER = Path(__file__).parent
 EXPORT = FOLDER / "skills.json"
-"""The skills as rules know them, written by `ezskiros export`."""
+"""The skills file for rules, written by `ezskiros export`."""
 
 host(__name__, context=EXPORT.name)

@@ -7,7 +7,7 @@ from heron.skills.world import heron
 
 
 class Drive(SkillDescription):
-    """Drives the base along a way, from one place to another."""
+    """Drives the base along a path, from one place to another."""
 
     def description(self, Robot: heron.Robot, Start: INFERRED[heron.Place], Target: heron.Place):
         self.pre_conditions += Robot.at(Start)
@@ -34,7 +34,7 @@ class drive(Drive.SkillBase):
 
 
 class TurnBack(SkillDescription):
-    """Drives the base back along a way that it has not come to the end of, to its begin."""
+    """Drives the base back along an unfinished path, to the start of the path."""
 
     def description(self, Robot: heron.Robot, Start: heron.Place):
         self.pre_conditions += Robot.at(Start)
@@ -59,10 +59,10 @@ class turn_back(TurnBack.SkillBase):
 
 
 class WaitUntilFree(SkillDescription):
-    """Stands until the way ahead is free.
+    """Waits until the path ahead is free.
 
     Args:
-        Seconds: after which it waits no longer, and has failed.
+        Seconds: the longest wait; then the skill fails.
 
     """
 
@@ -88,7 +88,7 @@ class wait_until_free(WaitUntilFree.SkillBase):
 
 
 class MarkAsBlocked(SkillDescription):
-    """Notes in the world model that a way leads nowhere any more."""
+    """Marks a path as blocked in the world model."""
 
     def description(self, Start: heron.Place, Target: heron.Place):
         self.pre_conditions += Start.leadsTo(Target)
@@ -105,8 +105,8 @@ class Reach(SkillDescription):
     """Moves the hand to a pose that the arm knows by name.
 
     Args:
-        Pose: its name.
-        Seconds: in which it has to be there; 0 leaves that to the arm.
+        Pose: the name of the pose.
+        Seconds: the time limit; with 0, the arm chooses its own speed.
 
     """
 
@@ -160,7 +160,7 @@ class grasp(Grasp.SkillBase):
 
 
 class PutDown(SkillDescription):
-    """Puts the block that the hand holds down on a table, compliantly."""
+    """Places the block in the hand on a table, compliantly."""
 
     def description(
         self, Robot: heron.Robot, Table: INFERRED[heron.Table], Block: INFERRED[heron.Block]
@@ -191,7 +191,7 @@ class put_down(PutDown.SkillBase):
 
 
 class Push(SkillDescription):
-    """Pushes a box along a table to a mark, with what the hand holds."""
+    """Pushes a box along a table to a mark, with the tool in the hand."""
 
     def description(
         self, Robot: heron.Robot, Sponge: INFERRED[heron.Block], Object: heron.Box, Mark: heron.Mark
@@ -222,7 +222,7 @@ class push(Push.SkillBase):
 
 
 class Wipe(SkillDescription):
-    """Presses what the hand holds on a board, and strokes over it."""
+    """Presses the tool in the hand on a board, and wipes the board."""
 
     def description(self, Robot: heron.Robot, Sponge: INFERRED[heron.Block], Board: heron.Board):
         self.pre_conditions += Robot.holds(Sponge)

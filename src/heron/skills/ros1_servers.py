@@ -43,8 +43,8 @@ class Ros1Server:
         self._client: Any = actionlib.SimpleActionClient(name, getattr(messages, f"{action}Action"))
 
     def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
-        """Send it; `done` hears of it from another thread. A server that is not there within 10 s
-        has not reached it.
+        """Send a goal. Another thread calls `done` with the success. If the server is not there
+        within 10 s, the goal fails.
         """
         if not self._client.wait_for_server(self._rospy.Duration(_PATIENCE_S)):
             done(False)

@@ -16,7 +16,7 @@ from heron.skills.world import heron
 
 
 class Fetch(SkillDescription):
-    """Experiment I: drives to where a block lies, and picks it up."""
+    """Experiment I: drives to a block, and picks it up."""
 
     def description(
         self,
@@ -62,10 +62,10 @@ class place(Place.SkillBase):
 
 
 class PlaceInHaste(SkillDescription):
-    """Experiment II: the motion planner wants too much on each way back, before it is put down.
+    """Experiment II: on each way back, the motion planner demands too much speed of the arm.
 
     Args:
-        Seconds: in which it wants the arm back.
+        Seconds: the time limit for the way back.
 
     """
 
@@ -110,10 +110,10 @@ class carry_to_and_fro(CarryToAndFro.SkillBase):
 class TidyUp(SkillDescription):
     """Experiment IV: pushes a box to its mark, and wipes a board.
 
-    A skill that does not succeed in time is given up, and the task goes on.
+    If a skill does not succeed in time, the task continues with the next skill.
 
     Args:
-        Patience: the seconds that pushing may take, and that wiping may take.
+        Patience: the time limit (s) for pushing, and for wiping.
 
     """
 
@@ -146,7 +146,7 @@ class tidy_up(TidyUp.SkillBase):
 
 
 class Deliver(SkillDescription):
-    """Experiment VI: drives to a place behind a junction, by the way straight on."""
+    """Experiment VI: drives to a place behind a junction, on the path straight on."""
 
     def description(
         self,
@@ -170,12 +170,12 @@ class deliver(Deliver.SkillBase):
 
 
 class GiveWay(SkillDescription):
-    """Waits for the way to be free; if that takes too long, turns back, and marks it as blocked.
+    """Waits for a free path. After the longest wait, turns back and marks the path as blocked.
 
     Each step has a deadline, in case a server never answers: 53 s in all.
 
     Args:
-        Seconds: that it waits, 12 at most.
+        Seconds: the longest wait, at most 12.
 
     """
 

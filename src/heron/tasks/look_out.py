@@ -14,19 +14,19 @@ from heron.topics import SCAN, Carrier
 
 @dataclass(frozen=True)
 class LookOutParameters:
-    """Lengths in m, times in s. The way ahead is a strip that begins at the scanner, which is in
-    the middle of the base; it is blocked if that many beams end there.
+    """Lengths in m, times in s. The path ahead is a strip that begins at the scanner, in the middle
+    of the base. It is blocked if at least this number of beams ends there.
     """
 
     reach: float = 1.05
     half_width: float = 0.4
     beams: int = 5
     free_for: float = 0.5
-    """For so long nothing is seen there before the way counts as free."""
+    """The time without an obstacle after which the path counts as free."""
 
 
 class LookOut:
-    """An action server that waits until the way ahead is free, for `seconds` at most."""
+    """An action server that waits until the path ahead is free, for at most `seconds`."""
 
     period_ns = 100_000_000
 
@@ -48,7 +48,7 @@ class LookOut:
         self._until_ns = self._clock() + round(number_in(goal, "seconds") * 1e9)
 
     def cancel(self) -> None:
-        """Wait no longer."""
+        """Stop waiting."""
         self._end(is_free=False)
 
     def tick(self, now_ns: int) -> None:

@@ -30,7 +30,7 @@ class NavigationParameters:
     turn_on_the_spot: float = 0.5
     """The lateral angle of the path (rad) above which the robot turns on the spot."""
     patience: float = 45.0
-    """Without progress for so long, the task is given up; an operator comes sooner."""
+    """Without progress for this time, the task is given up. An operator comes sooner."""
     progress: float = 0.3
 
 
@@ -45,7 +45,7 @@ class Navigation:
         clock: Callable[[], int],
         is_blocked: Callable[[], bool] = lambda: False,
     ) -> None:
-        """It stands as long as something in front of the base, says `is_blocked`, is in its way."""
+        """The base stops while `is_blocked` reports an obstacle ahead."""
         self._is_blocked = is_blocked
         self._routes = [list(route) for route in routes]
         self._parameters = parameters
@@ -102,7 +102,7 @@ class Navigation:
         return messages.twist(speed, turn)
 
     def _aim(self, here: Point) -> Point:
-        """A point on the present leg, some way ahead."""
+        """A point on the current leg, at some distance ahead."""
         start, end = self._routes[0][self._next - 1], self._routes[0][self._next]
         length = math.dist(start, end)
         along = _along(start, end, here) + self._parameters.lookahead
@@ -130,7 +130,7 @@ class Navigation:
         self._pose = (pose.position.x, pose.position.y, messages.yaw_of(pose.orientation))
 
     def _replan(self, message: Message) -> None:
-        """The way is of no use: back to where the next route leaves it."""
+        """The path is unusable: go back to the branch of the next route."""
         if not message.data or len(self._routes) < 2 or self._pose is None:
             return
         del self._routes[0]

@@ -6,7 +6,7 @@ import enum
 
 
 class TaskStatus(enum.Enum):
-    """A task is under way, or over."""
+    """The state of a task: running or finished."""
 
     RUNNING = "running"
     COMPLETED = "completed"

@@ -10,7 +10,7 @@ from heron.topics import Carrier
 
 
 class PlaceNavigation(Navigation):
-    """Drives to a place by the first of its routes; told to replan, by the next."""
+    """Drives to a place by the first of its routes, and after `replan` by the next route."""
 
     def __init__(
         self,

@@ -13,7 +13,7 @@ class RecoveryServer:
     """Hands goals to a task. Its goals have the fields of `skill_context_msgs/Recover`."""
 
     def __init__(self, digest: str, task: InterruptibleTask) -> None:
-        """`digest` is that of the export that the rules have to be checked with."""
+        """`digest` is the digest of the export with which the rules must be checked."""
         self._goals = RecoveryGoals(digest, TaskHost(task))
         self._recovery: Recovery | None = None
 
@@ -32,7 +32,7 @@ class RecoveryServer:
             done(False)
 
     def cancel(self) -> None:
-        """The rule was released: the tree stops, and the task goes on."""
+        """The rule was cleared: the tree stops, and the task continues."""
         if self._recovery is not None:
             self._recovery.release()
 

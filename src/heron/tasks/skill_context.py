@@ -17,7 +17,7 @@ _PACKAGE = "skill_context_msgs"
 
 
 class SkillContext:
-    """Tells of a task, as long as it is there."""
+    """Publishes the context of a task while the task exists."""
 
     period_ns = 100_000_000
 

@@ -71,7 +71,7 @@ class SkillTask:
         self._trees = [Begun(self._task.root, 0)]
         self._task.begun = self._note
         self.replanned = 0
-        """The number of times that another way to the goal was found."""
+        """The number of reroutes."""
         self.outcome = TaskStatus.RUNNING
         self._recovery = RecoveryServer(digest(), self._task)
         carrier.serve(RECOVERY, self._recovery)
@@ -97,7 +97,7 @@ class SkillTask:
         return self._events
 
     def go_on(self, carrier: Carrier, began_ns: int) -> None:
-        """In another scene, which has a carrier and a time of its own."""
+        """Continue in another scene, with its own carrier and time."""
         self._carrier = carrier
         carrier.serve(RECOVERY, self._recovery)
         self._offset_ns = began_ns
@@ -117,8 +117,8 @@ class SkillTask:
         self._trees.append(Begun(root, len(self._events)))
 
     def _way(self, call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
-        """Another way to the goal, searched at once: time stands still meanwhile. A thread would
-        make the episode depend on how busy the computer is.
+        """Find another path to the goal immediately, while time stands still. In a thread, the
+        episode would depend on the load of the computer.
         """
         found: Future[Way] = Future()
         try:

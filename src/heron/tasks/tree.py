@@ -59,9 +59,9 @@ _ENDS = {
 def tree_over_time(
     trees: Sequence[Begun], events: Iterable[tuple[float, Event]]
 ) -> tuple[TreeSkill, ...]:
-    """All skills of the trees that have run, each before those below it. A tree that begins later
-    takes the place of one before, which may go on afterwards; of several that know a skill, an
-    event is of the last that has begun.
+    """All skills of the trees that have run, parents before children. A later tree replaces an
+    earlier tree, which may continue afterwards. If several trees contain a skill, an event belongs
+    to the tree that began last.
     """
     skills = [list(_skills(each.root)) for each in trees]
     spans: list[dict[tuple[str, ...], list[Span]]] = [
@@ -90,7 +90,7 @@ def running_of(tree: Sequence[TreeSkill], over: float) -> list[tuple[str, float,
 
 
 def _skills(node: Behaviour) -> Iterator[RunningSkill]:
-    """A skill, and those below it; what ticks them in between has no name."""
+    """A skill and the skills below it. Processors in between have no name."""
     if isinstance(node, RunningSkill):
         yield node
         below = [] if node.tree is None else [node.tree]
@@ -110,7 +110,7 @@ def _note(spans: list[Span], at_s: float, happened: Happened) -> None:
 
 
 def _label(skill: RunningSkill) -> str:
-    """`Reach(above)`: its name, and what it gets in the tree that it is in."""
+    """`Reach(above)`: the name of the skill, and its arguments in its tree."""
     name = skill.name.partition("#")[0]
     arguments = [] if skill.above is None else list(_arguments(skill.call))
     return f"{name}({', '.join(arguments)})" if arguments else name

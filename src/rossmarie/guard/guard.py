@@ -314,7 +314,7 @@ class Guard:
 
     def _now(self) -> int:
         if self._at_ns is None:
-            raise ValueError("there is no decision yet: call `step` first")
+            raise ValueError("there is no step yet: call `step` first")
         return as_instant(self._at_ns)
 
     def _first_step(

@@ -91,12 +91,12 @@ def test_actions_that_would_pass_are_reported_and_nothing_happens(guard: Guard) 
 
 def test_nothing_is_decided_before_an_observation(guard: Guard) -> None:
     batch = guard.batch(3)
-    with pytest.raises(ValueError, match="nothing has been observed yet"):
+    with pytest.raises(ValueError, match="there is no observation yet"):
         batch.decide(WANTED)
     batch.observe(0, SEEN)
     batch.restart(np.array([False, True, False]))
     for call in (batch.decide, batch.allows):
-        with pytest.raises(ValueError, match="row 1 has observed nothing"):
+        with pytest.raises(ValueError, match="row 1 has no observation yet"):
             call(WANTED)
 
 
@@ -127,7 +127,7 @@ def test_what_does_not_fit_is_refused_and_changes_nothing(guard: Guard) -> None:
         with pytest.raises(kind, match=words):
             batch.step(times, seen, wanted)
     assert batch.step(1, SEEN, WANTED).active.any(axis=1).tolist() == [False, True, True]
-    with pytest.raises(MappingError, match="a mask is bool"):
+    with pytest.raises(MappingError, match="a mask needs the type bool"):
         batch.restart(np.zeros(2, np.bool_))
     with pytest.raises(ValueError, match="at least one guard, not 0"):
         guard.batch(0)

@@ -135,7 +135,7 @@ rule fast: if speed > 1 m/s then { ask; };
 
 def test_what_follows_from_a_report_comes_with_the_next_decision(make: Make) -> None:
     guard = make(rules=REPORTED, observe={"speed": 0}, act={"linear.x": 0})
-    with pytest.raises(ValueError, match="nothing has happened yet"):
+    with pytest.raises(ValueError, match="there is no step yet"):
         guard.report(0, success=True)
     (request,) = step(guard, 0, (1.5,), (0.8,)).requests
     guard.report(request, success=False)
@@ -288,7 +288,7 @@ def test_a_state_between_observation_and_action_is_kept(make: Make) -> None:
 def test_what_does_not_fit_an_action_by_itself_is_refused(make: Make) -> None:
     guard = make()
     wrong: Any = [0.8, 0.1]
-    with pytest.raises(ValueError, match="nothing has happened yet"):
+    with pytest.raises(ValueError, match="there is no step yet"):
         guard.decide(np.array(wrong))
     guard.observe(5, np.array(CALM))
     with pytest.raises(TypeError, match="the action is a list"):
@@ -348,7 +348,7 @@ def test_feedback_of_several_observations_before_a_decision_is_summed(make: Make
 
 def test_margins_are_distances_to_the_limits_in_the_units_of_the_rules(make: Make) -> None:
     guard = make()
-    with pytest.raises(ValueError, match="nothing has happened yet"):
+    with pytest.raises(ValueError, match="there is no step yet"):
         _ = guard.margin
     decision = step(guard, 0)
     wanted = [3.6, 1500.0]

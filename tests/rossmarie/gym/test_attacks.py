@@ -242,7 +242,7 @@ def test_observations_that_are_not_numbers_hold_the_robot(rules: str) -> None:
 @needs_c
 def test_steps_before_the_first_reset_are_refused(rules: str) -> None:
     env = guarded(rules)
-    with pytest.raises(ValueError, match="nothing has happened yet"):
+    with pytest.raises(ValueError, match="there is no step yet"):
         env.step(fast())
 
 

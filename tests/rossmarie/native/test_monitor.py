@@ -220,7 +220,7 @@ def test_active_is_known_only_if_asked_for() -> None:
     ("given", "complaint"),
     [
         ({"input_0": SPEEDS}, "no columns for input_1"),
-        ({"input_0": SPEEDS, "input_1": DOCKED, "speed": SPEEDS}, "nothing reads"),
+        ({"input_0": SPEEDS, "input_1": DOCKED, "speed": SPEEDS}, "no rule reads"),
         ({"input_0": SPEEDS[1:], "input_1": DOCKED}, "shape"),
         ({"input_0": SPEEDS, "input_0.slot_0": SPEEDS, "input_1": DOCKED}, "2 columns"),
         ({"input_0": SPEEDS * 1j, "input_1": DOCKED}, "not numbers"),

@@ -1,4 +1,4 @@
-"""The folder of the study: the page, and a folder beside it with the other files."""
+"""The folder of the study: the page, and a folder next to the page with the other files."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class LearningFolder:
 
 
 def write_learning_page(folder: LearningFolder, values: Mapping[str, Value]) -> Path:
-    """Rows and curves of these trainings, and the page of all that are in the folder."""
+    """Rows and curves of these trainings, and the page of all trainings in the folder."""
     rows = list(_merged(read_rows(folder.rows), values.values()))
     _write_rows(folder.rows, rows)
     found = trainings_of(rows)

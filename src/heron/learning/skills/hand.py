@@ -22,7 +22,7 @@ class Hand:
     push: float = 0.0
 
     def go_to(self, goal: Vector, fastest: float) -> float:
-        """Command a way to a place; gives how far it is (m)."""
+        """Command a motion to a place. Returns the distance (m)."""
         offset = [there - here for there, here in zip(goal, self.place, strict=True)]
         far = math.hypot(*offset)
         speed = min(fastest, 3.0 * far)
