@@ -20,7 +20,7 @@ help:
 	@echo "make site    the documentation site -> build/site"
 	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
-	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
+	@echo "make deep    slow tests and proofs -> docs/reference/deep-tests.md; two to three hours"
 	@echo "make bench   measure, and write docs/reference/performance*.md, beside-nav2.md, library-reuse.md"
 	@echo "make dist    build the wheels -> dist/, check them, and try them in each Python of this machine"
 	@echo "make fmt     put the code into the one layout"

@@ -44,61 +44,65 @@ PERIOD_S, COST_S, FAR_M = SCAN_TICKS * TICK_S, 10.0, 5.0
 FOLDER = Path(__file__).parents[1] / "build" / "bench" / "course"
 
 PREFACE = """\
-# Rules beside Nav2's collision monitor
+# Rules and Nav2's collision monitor on one course
 
-Written by `benchmarks/beside_nav2.py`; do not edit. All guards drive the same course: {runs} runs
-of each scene. Random numbers from a fixed seed vary the runs of a scene.
+Written by `benchmarks/beside_nav2.py`; do not edit. All guards drive the same course, with {runs}
+runs of each scene. Each run has its own seed.
 
-**The base** is {length:g} m long and {width:g} m wide, drives at {speed:g} m/s, and brakes at
-{braking:g} m/s². A lidar at its center sends {beams} readings, {scans:g} times a second. A scan
-arrives {delay:g} ms after its stamp. The planner ignores walls and people. It sends
-{commands:g} commands a second, and the guard may change each command.
+**Base.** The base is {length:g} m long and {width:g} m wide, drives at {speed:g} m/s, and brakes at
+{braking:g} m/s². A lidar at its center sends {beams} readings, {scans:g} times per second. A scan
+arrives {delay:g} ms after its stamp. A planner that knows nothing about walls and people sends
+{commands:g} commands per second. A guard may change each command.
 
-**The guards.** {guards}
+**Guards.** {guards}
 
-**The columns**
+**Columns.**
 
-- *Hits*: runs in which the base drove into something.
-- *Reaction*: time from the last instant at which an unguarded base could still brake in time, to
-  the first reduced command. The table shows the median and the maximum of all runs. If the time is
-  negative, the guard reacted before this instant.
-- *Gap*: the smallest distance to an obstacle in all runs.
-- *Stops*: mean number of stops in a run.
-- *False*: mean number of false stops in a run. A stop is false if nothing is closer ahead than
-  {near:.2f} m, and if the lidar has not been silent for {silence:g} s. If the base can pass everything
-  in a scene, each stop is false.
-- *Slow*: mean time in a run during which the guard reduced commands without need.
-- *Distance*: mean distance travelled in a run.
-- *Goal*: runs in which the base reached its goal.
+- *collisions*: the runs in which the base drove into an obstacle.
+- *reaction*: the time from the instant at which the braking distance of an unguarded base equals
+  the free distance, to the first reduced command: the median and the maximum of all runs. A
+  negative time means that the command was reduced before this instant.
+- *gap*: the smallest distance between the base and an obstacle in all runs.
+- *stops*: the stops per run, on average.
+- *false stops*: the stops per run without need, on average. A stop is necessary if an obstacle
+  ahead is closer than {near:.2f} m, or if the lidar has been silent for {silence:g} s. In some
+  scenes, no stop is necessary.
+- *slow*: the time per run in which commands are reduced without need, on average.
+- *distance*: the distance travelled per run, on average.
+- *goal*: the runs in which the base reached its goal.
 """
 
 GUARDS = """\
-Nav2's collision monitor {how}. The correction for the motion since the scan is off,
-because this correction needs transforms. The monitor runs with two settings. *Approach* is the
-setting of `nav2_bringup`, with the outline of this base. *Zones* has two zones: in the first zone
-the base stops, and in the second zone the base slows down. The first zone is as long as the
-stopping distance with a latency of {latency:g} s, {stop:.2f} m. The second zone is twice as long.
+Nav2's collision monitor is {how}. Its correction for
+the motion since a scan is off, because the correction needs transforms. The monitor has two
+settings. *approach* has the settings of `nav2_bringup`, with the outline of this base. *zones* has
+two zones. The base stops in a zone of {stop:.2f} m: the distance of a latency of {latency:g} s plus
+the braking distance. The base slows down in a zone of twice this length.
 
-The rules are in `benchmarks/guards`. *Zones* and *approach* have the shapes and numbers of the two
-settings of Nav2. *Stopping* has no zone of a fixed length. The base stops for an obstacle ahead
-that is nearer than the stopping distance at the actual or commanded speed. The base slows down for
-an obstacle within twice this distance. *min(ranges)* has no geometry: the rules compare the
-smallest of all readings, in any direction, with the lengths of the zones."""
+The rules are in `benchmarks/guards`. *zones* and *approach* have the shapes and numbers of the two
+settings of Nav2. *stopping* has no fixed length: the base stops for an obstacle ahead that is
+nearer than the stopping distance at the actual or commanded speed, and slows down at twice this
+distance. *min(ranges)* has no geometry: the base stops and slows down at the distances of the
+zones, by the minimum of all readings."""
 
 COST = """\
-CPU time that the process of a ROS 2 node uses in {period:g} s, transport included: without
-messages; with the clock, commands and odometry; and with a scan as well. While scans are missing, Nav2's node
-logs this each time. Each reading of the scan is {far:g} m. The times are means of
+The CPU time of the process of a ROS 2 node in {period:g} s of real time, including all transport.
+In the column *idle*, the node receives no messages. In the next column, the node receives the
+clock, commands and odometry; Nav2's node then logs each missing scan. In the last column, the node
+also receives a scan whose readings are all {far:g} m. Each figure is the mean over
 {seconds:g} s, on {machine}.
 """
 
-HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | distance, m | goal |"
+HEAD = (
+    "| guard | collisions | reaction, s | gap, m | stops | false stops | slow, s "
+    "| distance, m | goal |"
+)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """The number of runs of the node that were compared with the model, and the number of equal
-    ones.
+    """The number of runs in which the node was compared with the model, and the number of equal
+    runs.
     """
 
     runs: int = 0
@@ -112,7 +116,7 @@ def modelled(settings: Settings) -> Contender:
 
 @contextmanager
 def nav2_nodes(folder: Path) -> Iterator[list[Contender]]:
-    """The node itself, with each of the settings."""
+    """The node, once with each of the settings."""
     with ExitStack() as stack:
         found = []
         for number, settings in enumerate(ALL):
@@ -132,17 +136,17 @@ def drive(contenders: Sequence[Contender]) -> Mapping[tuple[str, str], list[Outc
 
 
 def compared(one: Sequence[Outcome], other: Sequence[Outcome]) -> Comparison:
-    """Compare runs of the node and runs of the model, except for their CPU times."""
+    """Compare runs of the node with runs of the model. Their CPU times are not compared."""
     pairs = zip(map(_driven, one), map(_driven, other), strict=True)
     return Comparison(len(one), sum(left == right for left, right in pairs))
 
 
 def _driven(outcome: Outcome) -> str:
-    return str(replace(outcome, cpu_ns_of_scan=0.0))  # NaN is like NaN there
+    return str(replace(outcome, cpu_ns_of_scan=0.0))  # as text, NaN equals NaN
 
 
 def row(name: str, runs: Sequence[Outcome]) -> str:
-    """One guard in one scene."""
+    """The row of one guard in one scene."""
     reactions = [each.reaction_s for each in runs if not math.isnan(each.reaction_s)]
     latest = f"{statistics.median(reactions):+.2f}, {max(reactions):+.2f}" if reactions else ""
     hits = sum(each.contact_speed > 0.0 for each in runs)
@@ -159,7 +163,7 @@ def _means(runs: Sequence[Outcome]) -> Iterator[list[float]]:
     yield [each.stops for each in runs]
     yield [each.false_stops for each in runs]
     yield [each.falsely_slow_s for each in runs]
-    yield [each.way_m for each in runs]
+    yield [each.distance_m for each in runs]
 
 
 def _of(count: int, runs: Sequence[Outcome]) -> str:
@@ -167,7 +171,7 @@ def _of(count: int, runs: Sequence[Outcome]) -> str:
 
 
 def scene_lines(found: Mapping[tuple[str, str], list[Outcome]]) -> Iterator[str]:
-    """A table for each scene, with a description of the scene."""
+    """The description and the table of each scene."""
     for scene, make in SCENES.items():
         rows = {guard: runs for (where, guard), runs in found.items() if where == scene}
         yield f"## {scene.capitalize()}"
@@ -185,7 +189,7 @@ def scene_lines(found: Mapping[tuple[str, str], list[Outcome]]) -> Iterator[str]
 
 
 def _blind_lines(blind: Mapping[str, Sequence[float]]) -> Iterator[str]:
-    yield "Maximum time from the last message of the lidar to the first reduced command:"
+    yield "The maximum time from the silence of the lidar to the first reduced command:"
     yield ""
     for guard, seconds in blind.items():
         if all(map(math.isfinite, seconds)):
@@ -193,8 +197,8 @@ def _blind_lines(blind: Mapping[str, Sequence[float]]) -> Iterator[str]:
 
 
 def cost_lines(folder: Path) -> Iterator[str]:
-    """The CPU time of nodes."""
-    yield "## CPU time of a scan"
+    """The section about the CPU time of the nodes."""
+    yield "## Cost of a scan"
     yield ""
     lacking = nav2_node.missing()
     if lacking:
@@ -202,7 +206,7 @@ def cost_lines(folder: Path) -> Iterator[str]:
         yield ""
         return
     yield COST.format(period=PERIOD_S, far=FAR_M, seconds=COST_S, machine=processor())
-    yield "| node | no messages | clock, commands, odometry | with a scan as well |"
+    yield "| node | idle | clock, commands, odometry | clock, commands, odometry, scan |"
     yield "|---|---|---|---|"
     makers: list[Callable[[], rules_node.Node | nav2_node.Node]] = [
         partial(nav2_node.Node, each, folder / "nav2_cost", is_checked=False) for each in ALL
@@ -222,7 +226,7 @@ def cost_lines(folder: Path) -> Iterator[str]:
 
 
 def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scans: bool) -> float:
-    """The CPU time of a node in the period of a scan."""
+    """The CPU time of a node in the period of one scan (s)."""
     far = np.full(BEAMS, FAR_M, dtype=np.float32)
     command = Command(SPEED, 0.0)
     node.lockstep.begin()
@@ -241,22 +245,23 @@ def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scan
 
 
 def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[str]:
-    """The section on the quality of the model."""
+    """The section about the model of the node."""
     yield "## Node and model"
     yield ""
     if lacking:
-        yield f"The node did not run here ({lacking}). The figures come from a model of the node,"
-        yield "`benchmarks/nav2_model.py`, which lists its sources."
+        yield f"The node did not run on this machine ({lacking}). The figures are from the model"
+        yield "`benchmarks/nav2_model.py`, whose docstring names its sources."
         return
     runs, same = sum(each.runs for each in found), sum(each.same for each in found)
-    yield "The figures come from the real node. A model, `benchmarks/nav2_model.py`, drives the same"
-    yield f"runs: in {same} of {runs} runs all columns are equal."
+    yield "The figures are from the node. A model of the node, `benchmarks/nav2_model.py`, drives"
+    yield f"the same runs. In {same} of {runs} runs, the model has the same figures in all columns."
 
 
 def lines(folder: Path) -> Iterator[str]:
     """The lines of the page."""
     lacking = nav2_node.missing()
-    how = "is a model of the node" if lacking else f"{nav2_node.version()} is the real node"
+    version = "" if lacking else nav2_node.version()
+    how = "a model of the node" if lacking else f"the node itself, version {version}"
     guards = GUARDS.format(how=how, latency=LATENCY_S, stop=STOP_M)
     yield PREFACE.format(
         runs=RUNS,
@@ -288,7 +293,7 @@ def lines(folder: Path) -> Iterator[str]:
 
 
 def main() -> None:
-    """Drive, and write the page."""
+    """Drive the course and write the page."""
     out = written_page(__doc__)
     text = "\n".join(lines(FOLDER)) + "\n"
     out.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Measure the start of the command line, and the parsing and checking of 100 rules.
+"""Measure the import of the command line, and the parsing and the check of 100 rules.
 
 `queries.py` measures the queries about rules.
 """
@@ -38,26 +38,27 @@ def lines(folder: Path) -> Iterator[str]:
     """The table of the compiler."""
     rules = folder / "hundred.ross"
     text = rossmarie_rules(34).splitlines()
-    # 34 copies of three rules, less the last two: one hundred.
+    # 34 copies of three rules without the last two rules are one hundred rules.
     rules.write_text("\n".join(text[:-2]) + "\n", encoding="utf-8")
     messages = Path(__file__).parent / "msg"
-    yield "## The compiler"
+    yield "## Compiler"
     yield ""
-    yield "| | CPU seconds | to reach |"
+    yield "| | CPU seconds | target |"
     yield "|---|---|---|"
-    yield f"| import of the command line | {_median(IMPORT):.2f} | under 0.3 |"
+    yield f"| import of the command-line module | {_median(IMPORT):.2f} | under 0.3 |"
     checked = _median(CHECK, str(rules), str(messages))
-    yield f"| names, types and units of 100 rules, after import | {checked:.2f} | under 0.5 |"
+    about = "check of names, types and units of 100 rules, after the import"
+    yield f"| {about} | {checked:.2f} | under 0.5 |"
     yield ""
-    queries = "[the cost of queries](performance-queries.md)"
-    yield f"`rossmarie check` also asks queries: {queries}."
+    queries = "[cost of queries](performance-queries.md)"
+    yield f"`rossmarie check` also runs queries; see {queries}."
     yield ""
-    operators = "[the cost of operators](performance-operators.md)"
-    yield f"A rule with each operator by itself: {operators}."
+    operators = "[cost of operators](performance-operators.md)"
+    yield f"For rules with a single operator, see {operators}."
 
 
 def _median(program: str, *arguments: str) -> float:
-    """The median of what a program, each time in a new process, prints."""
+    """The median of the numbers that a program prints; each round is a new process."""
     seconds = []
     for _ in range(ROUNDS):
         command = [sys.executable, "-c", program, *arguments]

@@ -2,8 +2,8 @@
 change each of its commands.
 
 A guard is a function of the last scan, the last odometry, the command of the planner and the
-instant; it gives the command that the base gets. Everything is seeded: the same guard gives the
-same figures.
+instant. It returns the command for the base. All random numbers are seeded, so a guard always has
+the same figures.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 
 TICK_S = 0.01
 ODOMETRY_TICKS, COMMAND_TICKS, SCAN_TICKS = 2, 5, 10
-"""Odometry comes at 50 Hz, commands at 20 Hz (as those of Nav2), scans at 10 Hz."""
+"""Odometry has 50 Hz, commands have 20 Hz (as in Nav2), and scans have 10 Hz."""
 
 DELAY_TICKS = 5
 """A scan arrives 50 ms after its stamp: half a turn of the lidar."""
@@ -39,10 +39,12 @@ TURNING = 2.0
 """The angular acceleration of the base (rad/s^2)."""
 
 NEAR_M = SPEED**2 / (2 * BRAKING) + SPEED * 1.0
-"""A stop is right if something is so near ahead: the way of braking, and of one second."""
+"""A stop is right if an obstacle ahead is closer than this: the braking distance, plus the distance
+of one second.
+"""
 
 SILENCE_S = 0.2
-"""A stop is right as well if no scan has come for so long: two are missing."""
+"""A stop is also right if no scan has arrived for this time: two scans are missing."""
 
 NS = 1_000_000_000
 
@@ -80,16 +82,16 @@ Guard = Callable[["Scan | None", Odometry, Command, int], Command]
 
 
 def unguarded(scan: Scan | None, odometry: Odometry, command: Command, at_ns: int) -> Command:  # noqa: ARG001
-    """No guard at all."""
+    """A guard that changes no command."""
     return command
 
 
 @dataclass(frozen=True)
 class Contender:
-    """A guard by its name. `start` begins anew for each run.
+    """A guard with its name. `start` makes a new guard for each run.
 
-    `cpu_ns` of the guard that it gives, if there is one, is the CPU time that it has used so far;
-    else the time of its calls counts.
+    If a guard has the method `cpu_ns`, the method returns the CPU time of the guard so far.
+    Otherwise the CPU time of the calls counts.
     """
 
     name: str
@@ -110,22 +112,22 @@ class Outcome:
     """
     least_gap_m: float
     contact_speed: float
-    """Above 0 where the base drove into something (m/s)."""
+    """The speed at which the base drove into an obstacle (m/s); 0 without a collision."""
     stops: int
     false_stops: int
     falsely_slow_s: float
-    way_m: float
+    distance_m: float
     is_at_goal: bool
     cpu_ns_of_scan: float
 
 
 def random_of(scene: str, seed: int) -> np.random.Generator:
-    """The numbers of one run of a scene."""
+    """The random numbers of one run of a scene."""
     return np.random.default_rng([list(SCENES).index(scene), seed])
 
 
 def run(scene: str, contender: Contender, seed: int) -> Outcome:
-    """Drive one scene once."""
+    """Drive a scene once."""
     with contender.start() as guard:
         drive = _Drive(scene, guard, seed)
         drive.run()
@@ -144,13 +146,13 @@ def _latest_instant_s(scene: str, seed: int) -> float:
 
 @dataclass
 class _Base:
-    """The base: its brakes and its drive change its speed, towards that of the command."""
+    """The base. Its brakes and its drive change its speed towards the speed of the command."""
 
     pose: Pose
     moving: Command = Command(0.0, 0.0)
 
     def move(self, command: Command) -> None:
-        """One tick."""
+        """Move for one tick."""
         before = self.moving
         change = command.linear - before.linear
         is_slower = change * before.linear < 0.0
@@ -160,16 +162,16 @@ class _Base:
         angular = before.angular + max(-most, min(most, command.angular - before.angular))
         pose = self.pose
         heading = pose.heading + angular * TICK_S
-        way = linear * TICK_S
+        distance = linear * TICK_S
         self.pose = Pose(
-            pose.x + way * math.cos(heading), pose.y + way * math.sin(heading), heading
+            pose.x + distance * math.cos(heading), pose.y + distance * math.sin(heading), heading
         )
         self.moving = Command(linear, angular)
 
 
 @dataclass
 class _Lidar:
-    """Scans, as late as they arrive."""
+    """The lidar; its scans arrive with a delay."""
 
     scene: Scene
     random: np.random.Generator
@@ -179,7 +181,7 @@ class _Lidar:
     count: int = 0
 
     def look(self, tick: int, around: Around) -> None:
-        """A scan of this instant, if one is due."""
+        """Take a scan at this instant, if a scan is due."""
         if tick % SCAN_TICKS != self.phase or tick * TICK_S >= self.scene.silent_from_s:
             return
         found = ranges(around, self.angles) + self.random.normal(0.0, NOISE, BEAMS)
@@ -189,7 +191,7 @@ class _Lidar:
         self.count += 1
 
     def arrived(self, tick: int, last: Scan | None) -> Scan | None:
-        """The scan that is the last one at this instant."""
+        """The last scan that has arrived at this instant."""
         while self.coming and self.coming[0].stamp_ns <= (tick - DELAY_TICKS) * TICK_S * NS:
             last = self.coming.pop(0)
         return last
@@ -206,14 +208,14 @@ class _Drive:
         self.lidar = _Lidar(self.scene, random, int(random.integers(SCAN_TICKS)))
         self.latest_s = self.first_reduced_s = math.nan
         self.least_gap_m = math.inf
-        self.contact_speed = self.way_m = self.falsely_slow_s = 0.0
+        self.contact_speed = self.distance_m = self.falsely_slow_s = 0.0
         self.stops = self.false_stops = 0
         self.cpu_ns = 0
         self.command = self.wanted = Command(0.0, 0.0)
         self._is_stopped = False
 
     def run(self) -> None:
-        """All of it, or until the base drives into something."""
+        """Drive to the end of the scene, or until the base drives into an obstacle."""
         scan: Scan | None = None
         odometry = Odometry(0, self.base.pose, self.base.moving)
         own_clock: Callable[[], int] | None = getattr(self.guard, "cpu_ns", None)
@@ -244,7 +246,7 @@ class _Drive:
             stops=self.stops,
             false_stops=self.false_stops,
             falsely_slow_s=self.falsely_slow_s,
-            way_m=self.way_m,
+            distance_m=self.distance_m,
             is_at_goal=pose.x > self.scene.goal_m - 0.02,
             cpu_ns_of_scan=self.cpu_ns / max(1, self.lidar.count),
         )
@@ -254,8 +256,8 @@ class _Drive:
         return seen_from(pose, self.scene.walls, self.scene.people_at(tick * TICK_S, pose))
 
     def _touches(self, around: Around) -> bool:
-        """Say whether the base drives into something: it ends there. Who runs into a base that
-        stands has to go around it.
+        """Say whether the base drives into an obstacle, which ends the drive. A person who walks
+        into a base at rest is no collision.
         """
         found = gap(around, OUTLINE)
         self.least_gap_m = min(self.least_gap_m, found)
@@ -272,7 +274,9 @@ class _Drive:
             self._judge(now_ns / NS, free_m)
 
     def _judge(self, now_s: float, free_m: float) -> None:
-        """Is the command reduced, and is that right? Before the first scan every guard may wait."""
+        """Judge if the command is reduced, and if this is right. Every guard may wait until the
+        first scan.
+        """
         wanted, given = self.wanted.linear, self.command.linear
         is_blind = now_s >= self.scene.silent_from_s + SILENCE_S
         is_right = (free_m < NEAR_M or is_blind) and not self.scene.is_passable
@@ -293,11 +297,11 @@ class _Drive:
         if math.isnan(self.latest_s) and speed > 0.0 and free_m <= speed**2 / (2 * BRAKING):
             self.latest_s = tick * TICK_S
         self.base.move(self.command)
-        self.way_m += abs(self.base.moving.linear) * TICK_S
+        self.distance_m += abs(self.base.moving.linear) * TICK_S
 
 
 def planned(scene: Scene, pose: Pose) -> Command:
-    """The command of a planner that knows nothing of walls and people."""
+    """The command of a planner that knows nothing about walls and people."""
     rest = scene.goal_m - pose.x
     if rest <= 0.005:
         return Command(0.0, 0.0)
@@ -308,5 +312,5 @@ def planned(scene: Scene, pose: Pose) -> Command:
 
 
 def outcomes(contender: Contender, scene: str, runs: int) -> Iterator[Outcome]:
-    """Those of some runs of a scene."""
+    """The outcomes of some runs of a scene."""
     return (run(scene, contender, seed) for seed in range(runs))

@@ -1,7 +1,8 @@
-"""A node of ROS 2 as a guard on the course, in lockstep: the clock and what is new are published,
-then the command, and the next tick of the course waits for the answer. So the node sees simulated
-time, and however slow the machine is, no message is too late. To count what a node costs, the
-course waits as well until as much time is over in the world.
+"""A ROS 2 node as a guard on the course, in lockstep.
+
+The course publishes the clock and the new messages, then the command, and waits for the answer
+before the next tick. The node sees simulated time, so no message is late on a slow machine. To
+measure the CPU time of a node, the course also waits for the real time.
 """
 
 from __future__ import annotations
@@ -20,30 +21,31 @@ from support import ros2_live
 
 UNHEARD_S = 0.5
 APART_NS = 100 * NS
-"""Between two runs: so everything of the one before is too old."""
+"""The simulated time between two runs. Messages of the run before are then too old."""
 
 
 def missing() -> str | None:
-    """The part that it lacks; None if it has all."""
+    """The missing part; None if no part is missing."""
     lacking = ros2_live.missing()
     if lacking:
         return f"ROS 2 is {lacking}"
-    return None if importlib.util.find_spec("rclpy") else "rclpy is of another Python"
+    return None if importlib.util.find_spec("rclpy") else "rclpy belongs to another Python"
 
 
 def kinds(package: str) -> Any:
-    """The messages of a package."""
+    """The module with the messages of a package."""
     return importlib.import_module(f"{package}.msg")
 
 
 class Lockstep:
-    """The other side of all topics of a node."""
+    """The other end of all topics of a node."""
 
     def __init__(
         self, domain: int, command: str, heard: Mapping[str, Any], *, is_paced: bool
     ) -> None:
-        """`command` is the topic for the planner; `heard` are topics on which the node answers each
-        command, and their types; /cmd_vel is always one. `is_paced`: no faster than the world.
+        """`command` is the topic of the planner. `heard` has the topics on which the node answers
+        each command, with their types; /cmd_vel is always included. `is_paced`: not faster than
+        real time.
         """
         self._is_paced = is_paced
         self._began_s = 0.0
@@ -69,15 +71,15 @@ class Lockstep:
         self._begin_ns = APART_NS
 
     def begin(self) -> None:
-        """Another run, later."""
+        """Begin another run, later."""
         self._begin_ns += APART_NS
 
     def at(self, at_ns: int) -> int:
-        """The time of the node at an instant of the run."""
+        """The time of the node at an instant of the run (ns)."""
         return self._begin_ns + at_ns
 
     def tell(self, at_ns: int, scan: Scan | None, odometry: Odometry | None) -> None:
-        """The time, and what is new."""
+        """Publish the time and the new messages."""
         if at_ns == 0:
             self._began_s = time.monotonic()
         if self._is_paced:
@@ -103,7 +105,7 @@ class Lockstep:
         return Command(answer.linear.x, answer.angular.z)
 
     def end(self) -> None:
-        """No more runs."""
+        """End the node of the course."""
         self._executor.shutdown()
         self._node.destroy_node()
         self._context.try_shutdown()
@@ -134,5 +136,5 @@ class Lockstep:
 
 
 def cpu_ns(process: int) -> int:
-    """The CPU time that a process has used."""
+    """The CPU time of a process so far (ns)."""
     return time.clock_gettime_ns((~process << 3) | 2)  # the clock of a process, on Linux

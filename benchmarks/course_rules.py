@@ -1,4 +1,4 @@
-"""Rules of ROSSMARie as guards on the course: a rules file on guard as its generated nodes are."""
+"""Rules of ROSSMARie as guards on the course. A rules file acts like its generated node."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rossmarie.ir import Machine
 
 @dataclass(frozen=True)
 class Rules:
-    """A rules file for the base of the course: /scan, /odom and /cmd_vel are its topics."""
+    """A rules file for the base of the course, with the topics /scan, /odom and /cmd_vel."""
 
     name: str
     text: str
@@ -35,7 +35,7 @@ class Rules:
         return compile_file(path).machine
 
     def contender(self, folder: Path) -> Contender:
-        """These rules as a guard on the course; the folder is for their file."""
+        """These rules as a guard on the course. `folder` holds the rules file."""
         machine = self.machine(folder)
 
         @contextmanager
@@ -57,13 +57,13 @@ rule near: if min(ranges) < {HALF_LENGTH + STOP_M:.2f} m then {{ stop; }};
 rule close: if min(ranges) < {HALF_LENGTH + 2 * STOP_M:.2f} m then {{ slow; }};
 """,
 )
-"""Distances from the lidar, in all directions: as far ahead as the zones of Nav2 reach."""
+"""Distances from the lidar in all directions. Ahead, the distances equal the zones of Nav2."""
 
 GUARDS = Path(__file__).parent / "guards"
 
 
 def _of_file(name: str, file: str, **numbers: str) -> Rules:
-    """The rules of a file for the base of the course, with the numbers of the settings of Nav2."""
+    """The rules of a file, with the outline of the base and the numbers of the settings of Nav2."""
     outline = {"front": f"{HALF_LENGTH} m", "side": f"{HALF_WIDTH} m"}
     values = ", ".join(f"{key} = {value}" for key, value in {**outline, **numbers}.items())
     return Rules(f"rules: {name}", f'import "{GUARDS / file}" with {values};\n')
@@ -80,11 +80,11 @@ STOPPING = _of_file(
 )
 
 ALL = (ZONES, APPROACH, STOPPING, RANGES)
-"""The first two say what the settings of Nav2 say; the last has no geometry."""
+"""The first two rules files mean the same as the settings of Nav2; the last has no geometry."""
 
 
 class _OnGuard:
-    """The rules, in one run. Its CPU time is that of the guard, without the making of messages."""
+    """The rules in one run. The CPU time excludes the construction of messages."""
 
     def __init__(self, machine: Machine) -> None:
         carrier = InProcess()
@@ -97,13 +97,13 @@ class _OnGuard:
         self._last: Scan | None = None
 
     def cpu_ns(self) -> int:
-        """The CPU time of the guard so far."""
+        """The CPU time of the guard so far (ns)."""
         return self._cpu_ns
 
     def __call__(
         self, scan: Scan | None, odometry: Odometry, command: Command, at_ns: int
     ) -> Command:
-        """The command that the rules let through."""
+        """The command after the rules."""
         self._now_ns = at_ns
         heard = [(self._odometry, _odometry(odometry))]
         if scan is not None and scan is not self._last:

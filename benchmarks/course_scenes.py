@@ -1,4 +1,4 @@
-"""The scenes of the course: obstacles, people, and the goal of the planner."""
+"""The scenes of the course: the walls, the people, and the goal of the planner."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ from course_shapes import Outline, Pose, Round, Wall
 
 HALF_LENGTH, HALF_WIDTH = 0.25, 0.2
 OUTLINE = Outline(HALF_LENGTH, HALF_WIDTH)
-"""The outline of the base (m), whose middle is the origin of its frame."""
+"""The outline of the base (m). Its center is the origin of the frame of the base."""
 
 SPEED, BRAKING, GAINING = 0.8, 1.2, 0.8
-"""The speed of the planner (m/s), and the accelerations of the brakes and of the drive (m/s^2)."""
+"""The speed of the planner on free ground (m/s), and the limits of the brakes and of
+the drive (m/s^2).
+"""
 
 PERSON_M = 0.25
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -23,13 +25,13 @@ SECONDS_TO_SPEED, METERS_TO_SPEED = SPEED / GAINING, SPEED**2 / (2 * GAINING)
 
 @dataclass(frozen=True)
 class Person:
-    """A person, or another round thing, on a straight path."""
+    """A person, or another round obstacle, on a straight path."""
 
     start: tuple[float, float]
     velocity: tuple[float, float]
     begins_s: float
     stays_s: tuple[float, float] = (math.inf, math.inf)
-    """The times at which the person stops and walks on (s)."""
+    """The person stands still between these instants."""
 
     def at(self, time_s: float, pose: Pose) -> tuple[float, float]:  # noqa: ARG002
         """The position at an instant."""
@@ -53,22 +55,22 @@ class Follower:
 
 @dataclass(frozen=True)
 class Scene:
-    """One scene, with the numbers of one run."""
+    """A scene with the random numbers of one run."""
 
     walls: tuple[Wall, ...] = ()
     people: tuple[Person | Follower, ...] = ()
     start: Pose = ORIGIN
     goal_m: float = 20.0
-    """The planner stops at this distance; it ignores walls and people."""
+    """The planner stops here. It knows nothing about walls and people."""
     creep_m: float = 0.0
-    """The planner drives this distance before the goal slowly (m)."""
+    """The distance before the goal that the planner drives slowly."""
     seconds: float = 12.0
     is_passable: bool = False
-    """The base can pass everything, so each stop is false."""
+    """True if nothing in the scene requires a stop."""
     no_return: float = math.inf
-    """The reading of a beam that does not return (m)."""
+    """The reading of a beam that does not return."""
     lost_share: float = 0.0
-    """The share of the other beams that have this reading as well."""
+    """The share of the other beams that have this reading, too."""
     silent_from_s: float = math.inf
 
     def people_at(self, time_s: float, pose: Pose) -> list[Round]:
@@ -76,13 +78,13 @@ class Scene:
         return [(*person.at(time_s, pose), PERSON_M) for person in self.people]
 
 
-def arrival_s(way_m: float) -> float:
+def arrival_s(distance_m: float) -> float:
     """The time at which the front of an unhindered base has travelled a distance in m."""
-    return SECONDS_TO_SPEED + (way_m - METERS_TO_SPEED) / SPEED
+    return SECONDS_TO_SPEED + (distance_m - METERS_TO_SPEED) / SPEED
 
 
 def wall_ahead(random: np.random.Generator) -> Scene:
-    """A wall across the path, almost at a right angle to the path."""
+    """A wall stands across the path of the base, at a small angle."""
     x, tilt = random.uniform(4.0, 5.0), random.uniform(-0.5, 0.5)
     return Scene(((x - tilt, -3.0, x + tilt, 3.0),))
 
@@ -98,7 +100,7 @@ def person_crosses(random: np.random.Generator) -> Scene:
 
 
 def person_steps_out(random: np.random.Generator) -> Scene:
-    """A person steps out from behind a wall, stands in the path of the base, and walks on."""
+    """A person steps out from behind a wall, stops in front of the base, and walks on."""
     x, lead = random.uniform(3.5, 4.5), random.uniform(0.6, 0.8)
     pace, begin = 1.4, 1.2
     enters_s = arrival_s(x - PERSON_M - lead - HALF_LENGTH)
@@ -110,7 +112,7 @@ def person_steps_out(random: np.random.Generator) -> Scene:
 
 
 def narrow_corridor(random: np.random.Generator) -> Scene:
-    """A corridor that is little wider than the base. The base enters at a small angle."""
+    """A corridor is slightly wider than the base, and the base enters it at a small angle."""
     half = HALF_WIDTH + 0.15
     sides = [(2.0, side * half, 7.0, side * half) for side in (1, -1)]
     fronts = [(2.0, side * half, 2.0, side * 3.0) for side in (1, -1)]
@@ -119,26 +121,26 @@ def narrow_corridor(random: np.random.Generator) -> Scene:
 
 
 def readings_of_zero(random: np.random.Generator) -> Scene:
-    """A wall ahead. The lidar reports 0 for a beam that does not return."""
+    """A wall stands ahead. The lidar sends 0 if a beam does not return."""
     x = random.uniform(4.0, 5.0)
     return Scene(((x, -3.0, x, 3.0),), no_return=0.0, lost_share=0.05)
 
 
 def silent_lidar(random: np.random.Generator) -> Scene:
-    """A wall ahead. The lidar falls silent while the wall is still outside all zones."""
+    """A wall stands ahead. The lidar falls silent while the wall is still beyond all zones."""
     x = random.uniform(4.5, 5.0)
     silent_s = arrival_s(x - HALF_LENGTH - random.uniform(1.9, 2.1))
     return Scene(((x, -3.0, x, 3.0),), silent_from_s=silent_s)
 
 
 def someone_behind(random: np.random.Generator) -> Scene:
-    """A person follows the base closely. The path of the base is free."""
+    """A person follows the base closely. Nothing stands in front of the base."""
     follower = Follower(random.uniform(0.2, 0.3))
     return Scene(people=(follower,), goal_m=6.0, seconds=12.0, is_passable=True)
 
 
 def docking_station(random: np.random.Generator) -> Scene:
-    """The base docks: it drives slowly into a station until it almost touches the station."""
+    """The base docks: it drives slowly until it nearly touches the docking station."""
     x, half = random.uniform(3.0, 3.5), HALF_WIDTH + 0.08
     face = [(x, -half, x, half)]
     sides = [(x - 0.35, side * half, x, side * half) for side in (1, -1)]
@@ -156,4 +158,4 @@ SCENES: Mapping[str, Callable[[np.random.Generator], Scene]] = {
     "someone behind": someone_behind,
     "docking station": docking_station,
 }
-"""Each scene by its name; the generator gives the numbers of one run."""
+"""The scenes by their names. The generator yields the random numbers of one run."""

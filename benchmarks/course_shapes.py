@@ -1,6 +1,7 @@
-"""Walls and people of a course, as a base has them around itself: distances, and scans of them.
+"""Walls and people of a course in the frame of the base: distances and scans.
 
-The outline of the base is a box along its axes, with the middle of the base as origin. All in m.
+The outline of the base is a box along its axes; the origin is the center of the base. All lengths
+are in m.
 """
 
 from __future__ import annotations
@@ -15,18 +16,18 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
 Box = tuple[Point, Point]
-"""The least and the greatest x, and the least and the greatest y."""
+"""The minimum and the maximum of x, and the minimum and the maximum of y."""
 
 Wall = tuple[float, float, float, float]
-"""A line segment: x, y of its start, x, y of its end."""
+"""A line segment: x and y of its start, x and y of its end."""
 
 Round = tuple[float, float, float]
-"""A middle, x and y, and a radius."""
+"""A circle: x and y of its center, and its radius."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """The place of a base in the world (m), and where it looks (rad)."""
+    """The position of a base in the world (m), and its heading (rad)."""
 
     x: float
     y: float
@@ -35,7 +36,7 @@ class Pose:
 
 @dataclass(frozen=True)
 class Outline:
-    """A box around the base."""
+    """The outline of the base (m)."""
 
     half_length: float
     half_width: float
@@ -62,14 +63,14 @@ def seen_from(pose: Pose, walls: Sequence[Wall], people: Sequence[Round]) -> Aro
 
 
 def gap(around: Around, outline: Outline) -> float:
-    """The distance between the outline and the closest thing; 0 where they touch."""
+    """The distance between the outline and the closest obstacle (m); 0 if they touch."""
     found = [_to_box(x, y, outline) - radius for x, y, radius in around.people]
     found += [_to_wall(wall, outline) for wall in around.walls]
     return max(0.0, min(found, default=math.inf))
 
 
 def gap_ahead(around: Around, outline: Outline) -> float:
-    """The way that is free in front of the base, if it drives straight on."""
+    """The free distance in front of the base if it drives straight on (m)."""
     found = [math.inf, *_ahead(around, outline)]
     return max(0.0, min(found) - outline.half_length)
 
@@ -108,7 +109,7 @@ def _to_point(wall: Wall, x: float, y: float) -> float:
 
 
 def _inside(wall: Wall, box: Box) -> tuple[float, float] | None:
-    """The part of a wall, in shares of it, that is in a box."""
+    """The part of a wall that is in a box, as shares of the wall from 0 to 1."""
     enters, leaves = 0.0, 1.0
     for start, end, (low, high) in zip(wall[:2], wall[2:], box, strict=True):
         along = end - start
@@ -122,7 +123,7 @@ def _inside(wall: Wall, box: Box) -> tuple[float, float] | None:
 
 
 def ranges(around: Around, angles: Floats) -> Floats:
-    """The distance to the first thing along each beam in m; infinite if there is none."""
+    """The distance to the first obstacle along each beam (m); infinite if there is no obstacle."""
     beam_x, beam_y = np.cos(angles), np.sin(angles)
     found = np.full(len(angles), math.inf)
     for x, y, end_x, end_y in around.walls:

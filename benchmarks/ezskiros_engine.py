@@ -1,10 +1,10 @@
-"""Runs a tree of primitives that do nothing, in a process of its own:
-`ezskiros_engine.py ENGINE TREE NODES`.
+"""Run a tree of primitives that do nothing, in a separate process.
 
-ENGINE is `ezskiros`, or `py_trees`: behaviors that do nothing, in the composites of py_trees, with
-no skills, no parameters and no conditions around them. TREE is one of `TREES`. Prints a line of
-JSON: the CPU time of the first tick with the building of the tree, and that of a later one (the
-median). `expandBT` has been run before, by the check.
+Usage: `ezskiros_engine.py ENGINE TREE NODES`. ENGINE is `ezskiros` or `py_trees`. `py_trees` runs
+behaviors that do nothing, in composites of py_trees, without skills, parameters and conditions.
+TREE is a key of `TREES`. The program prints a line of JSON: the CPU time of the first tick,
+including the construction of the tree, and the median of the later ticks (s). The check has already
+run `expandBT`.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ TREES = {
     "serialstar": ("serialstar", "step"),
     "nested": ("serial", "step"),
 }
-"""The processor, and what its children say: that they run, or that they have succeeded."""
+"""The processor, and the method that its children call: to go on running, or to succeed."""
 
 
 def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
-    """A function for the first tick, and each later one."""
+    """The function that makes a tick; the first call also constructs the tree."""
     from ezskiros import SkillDescription
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
@@ -42,7 +42,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
 
     class Leaf(SkillDescription):
         def description(self, Number: int) -> None:  # noqa: N803
-            """Nothing is said of it."""
+            """Declare no conditions."""
 
     class leaf(Leaf.SkillBase):  # noqa: N801
         def execute(self) -> object:
@@ -50,7 +50,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
 
     class Whole(SkillDescription):
         def description(self) -> None:
-            """Nothing is said of it."""
+            """Declare no conditions."""
 
     class whole(Whole.SkillBase):  # noqa: N801
         def expandBT(self, _params: object) -> None:  # noqa: N802
@@ -62,7 +62,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
             for _ in range(nodes):
                 node = grow(node)
 
-    # Modules have what they define; here it is not found otherwise.
+    # The classes have to be in the module, as in files of skills.
     globals().update({each.__name__: each for each in (leaf, whole)})
     library = Library({})
     trees = list(expand(whole, library.skill(Whole)))  # `ezskiros run` checks before it runs
@@ -79,7 +79,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
 
 
 def with_py_trees(tree: str, nodes: int) -> Callable[[], object]:
-    """A function for the first tick, and each later one."""
+    """The function that makes a tick; the first call also constructs the tree."""
     from py_trees import composites
     from py_trees.behaviour import Behaviour
     from py_trees.common import ParallelPolicy, Status
@@ -117,16 +117,16 @@ def with_py_trees(tree: str, nodes: int) -> Callable[[], object]:
 
 
 def main() -> None:
-    """Measure, and print."""
+    """Measure and print."""
     engine, tree, nodes = sys.argv[1], sys.argv[2], int(sys.argv[3])
     make = with_ezskiros if engine == "ezskiros" else with_py_trees
     tick = make(tree, nodes)
     if engine != "ezskiros":
-        sys.setrecursionlimit(20_000)  # ours raises it where it ticks
+        sys.setrecursionlimit(20_000)  # EzSkiROS raises the limit itself
     times = []
     for _ in range(TICKS):
-        # Of the thread: a limit on the time of the process, which descriptions have, makes the
-        # clock of the process as coarse as the scheduler's for a while.
+        # This is the time of the thread. Descriptions have a limit on the time of the process, and
+        # for a while the limit makes the clock of the process as coarse as the scheduler.
         start = time.thread_time()
         state = tick()
         times.append(time.thread_time() - start)

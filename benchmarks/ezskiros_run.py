@@ -1,7 +1,8 @@
-"""`make bench`, its second half: measure EzSkiROS in one run and write the page.
+"""Measure EzSkiROS in one run and write the page (the second half of `make bench`).
 
-CPU time of processes that do one thing each, in turn, medians over the rounds. Libraries that load
-ontologies are asked for the same: that their answers agree is part of the run.
+The figures are CPU times. Each process measures one thing, the processes run in turn, and each
+figure is the median of the rounds. All libraries that load ontologies have to find the same
+superclasses; the run compares the results.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def measured(command: Sequence[object], environment: Mapping[str, str]) -> Measu
 def in_turn(
     commands: Mapping[str, Sequence[object]], environment: Mapping[str, str]
 ) -> dict[str, Measured]:
-    """Each program once a round; medians of what they say."""
+    """Run each program once per round; the medians of the figures that the programs print."""
     found: dict[str, list[Measured]] = {name: [] for name in commands}
     for _ in range(ROUNDS):
         for name, command in commands.items():
@@ -70,7 +71,7 @@ def in_turn(
 
 
 def loaded(files: Sequence[Path]) -> dict[str, Measured]:
-    """The files of an ontology, by all libraries that are there."""
+    """The figures of all installed libraries for the files of an ontology."""
     there = {name: each for name, each in LIBRARIES.items() if Path(each[0]).exists()}
     commands = {
         name: (python, HERE / "ontology_loading.py", library, *files)
@@ -79,7 +80,10 @@ def loaded(files: Sequence[Path]) -> dict[str, Measured]:
     return in_turn(commands, {})
 
 
-COLUMNS = "| load, ms | ratio | ask, ms | import, ms | MiB | classes | above them |"
+COLUMNS = (
+    "| load, ms | ratio | find superclasses, ms | import, ms | memory, MiB "
+    "| classes | superclasses |"
+)
 RULE = "---|---|---|---|---|---|---|---|"
 
 
@@ -105,11 +109,14 @@ def own_ontology() -> Iterator[str]:
     yield ""
     files = sorted(SHARED.glob("*.owl"))
     if not files:
-        print("bench: SkiROS2's ontology is left out: there is no ../shared/ontologies")
-        yield "Left out: there is no `../shared/ontologies`."
+        print(
+            "bench: SkiROS2's ontology is not measured: the folder ../shared/ontologies is missing"
+        )
+        yield "Not measured: the folder `../shared/ontologies` is missing."
         return
     found = loaded(files)
-    yield f"The {len(files)} files of the released one. To reach: loaded by us in under 100 ms."
+    yield f"The released ontology has {len(files)} files. The target for EzSkiROS is to load them"
+    yield "in less than 100 ms."
     yield ""
     yield f"| {COLUMNS}"
     yield f"|{RULE}"
@@ -125,7 +132,7 @@ def growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
     for path, size in sizes.items():
         found = loaded([path])
         answers = {(each["classes"], each["above"]) for each in found.values()}
-        assert len(answers) == 1, f"the libraries do not agree on {path}: {answers}"
+        assert len(answers) == 1, f"the libraries do not agree about {path}: {answers}"
         yield from loading_rows(found, f"{size.triples:,} | ")
 
 
@@ -138,16 +145,16 @@ def checked(folder: Path, ontology: Path) -> Measured:
 def thousand(ontology: Path) -> Iterator[str]:
     """The table of many skills."""
     folders = {"in 100 files": FOLDER / "right", "in 1,000 files": FOLDER / "single"}
-    folders["in 100 files, with a misspelt relation in each"] = FOLDER / "mistaken"
+    folders["in 100 files, with a misspelt relation in each description"] = FOLDER / "mistaken"
     write_skills(FOLDER / "right", 100, 10)
     write_skills(FOLDER / "single", 1_000, 1)
     write_skills(FOLDER / "mistaken", 100, 10, with_mistakes=True)
-    yield "## 1,000 descriptions"
+    yield "## Check of 1,000 descriptions"
     yield ""
-    yield "Of 10 parameters and 10 conditions each. To load the ontology (1,000 triples) is"
-    yield "counted, to import EzSkiROS is not."
+    yield "Each description has 10 parameters and 10 conditions. The times include the loading of"
+    yield "the ontology (1,000 triples), but not the import of EzSkiROS."
     yield ""
-    yield "| | CPU seconds | to reach | compared with Python's `compile` of the files | findings |"
+    yield "| | CPU seconds | target | ratio to Python's `compile` of the files | findings |"
     yield "|---|---|---|---|---|"
     for name, folder in folders.items():
         found = checked(folder, ontology)
@@ -156,17 +163,17 @@ def thousand(ontology: Path) -> Iterator[str]:
         wanted = "under 2" if folder.name == "right" else ""
         ratio, findings = took / found["compile"], found["findings"]
         yield f"| {name} | {took:.2f} | {wanted} | {ratio:.1f} | {findings:,.0f} |"
-    yield f"| import of the command line | {found['import']:.2f} | | | |"
+    yield f"| import of the command-line module | {found['import']:.2f} | | | |"
 
 
 def checks_of_growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
-    """The table of the same skills with ever more ontology."""
+    """The table of the same skills with larger and larger ontologies."""
     folders = (FOLDER / "hundred", FOLDER / "hundred_mistaken")
     for folder in folders:
         write_skills(folder, 10, 10, with_mistakes=folder.name.endswith("mistaken"))
-    yield "The same 100 skills with each of them, loaded already:"
+    yield "The time to check the same 100 skills with each ontology, without the loading:"
     yield ""
-    yield "| triples | check, ms | with a misspelt relation in each, ms |"
+    yield "| triples | check, ms | check with a misspelt relation in each skill, ms |"
     yield "|---|---|---|"
     for path, size in sizes.items():
         cells = [f"{checked(folder, path)['check'] * 1000:,.0f}" for folder in folders]
@@ -174,10 +181,10 @@ def checks_of_growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
 
 
 TREES = {
-    "parallel": "ParallelFf, all run",
-    "serial": "Serial, all succeed",
-    "serialstar": "SerialStar, the first one runs",
-    "nested": "Serial in Serial, as deep as that",
+    "parallel": "ParallelFf, all children running",
+    "serial": "Serial, all children succeed",
+    "serialstar": "SerialStar, first child running",
+    "nested": "Serial in Serial, one node per level",
 }
 SKIROS2 = {
     ("parallel", 10): (7, 0.65),
@@ -192,22 +199,22 @@ SKIROS2 = {
     ("nested", 10): (4, 0.13),
     ("nested", 100): (21, 1.0),
 }
-"""Milliseconds of the first tick and of a later one."""
-TO_REACH = {("parallel", 1000): (None, 7), ("serial", 1000): (40, None)}
-ENGINE = """## Trees that run
+"""The milliseconds of the first tick and of a later tick."""
+TARGETS = {("parallel", 1000): (None, 7), ("serial", 1000): (40, None)}
+ENGINE = """## Execution of behavior trees
 
-Of primitives that do nothing, in ms: *first* is the first tick, with the building of the tree,
-*next* a later one. *py_trees* are behaviors that do nothing in the composites of py_trees alone,
-without skills, parameters and conditions: the floor. *SkiROS2* was measured once, in its own core
-without ROS (master, c4438e7, Python 3.11) on another machine; with 300 levels it ends with a
-RecursionError.
+All times are in ms, and the primitives do nothing. The first tick includes the construction of the
+tree; *later* is the median of the later ticks. The columns *py_trees* are a reference:
+behaviors that do nothing, in composites of py_trees, without skills, parameters and conditions.
+The columns *SkiROS2* were measured once, on another machine, with the core of SkiROS2 without ROS
+(master, c4438e7, Python 3.11). With 300 levels, SkiROS2 ends with a RecursionError.
 
-| tree | nodes | first | to reach | py_trees | SkiROS2 | next | to reach | py_trees | SkiROS2 |
+| tree | nodes | first tick | target | py_trees | SkiROS2 | later | target | py_trees | SkiROS2 |
 |---|---|---|---|---|---|---|---|---|---|"""
 
 
 def engine() -> Iterator[str]:
-    """The table of trees."""
+    """The table of behavior trees."""
     yield ENGINE
     for tree, called in TREES.items():
         for nodes in (10, 100, 1_000):
@@ -220,7 +227,7 @@ def engine() -> Iterator[str]:
             for index, key in enumerate(("start", "tick")):
                 columns += [
                     f"{found['ezskiros'][key] * 1000:.2f}",
-                    _number(TO_REACH.get((tree, nodes), (None, None))[index], "under "),
+                    _number(TARGETS.get((tree, nodes), (None, None))[index], "under "),
                     f"{found['py_trees'][key] * 1000:.2f}",
                     _number(SKIROS2.get((tree, nodes), (None, None))[index]),
                 ]
@@ -233,20 +240,30 @@ def _number(found: float | None, before: str = "") -> str:
 
 PREFACE = """# Performance of EzSkiROS
 
-Written by `make bench`; do not edit. CPU time of processes that do one thing each, everything in
-one run on one machine, contenders in turn, medians of {rounds} rounds. Absolute figures are those
-of this machine ({machine}); ratios carry over.
+Written by `make bench`; do not edit. All figures are from one run on one machine
+({machine}).
+Each process measures one thing. The contenders run in turn; each figure is the median of {rounds}
+rounds. All times are CPU times. Absolute figures hold for this machine only; ratios carry over to
+other machines.
 
-*load* reads the files; then EzSkiROS has the model that its checks use, rdflib and owlready2 have
-triples. *ratio* compares that with ours. *ask* is for all classes and all that is above each: by
-`rdfs:subClassOf`, and where the library knows of them also by equivalent classes and intersections.
-The ontologies are generated, except SkiROS2's own.
+The tables of ontologies have these columns:
+
+- *load*: the time to read the files. After this time, EzSkiROS has the model that its checks use,
+  but rdflib and owlready2 have triples.
+- *ratio*: the load time relative to the load time of EzSkiROS.
+- *find superclasses*: the time to find all classes and all superclasses of each class. Each library
+  follows `rdfs:subClassOf`; some libraries also follow equivalent classes and intersections.
+- *import*: the time to import the library.
+- *memory*: the peak memory of the process.
+- *superclasses*: the number of superclasses of all classes, including each class itself.
+
+The ontologies are generated, except SkiROS2's own ontology.
 """
 
 
 def main() -> None:
-    """Measure, print and write."""
-    out = written_page("Measure EzSkiROS beside its peers.")
+    """Measure, print and write the page."""
+    out = written_page("Measure EzSkiROS and its peers.")
     FOLDER.mkdir(parents=True, exist_ok=True)
     sizes = {
         path: write_ontology(path, count)

@@ -1,4 +1,4 @@
-"""Our monitor on the workload: the generated C called sample by sample, and from Python."""
+"""The monitor of ROSSMARie on the workload: the generated C called per sample, and from Python."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ void activity(size_t, int64_t *, double *, double *, double *, double *, uint8_t
               uint64_t *);
 """
 
-# One call of the generated update a sample, in a file of its own, so that the compiler cannot look
-# into it. `steps` is timed: with three rules their activity is written and counted, as the
-# hand-written loop does. `activity` counts that of any number of rules, and is not timed.
+# The loop calls the generated update once per sample. The update is in a separate file, so the
+# compiler cannot inline it. `steps` is timed; with three rules, it writes and counts the activity
+# of the rules, as the hand-written loop does. `activity` counts any number of rules, untimed.
 HARNESS = """
 #include <stdlib.h>
 #include <string.h>
@@ -81,7 +81,7 @@ void activity(size_t n, const int64_t *t, const double *speed, const double *pit
 
 
 def machine(folder: Path, copies: int) -> Machine:
-    """The workload compiled by ROSSMarie, from its text."""
+    """The workload, compiled by ROSSMARie."""
     folder.mkdir(parents=True, exist_ok=True)
     rules = folder / f"workload_{3 * copies}.ross"
     rules.write_text(rossmarie_rules(copies), encoding="utf-8")
@@ -90,7 +90,7 @@ def machine(folder: Path, copies: int) -> Machine:
 
 
 class Generated:
-    """The generated update, compiled with `flags` and called once a sample, opaquely."""
+    """The generated update, compiled with `flags` and called once per sample, without inlining."""
 
     def __init__(self, compiled: Machine, folder: Path, flags: list[str]) -> None:
         output = folder / f"{compiled.name}{''.join(flags)}.so"
@@ -101,7 +101,7 @@ class Generated:
         self.library: Any = self.ffi.dlopen(str(output))
 
     def over_columns(self, columns: Columns) -> Round:
-        """The counts are those of `activity`, which is not timed."""
+        """One round over the columns. The counts come from `activity`, which is not timed."""
         from_buffer = self.ffi.from_buffer
         pointers = [from_buffer("int64_t[]", columns["t_ns"])]
         pointers += [from_buffer("double[]", columns[name]) for name in REALS]
@@ -125,7 +125,7 @@ def _write_harness(compiled: Machine, folder: Path) -> Path:
         path = folder / file
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    # The fields of the message, in the order in which the generated function takes them.
+    # The fields of the message, in the order of the parameters of the generated function.
     fields = [str(slot.path[0]) for slot in compiled.slots]
     harness = folder / f"{compiled.name}_steps.c"
     harness.write_text(
@@ -140,7 +140,7 @@ def _write_harness(compiled: Machine, folder: Path) -> Path:
 
 
 def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Round:
-    """Bound numpy columns, run over in chunks; the activity behind every sample comes back."""
+    """Run over bound numpy columns in chunks; the result is the activity after each sample."""
     times = columns["t_ns"]
     values = {name: columns[name] for name in (*REALS, "contact")}
     starts = range(0, len(times), chunk)
@@ -157,12 +157,12 @@ def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Roun
 
 
 def from_python_steps(compiled: Machine, columns: Columns) -> Round:
-    """One call a sample with Python numbers; activity is counted from the events."""
+    """One call per sample with Python numbers. The counts come from the events."""
     return _steps(compiled, columns, lambda: start_monitor(compiled).engine)
 
 
 def python_steps(compiled: Machine, columns: Columns) -> Round:
-    """The same with the generated Python, which runs where there is no C compiler."""
+    """One call per sample of the generated Python, which needs no C compiler."""
     text = source(compiled)
     return _steps(compiled, columns, lambda: PythonMonitor(compiled, text))
 
@@ -186,7 +186,7 @@ def _steps(compiled: Machine, columns: Columns, start: Callable[[], Engine]) -> 
 
 
 def _active_samples(compiled: Machine, events: Sequence[Event], end_ns: int) -> list[int]:
-    """The number of samples for which each rule was active. Here rules change only at samples."""
+    """The number of samples at which each rule was active. Here, rules change only at samples."""
     counts = [0] * len(compiled.rules)
     for event in events:
         if isinstance(event, Verdict):

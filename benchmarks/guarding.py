@@ -1,4 +1,4 @@
-"""Measure a guard of a policy, alone and in a row, and write the tables as a page."""
+"""Measure the guard of a policy, alone and in a batch, and write the table as a page."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ COUNT = 1024
 STEPS = 2_000
 ROUNDS = 25
 STEP_S, ENVIRONMENT_S = 2e-6, 0.2e-6
-"""The budgets: of a step from Python, and of one environment of a row."""
+"""The targets: the time of a step from Python, and the time of one environment of a batch."""
 
 HEAD = """
 system robot { topic /cmd_vel : geometry_msgs/Twist; node planner { publishes /cmd_vel; } }
@@ -31,7 +31,7 @@ LIMIT = {"linear": "m/s", "angular": "rad/s"}
 
 
 def spread(rules: int) -> str:
-    """Every signal comes on a topic of its own, which has a timeout."""
+    """Rules whose signals each have their own topic, with a timeout."""
     inputs = [
         f"input s{n} = topic /s{n} : std_msgs/Float64 in m/s timeout 1 sec;" for n in range(SIGNALS)
     ]
@@ -44,7 +44,7 @@ def spread(rules: int) -> str:
 
 
 def together(rules: int) -> str:
-    """All signals come on one topic."""
+    """Rules whose signals all have the same topic."""
     fields = [FIELDS[n % len(FIELDS)] for n in range(rules)]
     conditions = [
         f"rule r{n}: if odometry.twist.twist.{field} > {1 + n / 1000} "
@@ -56,7 +56,7 @@ def together(rules: int) -> str:
 
 
 def guard_of(rules: str, folder: Path) -> tuple[Guard, int]:
-    """The guard of rules, and how many numbers it observes."""
+    """The guard of some rules, and the number of fields that the guard observes."""
     path = folder / "rules.ross"
     path.write_text(rules, encoding="utf-8")
     monitor = rossmarie.load(path)
@@ -66,7 +66,7 @@ def guard_of(rules: str, folder: Path) -> tuple[Guard, int]:
 
 
 def best(call: Callable[[], None]) -> float:
-    """The least CPU time of some rounds, in seconds."""
+    """The minimum CPU time of the rounds, in seconds."""
 
     def once() -> float:
         start = time.thread_time()
@@ -77,7 +77,7 @@ def best(call: Callable[[], None]) -> float:
 
 
 def seconds_of_step(guard: Guard, size: int, seen: float) -> float:
-    """One step; what is observed changes a little each time, and no rule changes."""
+    """The time of one step (s). The observation changes a little each time, and no rule changes."""
     observations = [np.full(size, seen + 0.001 * n) for n in range(3)]
     action = np.array([0.1, 0.2])
 
@@ -91,7 +91,7 @@ def seconds_of_step(guard: Guard, size: int, seen: float) -> float:
 
 
 def seconds_of_row(guard: Guard, size: int, seen: float) -> float:
-    """One environment of many in a step of all."""
+    """The time of one environment in a step of a batch (s)."""
     batch = guard.batch(COUNT)
     observations = [np.full((COUNT, size), seen + 0.001 * n) for n in range(3)]
     actions = np.full((COUNT, 2), 0.1)
@@ -107,20 +107,20 @@ def seconds_of_row(guard: Guard, size: int, seen: float) -> float:
 
 @dataclass(frozen=True)
 class Row:
-    """Times in seconds: a step while no rule is active, a step while all are, and one environment
-    of a row.
+    """Times in seconds: a step while no rule is active, a step while all rules are active, and one
+    environment of a batch.
     """
 
     rules: int
     size: int
-    what: str
+    topics: str
     calm: float
     active: float
     of_row: float
 
     def __str__(self) -> str:
         return (
-            f"| {self.rules} | {self.size} on {self.what} | {1e6 * self.calm:.2f} µs "
+            f"| {self.rules} | {self.size}, {self.topics} | {1e6 * self.calm:.2f} µs "
             f"| {1e6 * self.active:.2f} µs | {1e6 * self.of_row:.3f} µs "
             f"| {1e9 * self.of_row / self.rules:.2f} ns |"
         )
@@ -128,60 +128,63 @@ class Row:
 
 def rows(folder: Path) -> Iterator[Row]:
     """A row for each number of rules."""
-    for what, text in (("topics of their own", spread), ("one topic", together)):
+    for topics, text in (("each on its own topic", spread), ("all on one topic", together)):
         for rules in (3, 10, 30, 300):
             guard, size = guard_of(text(rules), folder)
             assert guard.kind == "native", guard.reason
             calm, active = (seconds_of_step(guard, size, seen) for seen in (0.5, 2.0))
             of_row = seconds_of_row(guard, size, 0.5)
-            yield Row(rules, size, what, calm, active, of_row)
+            yield Row(rules, size, topics, calm, active, of_row)
 
 
-def kept(found: Sequence[Row]) -> str:
-    """The budgets, and whether they are kept."""
+def targets(found: Sequence[Row]) -> str:
+    """The targets, each with its result."""
     (row,) = [each for each in found if (each.rules, each.size) == (10, SIGNALS)]
     step, environment = max(row.calm, row.active), row.of_row
     return (
-        f"Of 10 rules and {SIGNALS} signals a step may take {1e6 * STEP_S:g} µs, which is "
-        f"{_word(step <= STEP_S)}, and an environment of a row {1e6 * ENVIRONMENT_S:g} µs, which "
-        f"is {_word(environment <= ENVIRONMENT_S)}."
+        f"The targets for 10 rules and {SIGNALS} signals are {1e6 * STEP_S:g} µs per step "
+        f"({_word(step <= STEP_S)}) and {1e6 * ENVIRONMENT_S:g} µs per environment of a batch "
+        f"({_word(environment <= ENVIRONMENT_S)})."
     )
 
 
-def _word(is_kept: bool) -> str:
-    return "kept" if is_kept else "missed"
+def _word(is_met: bool) -> str:
+    return "met" if is_met else "missed"
+
+
+PREFACE = """\
+# Cost of the guard of a policy
+
+Written by `benchmarks/guarding.py`; do not edit. All figures are CPU times of one thread, the
+minimum of {rounds} rounds, on {processor}.
+
+A step is one call of `guard.step` from Python, with numpy arrays as input and output. In the column
+*step*, no rule is active. In the next column, all rules are active and limit the action. A batch
+has {count:,} environments. One call of `batch.step` makes a step of all environments and
+evaluates each rule once per environment. See [speed of the experiments](performance-heron.md) for
+the cost of the guard in a simulated robot.
+"""
+COLUMNS = (
+    "rules",
+    "signals",
+    "step",
+    "step, all rules active",
+    "batch, per environment",
+    "batch, per environment and rule",
+)
 
 
 def page() -> str:
-    """The table."""
+    """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
-    return "\n".join(
-        [
-            "# What a guard of a policy costs",
-            "",
-            "Written by `benchmarks/guarding.py`; do not edit. CPU time of one thread, the least",
-            f"of {ROUNDS} rounds, on {processor()}.",
-            "A step is `guard.step` from Python, with arrays of numpy in and out: while no rule is",
-            "active, and while all are and limit the action. In a row there are environments, "
-            f"{COUNT:,}",
-            "of them, and one call of `batch.step` is a step of all; a rule counts once for each",
-            "environment. The cost of the guard in a simulated robot is on",
-            "[the page of the experiments](performance-heron.md).",
-            "",
-            kept(found),
-            "",
-            "| rules | signals | a step | with all rules active | in a row, each environment "
-            "| of that, each rule |",
-            "|---|---|---|---|---|---|",
-            *map(str, found),
-            "",
-        ]
-    )
+    preface = PREFACE.format(rounds=ROUNDS, processor=processor(), count=COUNT)
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, targets(found), "", *head, *map(str, found), ""])
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

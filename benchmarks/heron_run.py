@@ -1,6 +1,4 @@
-"""Measure the speed of the experiments, and the cost of the monitor in them; write the table as a
-page.
-"""
+"""Measure the speed of the experiments and the cost of the guard; write the table as a page."""
 
 from __future__ import annotations
 
@@ -19,11 +17,11 @@ from heron.variants import Arm
 
 ROUNDS = 15
 BUDGET = 0.01
-"""The part of a run that the guard may take."""
+"""The target: the largest share of the CPU time of a run that the guard takes."""
 
 
 class Laps:
-    """Looks on, and notes the CPU time of this process after each tenth of a second."""
+    """An observer that records the CPU time of this process after each tenth of a second."""
 
     period_ns = 100_000_000
 
@@ -36,17 +34,17 @@ class Laps:
         carrier: InProcess,  # noqa: ARG002
         guard: Guard | None,  # noqa: ARG002
     ) -> list[Laps]:
-        """Observe an episode: return the observers."""
+        """Observe an episode; return the observers."""
         return [self]
 
     def tick(self, now_ns: int) -> None:  # noqa: ARG002
-        """A tenth of a second later."""
+        """Record the CPU time; called each tenth of a second."""
         self.times.append(time.process_time())
 
 
 @dataclass(frozen=True)
 class Row:
-    """A run of some length, and the CPU time that it takes without the guard and with it (s)."""
+    """The duration of a run (s), and its CPU time without and with the guard (s)."""
 
     title: str
     length: float
@@ -55,7 +53,7 @@ class Row:
 
     @property
     def share(self) -> float:
-        """The guard's part of a run without it."""
+        """The cost of the guard, relative to the run without the guard."""
         return (self.guarded - self.without) / self.without
 
     def __str__(self) -> str:
@@ -68,8 +66,8 @@ class Row:
 
 
 def laps(experiment: Experiment, variant: str, arm: Arm) -> tuple[Floats, float]:
-    """The CPU time of each tenth of a second of an episode, the start of it and its end included,
-    and how long it was.
+    """The CPU time of each tenth of a second of an episode, including its start and its end, and
+    the duration of the episode (s).
     """
     noted = Laps()
     episode = experiment.run(arm, experiment.variants[variant], 0, [noted], USUAL)
@@ -78,56 +76,71 @@ def laps(experiment: Experiment, variant: str, arm: Arm) -> tuple[Floats, float]
 
 
 def row(experiment: Experiment, variant: str) -> Row:
-    """The least of each tenth of a second in some rounds, in turns, so that whatever else the
-    machine does is fair to both.
+    """The minimum of each tenth of a second over the rounds. Runs with and without the guard take
+    turns, so that other load on the machine affects both.
     """
-    guarded_arm = experiment.arms[-1]  # whose rules know most
+    guarded_arm = experiment.arms[-1]  # the arm whose rules use the most inputs
     laps(experiment, variant, guarded_arm)  # compiles the rules
     rounds = [
         (laps(experiment, variant, Arm.NONE), laps(experiment, variant, guarded_arm))
         for _ in range(ROUNDS)
     ]
     lengths = {length for both in rounds for _, length in both}
-    assert len(lengths) == 1, "nothing interferes, so it is the same run"
+    assert len(lengths) == 1, "without a hazard, both runs are the same"
     length = lengths.pop()
     without = float(np.min([plain for (plain, _), _ in rounds], axis=0).sum())
     guarded = float(np.min([guarded for _, (guarded, _) in rounds], axis=0).sum())
     return Row(f"{experiment.title}, {variant}", length, without, guarded)
 
 
+PREFACE = """\
+# Speed of the experiments
+
+Written by `benchmarks/heron_run.py`; do not edit. All figures are CPU times of one process, on
+{processor}. The times of a run are measured in parts of 0.1 s; each part
+counts with its minimum of {rounds} rounds. Runs with and without the guard take turns.
+
+The variants have no hazard, so the run is the same with and without the guard. The guard is in
+the same process: the monitor and the reactor in C, the filters in Python.
+
+Target: the guard takes at most {budget:g} % of the CPU time of a run.
+{met} of {runs} runs meet the target.
+
+Each message of the robot and each command passes through Python on the path to the guard. The
+physics takes little time, so a run is many times faster than real time, and the share of the guard
+is large.
+"""
+COLUMNS = (
+    "Experiment",
+    "duration",
+    "times real time, without guard",
+    "times real time, with guard",
+    "guard, per second",
+    "guard, relative to the run without it",
+)
+
+
 def page() -> str:
-    """The table of all variants in which there is no hazard."""
+    """The text of the page, with a row for each variant without a hazard."""
     rows = [
         row(experiment, name)
         for experiment in EXPERIMENTS.values()
         for name, variant in experiment.variants.items()
         if not experiment.harms[variant]
     ]
-    kept = sum(each.share <= BUDGET for each in rows)
-    lines = [
-        "# How fast the experiments run",
-        "",
-        "Written by `benchmarks/heron_run.py`; do not edit. CPU time of one process, on",
-        f"{processor()}: of each tenth of a second of a run the least of {ROUNDS}",
-        "rounds, with the guard and without it in turns. Variants without a hazard: the run is",
-        "the same with the guard and without it. The guard is the one in the process: monitor and",
-        "reactor in C, filters in Python.",
-        "",
-        f"The guard may take {100 * BUDGET:g} % of a run: {kept} of {len(rows)} runs keep to that. "
-        "Each message of the robot, and each",
-        "command, goes through Python on its way to the guard, and the physics behind it takes",
-        "little more: a run is many times as fast as real time.",
-        "",
-        "| Experiment | length | times real time | with ROSSMARie | the guard, for each second "
-        "| of the run without it |",
-        "|---|---|---|---|---|---|",
-        *map(str, rows),
-    ]
-    return "\n".join(lines) + "\n"
+    preface = PREFACE.format(
+        processor=processor(),
+        rounds=ROUNDS,
+        budget=100 * BUDGET,
+        met=sum(each.share <= BUDGET for each in rows),
+        runs=len(rows),
+    )
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, *head, *map(str, rows), ""])
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

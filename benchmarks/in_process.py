@@ -1,7 +1,7 @@
-"""The yardsticks that run in this process: hand-written C, numpy, plain Python.
+"""The references that run in this process: hand-written C, numpy and plain Python.
 
-Each returns the seconds of CPU of one round and how many samples each of the three rules was
-active.
+Each round returns its CPU time (s) and, for each of the three rules, the number of samples at which
+the rule was active.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ void hand_table(size_t, int64_t *, double *, double *, double *, double *, uint8
 
 
 def compile_shared(sources: list[Path], output: Path, flags: list[str]) -> None:
-    """One shared library by the system's C compiler.
+    """Compile a shared library with the C compiler of the system.
 
-    Calls within it go straight to their target, as in a program that links the monitor.
+    Calls inside the library go directly to their target, as in a program that links the monitor.
     """
     command = ["cc", "-std=gnu99", "-shared", "-fPIC", "-Wl,-Bsymbolic-functions"]
     command += ["-ffp-contract=off", *flags]
@@ -44,7 +44,7 @@ def compile_shared(sources: list[Path], output: Path, flags: list[str]) -> None:
 
 
 class Hand:
-    """hand.c, compiled with `flags`."""
+    """The library of hand.c, compiled with `flags`."""
 
     def __init__(self, source: Path, output: Path, flags: list[str]) -> None:
         compile_shared([source], output, flags)
@@ -53,13 +53,13 @@ class Hand:
         self.library: Any = self.ffi.dlopen(str(output))
 
     def pointers(self, columns: Columns) -> list[Any]:
-        """The columns as C sees them."""
+        """The pointers to the columns."""
         real = [self.ffi.from_buffer("double[]", columns[name]) for name in REALS]
         times = self.ffi.from_buffer("int64_t[]", columns["t_ns"])
         return [times, *real, self.ffi.from_buffer("uint8_t[]", columns["contact"])]
 
     def over_columns(self, function: str, columns: Columns) -> Round:
-        """`hand_loop` or `hand_opaque`."""
+        """One round of the C function `hand_loop` or `hand_opaque`."""
         call = getattr(self.library, function)
         pointers = self.pointers(columns)
         samples = len(columns["t_ns"])
@@ -74,7 +74,7 @@ class Hand:
         return run
 
     def table(self, columns: Columns, copies: int) -> Round:
-        """`hand_table` with that many copies of the rules."""
+        """One round of the C function `hand_table` with `copies` copies of the rules."""
         pointers = self.pointers(columns)
         samples = len(columns["t_ns"])
         rows = [tuple(vars(one).values()) for one in constants(copies)]
@@ -90,7 +90,7 @@ class Hand:
 
 
 def numpy_whole_columns(columns: Columns) -> Round:
-    """Vectorised over the whole trace, which has to be there at once."""
+    """One round of numpy over the whole trace at once."""
     c = constants(1)[0]
 
     def held(condition: NDArray[np.bool_], samples: int) -> NDArray[np.bool_]:
@@ -119,7 +119,7 @@ Step = Callable[[int, float, float, float, float, int], tuple[bool, bool, bool]]
 
 
 def hand_closure() -> Step:
-    """One step a call, written by hand in plain Python."""
+    """A hand-written function in plain Python that makes one step per call."""
     never = 1 << 62
     since_fast = since_tilted = since_pushed = never
 
@@ -152,13 +152,13 @@ def hand_closure() -> Step:
 
 
 def python_rows(columns: Columns) -> list[tuple[Any, ...]]:
-    """The samples as Python numbers: t, speed, pitch, distance, force_z, contact."""
+    """The samples as Python numbers: t (ns), speed, pitch, distance, force_z, contact."""
     names = ("t_ns", *REALS, "contact")
     return list(zip(*(columns[name].tolist() for name in names), strict=True))
 
 
 def closure_steps(columns: Columns) -> Round:
-    """The hand-written closure, one call a sample."""
+    """One round of the hand-written closure, one call per sample."""
     rows = python_rows(columns)
 
     def run() -> tuple[float, list[int]]:

@@ -1,4 +1,4 @@
-"""Measure the simulation and the learning of the insertion; write the tables as a page."""
+"""Measure the simulation and the training of the insertion; write the tables as a page."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ from heron.variants import BUDGETS, Formulation, LearningArm
 
 ROUNDS, STEPS, SEEDS = 20, 300, 5
 PHYSICS_US, LEARNED_S = 150, 300
-"""The budgets: the physics of one action, and insertions in nine of ten episodes."""
+"""The targets: the physics of one action, and the time until nine of ten episodes succeed."""
 
 
 def least(call: Callable[[Any], object], begin: Callable[[], object]) -> float:
-    """The least CPU time of an action in some rounds (µs)."""
+    """The minimum CPU time of an action over the rounds (µs)."""
     actions = np.random.default_rng(0).uniform(-0.1, 0.1, (STEPS, 4)).astype(np.float32)
 
     def once() -> float:
@@ -41,7 +41,7 @@ def least(call: Callable[[Any], object], begin: Callable[[], object]) -> float:
 
 
 def costs() -> Iterator[tuple[str, float]]:
-    """Parts of a step, each with those before it."""
+    """The cost of a step (µs), with more and more of its parts."""
     plain: Any = environment(Formulation.STEPS, LearningArm.UNGUARDED).unwrapped
     assert isinstance(plain, PegInHole)
     plain.on_reading.clear()
@@ -52,23 +52,28 @@ def costs() -> Iterator[tuple[str, float]]:
         for _ in range(READINGS):
             arm.follow(Command((x, y, z), 0.0))
 
-    yield "the physics", least(follow, lambda: plain.reset(seed=0))
-    yield "and the task: readings, person, reward", least(plain.step, lambda: plain.reset(seed=0))
+    yield "physics", least(follow, lambda: plain.reset(seed=0))
+    yield (
+        "physics and task (readings, person, reward)",
+        least(plain.step, lambda: plain.reset(seed=0)),
+    )
     for arm_of_study, words in (
-        (LearningArm.UNGUARDED, "and rules that only count"),
-        (LearningArm.GUARD, "and rules that bound what is executed"),
+        (LearningArm.UNGUARDED, "physics, task, and rules that only count"),
+        (LearningArm.GUARD, "physics, task, and rules that bound the executed action"),
     ):
         env = environment(Formulation.STEPS, arm_of_study)
         yield words, least(env.step, lambda env=env: env.reset(seed=0))  # type: ignore[misc]
 
 
 def learned(run: Run) -> tuple[int | None, float]:
-    """Steps until nine of ten episodes are insertions, and the seconds that they take."""
+    """The steps until nine of ten episodes end with an insertion, and their time (s)."""
     began = time.monotonic()
     kind = TreeTraining if run.formulation is Formulation.TREE else StepTraining
     found: list[Episode] = []
     for episode in kind(run).episodes():
-        is_whole = bool(found) and episode.steps > found[-1].steps  # of the instant before
+        is_whole = (
+            bool(found) and episode.steps > found[-1].steps
+        )  # the episodes of the instant before are complete
         if is_whole and steps_to_good(run.formulation, found) is not None:
             break
         found.append(episode)
@@ -76,7 +81,7 @@ def learned(run: Run) -> tuple[int | None, float]:
 
 
 def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:
-    """Trainings with some seeds, one after another."""
+    """The row of one kind of training; the trainings of the seeds run one after another."""
     budget = BUDGETS[formulation]
     found = [learned(Run(formulation, algorithm, arm, budget, seed)) for seed in range(SEEDS)]
     good = [steps for steps, _ in found if steps is not None]
@@ -88,38 +93,44 @@ def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:
     )
 
 
+ACTIONS = """\
+# Speed of the training of the insertion
+
+Written by `benchmarks/learning.py`; do not edit. All figures were measured on {processor}.
+
+The first table shows the CPU time of one action of 40 ms, the minimum of {rounds} rounds. The
+target for the physics is {physics} µs.
+
+| One action | µs |
+|---|---|"""
+TRAININGS = """
+The second table shows the time until nine of ten episodes end with an insertion, with a clearance
+of 3 mm. The trainings run one after another, and the time includes the compilation by JAX. The
+steps are the median of the seeds that learned the insertion; the seconds are the median of all
+{seeds} seeds. The target is {seconds} s.
+
+| Training | seeds that learned the insertion | steps | seconds |
+|---|---|---|---|"""
+
+
 def page() -> str:
-    """The tables."""
+    """The text of the page."""
     kinds = [
         (formulation, algorithm, arm)
         for formulation, algorithm in ((Formulation.STEPS, "ppo"), (Formulation.TREE, "cma-es"))
         for arm in (LearningArm.UNGUARDED, LearningArm.GUARD)
     ]
     lines = [
-        "# How fast the insertion is learned",
-        "",
-        f"Written by `benchmarks/learning.py`; do not edit. On {processor()}.",
-        "",
-        f"CPU time of one action of 40 ms, the least of {ROUNDS} rounds. The physics may take "
-        f"{PHYSICS_US} µs.",
-        "",
-        "| One action | µs |",
-        "|---|---|",
-        *(f"| {words} | {cost:.0f} |" for words, cost in costs()),
-        "",
-        f"Time until nine of ten episodes are insertions, with a clearance of 3 mm: the median of "
-        f"{SEEDS} seeds, one",
-        f"training at a time, with what JAX compiles. It may take {LEARNED_S} s.",
-        "",
-        "| Training | learned | steps | seconds |",
-        "|---|---|---|---|",
+        ACTIONS.format(processor=processor(), rounds=ROUNDS, physics=PHYSICS_US),
+        *(f"| {about} | {cost:.0f} |" for about, cost in costs()),
+        TRAININGS.format(seeds=SEEDS, seconds=LEARNED_S),
         *(row(*kind) for kind in kinds),
     ]
     return "\n".join(lines) + "\n"
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

@@ -1,4 +1,4 @@
-"""Write which rules of the library the robots in the box use, and how."""
+"""Write the page about the rules of the library that the included robots use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The description of the machine that a benchmark ran on."""
+"""The description of the machine on which a benchmark runs."""
 
 from __future__ import annotations
 

@@ -1,12 +1,13 @@
 """A model of Nav2's collision monitor: its answer to a scan and a command.
 
-After `nav2_collision_monitor` 1.3.13 of Jazzy (github.com/ros-navigation/navigation2, commit
-f4108e5b1c2b): `process`, `processStopSlowdownLimit` and `processApproach` of
+The model follows `nav2_collision_monitor` 1.3.13 of Jazzy
+(github.com/ros-navigation/navigation2, commit f4108e5b1c2b): `process`,
+`processStopSlowdownLimit` and `processApproach` of
 `src/collision_monitor_node.cpp`, `getCollisionTime` and `isPointInside` of `src/polygon.cpp`,
 `getPointsInside` of `src/circle.cpp`, `getData` of `src/scan.cpp`, `sourceValid` of
-`src/source.cpp`, and `src/kinematics.cpp`. It has one source, a scan in the frame of the base, and
-no correction of the shift of the base. `nav2_node.py` runs the real one where it is installed;
-`beside_nav2.py` compares the two.
+`src/source.cpp`, and `src/kinematics.cpp`. The model has one source, a scan in the frame of the
+base, and no correction of the shift of the base. `nav2_node.py` runs the real node if the node is
+installed; `beside_nav2.py` compares the node with the model.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ STILL = Command(0.0, 0.0)
 
 
 class CollisionMonitor:
-    """The monitor with its settings; it remembers nothing."""
+    """The monitor with its settings. The monitor has no memory."""
 
     def __init__(self, settings: Settings) -> None:
         self._timeout_ns = round(settings.source_timeout * NS)
@@ -32,11 +33,11 @@ class CollisionMonitor:
     def __call__(
         self,
         scan: Scan | None,
-        odometry: Odometry,  # noqa: ARG002 - it does not look at it
+        odometry: Odometry,  # noqa: ARG002 - the monitor does not use it
         command: Command,
         at_ns: int,
     ) -> Command:
-        """The command that it lets through."""
+        """The command after the monitor."""
         if scan is None or not self.is_valid(scan, at_ns):
             return STILL
         points = points_of(scan)
@@ -57,7 +58,7 @@ class CollisionMonitor:
 
 
 def points_of(scan: Scan) -> Floats:
-    """The points of the readings within the limits of the lidar; angles add up in float32."""
+    """The points of the readings within the limits of the lidar (m). Angles add up in float32."""
     steps = np.full(len(scan.ranges), np.float32(scan.angle_increment))
     steps[0] = np.float32(scan.angle_min)
     angles = np.cumsum(steps, dtype=np.float32)
@@ -68,14 +69,14 @@ def points_of(scan: Scan) -> Floats:
 
 
 class _Area:
-    """A zone that counts points."""
+    """A zone that counts the points inside."""
 
     def __init__(self, zone: Zone) -> None:
         self.zone = zone
         self._corners = np.array(zone.points, dtype=np.float32).astype(np.float64)
 
     def changed(self, points: Floats, command: Command) -> Command | None:
-        """The command that the zone asks for; None if it asks for nothing."""
+        """The command that the zone requests; None if the zone requests no change."""
         zone = self.zone
         if zone.action_type == "approach":
             at_s = self._collision_s(points, command)

@@ -1,4 +1,4 @@
-"""The node of Nav2's collision monitor as a guard on the course, where its package is installed."""
+"""The node of Nav2's collision monitor as a guard on the course, if its package is installed."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ PACKAGE = "nav2_collision_monitor"
 ATTEMPTS = 50
 START_S = 20.0
 POINTS, ZONE = "/collision_monitor/collision_points_marker", "/zone"
-"""On these it shows the points that it made of the last scan, and its first zone with the time."""
+"""On these topics, the node shows the points of the last scan, and its first zone with the time."""
 
 
 def missing() -> str | None:
-    """The part that it lacks; None if it has all."""
+    """The missing part; None if no part is missing."""
     lacking = course_node.missing()
     if lacking:
         return lacking
@@ -54,13 +54,13 @@ def version() -> str:
 
 
 class Node:
-    """The node with its settings. `contender` is for runs, one after the other.
+    """The node with its settings. `contender` drives the runs, one after another.
 
-    Messages on several topics may overtake each other. What the node shows of the scan and the
-    clock that it went by is compared with what it was reported, and it is asked again where that
-    was not the last. To show it costs the node time. It does not have to if `is_checked` is false:
-    then its CPU time is that of its task, at the pace of the world, and now and then it is one scan
-    behind.
+    Messages on several topics may overtake each other. The node shows the scan and the clock that
+    it used. This class compares them with the last messages, and sends the command again if the
+    node used older messages. This display costs CPU time. If `is_checked` is false, the node shows
+    nothing: its CPU time is the time of its task in real time, and sometimes the node uses the scan
+    before the last scan.
     """
 
     def __init__(self, settings: Settings, folder: Path, *, is_checked: bool = True) -> None:
@@ -85,8 +85,8 @@ class Node:
             **settings.parameters(),
             "use_sim_time": True,
             "autostart_node": True,
-            "bond_heartbeat_period": 0.0,  # no manager is there to hear it
-            "stop_pub_timeout": 1e6,  # it answers each command, also while it stops the base
+            "bond_heartbeat_period": 0.0,  # there is no lifecycle manager
+            "stop_pub_timeout": 1e6,  # the node answers each command, also while it stops the base
             f"{first}.visualize": self._is_checked,
             f"{first}.polygon_pub_topic": ZONE,
         }
@@ -99,13 +99,13 @@ class Node:
             return subprocess.Popen(command, env=variables, stdout=log, stderr=log)
 
     def cpu_ns(self) -> int:
-        """The CPU time that it has used."""
+        """The CPU time of the node so far (ns)."""
         return cpu_ns(self._process.pid)
 
     def __call__(
         self,
         scan: Scan | None,
-        odometry: Odometry,  # noqa: ARG002 - it does not listen to it
+        odometry: Odometry,  # noqa: ARG002 - the node does not use it
         command: Command,
         at_ns: int,
     ) -> Command:
@@ -118,10 +118,10 @@ class Node:
             if self._is_by(scan, at_ns):
                 self._last = scan
                 return answer
-        raise TimeoutError(f"the node of {PACKAGE} does not hear what it is reported")
+        raise TimeoutError(f"the node of {PACKAGE} does not use the last messages")
 
     def _is_by(self, scan: Scan | None, at_ns: int) -> bool:
-        """Say whether it went by this scan and this instant, as far as it is asked to show it."""
+        """Say whether the node used this scan and this instant; always true if it shows nothing."""
         if not self._is_checked:
             return True
         heard = self.lockstep.heard
@@ -140,7 +140,7 @@ class Node:
         self.lockstep.begin()
         until = time.monotonic() + START_S
         still = Odometry(0, ORIGIN, Command(0.0, 0.0))
-        while True:  # until it is active, and has heard the clock of this run
+        while True:  # until the node is active and has the clock of this run
             try:
                 self(None, still, Command(0.1, 0.0), 0)
                 break
@@ -150,7 +150,7 @@ class Node:
         yield self
 
     def end(self) -> None:
-        """No more runs."""
+        """End the node."""
         self._process.terminate()
         self._process.wait(10)
         self.lockstep.end()

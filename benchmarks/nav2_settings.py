@@ -1,6 +1,6 @@
 """Settings of Nav2's collision monitor for the base of the course: its zones and their actions.
 
-Names and defaults are those of its parameters, in Jazzy.
+Names and defaults are the names and defaults of the parameters in Jazzy.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ Parameter = bool | float | int | str | list[str]
 
 @dataclass(frozen=True)
 class Zone:
-    """A zone of the base (m), and what it does while points are in it."""
+    """A zone of the base (m), and its action while points are inside."""
 
     name: str
     points: tuple[tuple[float, float], ...]
-    """The corners of a polygon; a circle has none."""
+    """The corners of a polygon; empty for a circle."""
     action_type: str
-    """stop, slowdown, limit or approach."""
+    """The action: stop, slowdown, limit or approach."""
     radius: float = 0.0
     min_points: int = 4
     slowdown_ratio: float = 0.5
@@ -51,7 +51,7 @@ class Zone:
 
 @dataclass(frozen=True)
 class Settings:
-    """The zones, and how old a scan may be."""
+    """The zones, and the maximum age of a scan (s)."""
 
     name: str
     zones: tuple[Zone, ...]
@@ -87,10 +87,12 @@ def box(low_x: float, high_x: float, half_width: float) -> tuple[tuple[float, fl
 
 FOOTPRINT = box(-HALF_LENGTH, HALF_LENGTH, HALF_WIDTH)
 LATENCY_S = 0.2
-"""The age of a scan, until the next one, and until the next command."""
+"""The latency (s): the age of a scan, the time until the next scan, and the time until the next
+command.
+"""
 
 STOP_M = SPEED * LATENCY_S + SPEED**2 / (2 * BRAKING)
-"""The way of latency and brakes."""
+"""The stopping distance: the distance of the latency plus the braking distance."""
 
 SIDE_M = 0.05
 
@@ -123,7 +125,7 @@ ZONES = Settings(
     ),
     source_timeout=0.3,
 )
-"""A zone as long as latency and brakes ask for, and twice as long a one in which the base is slow;
-a scan is too old where three are missing."""
+"""A zone with the length of the stopping distance, and a zone of twice this length in which the
+base slows down. A scan is too old if three scans are missing."""
 
 ALL = (SHIPPED, ZONES)

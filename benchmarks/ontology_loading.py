@@ -1,7 +1,8 @@
-"""Loads an ontology by one library, in a process of its own: `ontology_loading.py LIBRARY FILE...`.
+"""Load an ontology with one library, in a separate process: `ontology_loading.py LIBRARY FILE...`.
 
-Prints a line of JSON: the CPU time of the import, of loading, and of asking for all classes and all
-that is above each of them; how many these are; and the most memory that the process had.
+The program prints a line of JSON: the CPU times to import the library, to load the ontology, and to
+find all classes and all their superclasses (s); the numbers of classes and superclasses; and the
+peak memory of the process (MiB).
 """
 
 from __future__ import annotations
@@ -14,13 +15,13 @@ from itertools import pairwise
 from pathlib import Path
 
 Classes = dict[str, Iterable[str]]
-"""The classes, and the names of their superclasses, themselves included."""
+"""The classes with the names of their superclasses; each class includes itself."""
 Load = Callable[[], Callable[[], Classes]]
-"""Loads the files; what comes back asks for the classes."""
+"""A function that loads the files. Its result is a function that finds the classes."""
 
 
 def ezskiros(files: list[Path]) -> Load:
-    """Ours, with what it knows of SkiROS2's relations."""
+    """EzSkiROS, including its knowledge of SkiROS2's relations."""
     from ezskiros.ontology import load
 
     def run() -> Callable[[], Classes]:
@@ -31,7 +32,7 @@ def ezskiros(files: list[Path]) -> Load:
 
 
 def rdflib(files: list[Path]) -> Load:
-    """One graph; superclasses are followed in it."""
+    """One graph of rdflib, in which superclasses are followed."""
     from rdflib import OWL, RDF, RDFS, Graph, URIRef
 
     def run() -> Callable[[], Classes]:
@@ -57,7 +58,7 @@ def rdflib(files: list[Path]) -> Load:
 
 
 def owlready2(files: list[Path]) -> Load:
-    """One world. It follows imports, by the names of files, so that some are there already."""
+    """One world of owlready2. It follows imports by file name, so some files are already loaded."""
     import owlready2 as library
 
     library.onto_path += sorted({str(file.parent) for file in files})
@@ -88,7 +89,7 @@ def most_memory() -> float:
 
 
 def main() -> None:
-    """Measure, and print."""
+    """Measure and print."""
     library, *names = sys.argv[1:]
     files = [Path(name).resolve() for name in names]
     instants = [time.process_time()]

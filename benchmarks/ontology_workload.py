@@ -1,8 +1,9 @@
 """The workload of EzSkiROS's benchmark: ontologies of any size, and skills that fit them.
 
-An ontology is a tree of classes in which some have a second parent, with restrictions, groups of
-disjoint classes, relations, data properties and individuals, as in SkiROS2's own. It is seeded: a
-larger one begins with the smaller ones. Skills use what the first 1,000 triples declare.
+An ontology is a tree of classes; some classes have a second parent. It has restrictions, groups of
+disjoint classes, relations, data properties and individuals, like SkiROS2's own ontology. The
+random numbers are seeded: a larger ontology begins with the smaller ontologies. Skills use only the
+declarations of the first 1,000 triples.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ TYPE = RDF + "type"
 USED_CLASSES = 80
 USED_RELATIONS = 8
 USED_VALUES = 4
-"""The numbers of values that skills use: the first ones of each kind."""
+"""The numbers of classes, relations and properties that skills use: the first of each kind."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ class Size:
 
 
 def write_ontology(path: Path, triples: int) -> Size:
-    """An ontology of at least so many triples, as RDF/XML."""
+    """Write an ontology of at least `triples` triples, as RDF/XML."""
     written: list[Triple] = []
     for part in _parts():
         written += part
@@ -56,7 +57,7 @@ def write_ontology(path: Path, triples: int) -> Size:
 
 
 def _parts() -> Iterator[list[Triple]]:
-    """The ontology without end, class by class."""
+    """The endless ontology, class by class."""
     chance = random.Random(SEED)
     yield [_triple(ONTOLOGY, TYPE, OWL + "Ontology"), *_class("Class_0", [])]
     for number in count(1):
@@ -95,7 +96,7 @@ def _class(name: str, parents: list[str]) -> list[Triple]:
 
 
 def _restriction(name: str, relation: str, target: str) -> list[Triple]:
-    """A restriction: the related thing of a class has a value of another class."""
+    """A restriction: each individual of a class relates to an individual of another class."""
     node = BlankNode(f"only_{name}")
     return [
         _triple(_own(name), RDFS + "subClassOf", node),
@@ -129,7 +130,7 @@ def _value(name: str) -> list[Triple]:
 
 
 def _disjoint_group(number: int) -> list[Triple]:
-    """Some classes without subclasses, of which nothing is two."""
+    """Some disjoint classes without subclasses."""
     names = [f"Kind_{number}_{each}" for each in range(5)]
     group, *cells = (BlankNode(f"kinds_{number}_{each}") for each in range(6))
     found = [triple for name in names for triple in _class(name, [f"Class_{number}"])]
@@ -159,7 +160,7 @@ class Mode(enum.Enum):
 def write_skills(
     folder: Path, files: int, skills_of_a_file: int, *, with_mistakes: bool = False
 ) -> None:
-    """A package of skills, with 10 parameters and 10 conditions each."""
+    """Write a package of skills with 10 parameters and 10 conditions each."""
     chance = random.Random(SEED)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "__init__.py").write_text('"""Generated."""\n', encoding="utf-8")
@@ -171,7 +172,7 @@ def write_skills(
 
 
 def _skill(number: int, chance: random.Random, *, with_mistakes: bool) -> str:
-    """A skill that infers six things from a given one; a mistake is a misspelt relation."""
+    """A skill that infers six parameters from a given one. A mistake is a misspelt relation."""
     numbers = [chance.randrange(USED_CLASSES) for _ in range(7)]
     classes = [f"bench.Class_{each}" for each in numbers]
     relations = [f"relates_{chance.randrange(USED_RELATIONS)}" for _ in range(7)]
@@ -180,7 +181,7 @@ def _skill(number: int, chance: random.Random, *, with_mistakes: bool) -> str:
     parameters += ["Speed: float = 0.1", "Style: Mode = Mode.FAST", "IsCareful: bool = True"]
 
     def related(relation: str, one: int, other: int) -> str:
-        """All relate things of two classes in one direction, as skills do."""
+        """The conditions relate two classes always in the same direction, as in real skills."""
         subject, object_ = sorted((one, other), key=numbers.__getitem__)
         return f"Thing_{subject}.{relation}(Thing_{object_})"
 

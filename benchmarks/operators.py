@@ -1,5 +1,5 @@
-"""Measure each operator that looks at the past or at a list, in a rule of its own, and what scopes
-and exemptions cost; write the table as a page.
+"""Measure each operator over time or over a list in a separate rule, and the cost of scopes and
+exemptions; write the table as a page.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ ELEMENTS = 16
 
 @dataclass(frozen=True)
 class Operator:
-    """An operator, in a condition of ours, and in lines of RTLola of which the last is the rule.
+    """An operator in a condition of ROSSMARie, and in lines of RTLola; the last line is the rule.
     `code` is a name for files.
     """
 
@@ -118,21 +118,21 @@ OF_A_LIST = "any(p in path: p.pose.position.x > 0.5 m)"
 
 
 def specification(operator: Operator) -> str:
-    """The rule in RTLola."""
+    """The specification of the rule in RTLola."""
     *streams, rule = operator.lola
     inputs = [f"input {name}: Float64" for name in REALS] + ["input contact: Bool"]
     return "\n".join([*inputs, *streams, f"output r1_0: Bool := {rule}", ""])
 
 
 def machine(folder: Path, code: str, text: str) -> Machine:
-    """A rule on a condition, compiled."""
+    """Compile a rules file with one rule."""
     rules = folder / f"of_{code}.ross"
     rules.write_text(text, encoding="utf-8")
     return compile_file(rules, message_folders=[Path(__file__).parent / "msg"]).machine
 
 
 def of_samples(operator: Operator) -> str:
-    """A rule on the numbers of the workload."""
+    """The rules file with a rule about the numbers of the workload."""
     used = [name for name in (*REALS, "contact") if name in operator.condition]
     inputs = [f"input {name} = topic /reading : bench_msgs/Sample .{name};" for name in used]
     rule = f"rule r: if {operator.condition} then {{ react; }};"
@@ -162,7 +162,7 @@ void lists(size_t n, const int64_t *t, const double *x)
 
 
 def over_lists(folder: Path, columns: Columns) -> Round:
-    """The generated update with a list of as many elements as it may have: the last samples."""
+    """The generated update with a full list, whose elements are the last samples."""
     compiled = machine(folder, "list", LIST_RULES)
     library, ffi = built(folder, compiled, LIST_HARNESS, "void lists(size_t, int64_t *, double *);")
     speed = columns["speed"]
@@ -183,8 +183,8 @@ def over_lists(folder: Path, columns: Columns) -> Round:
 
 
 def over_skills(folder: Path, code: str, columns: Columns) -> Round:
-    """The generated updates: the context ten times a second, in which `contact` is that the skill
-    runs, and a speed with each sample.
+    """The generated updates: a skill context ten times a second, and a speed with each sample. The
+    skill runs while `contact` is true.
     """
     write_skills(folder)
     compiled = machine(folder, code, of_skills(OF_SKILLS[code]))
@@ -206,7 +206,7 @@ def over_skills(folder: Path, code: str, columns: Columns) -> Round:
 
 
 def built(folder: Path, compiled: Machine, harness: str, declaration: str) -> tuple[Any, Any]:
-    """A monitor with a loop around it that is called from here, and the FFI that does so."""
+    """A monitor with a loop around it, built as a library, and the FFI that calls the loop."""
     for file, text in generate(compiled).items():
         path = folder / file
         path.parent.mkdir(exist_ok=True)
@@ -219,8 +219,10 @@ def built(folder: Path, compiled: Machine, harness: str, declaration: str) -> tu
     return ffi.dlopen(str(output)), ffi
 
 
-def skill_rows(folder: Path, typical: Columns, worst: Columns, yardstick: float) -> Iterator[str]:
-    """A row for a rule by itself, one with a scope, and one with an exemption, all in turn."""
+def skill_rows(
+    folder: Path, typical: Columns, worst: Columns, reference_ns: float
+) -> Iterator[str]:
+    """The rows of a rule without a scope, with a scope, and with an exemption, measured in turn."""
     rounds = {
         (code, name): (over_skills(folder, code, columns), len(columns["t_ns"]))
         for code in OF_SKILLS
@@ -230,8 +232,8 @@ def skill_rows(folder: Path, typical: Columns, worst: Columns, yardstick: float)
     for code, rule in OF_SKILLS.items():
         took = found[f"{code} typical"]
         yield (
-            f"| `{rule}` | {took:.1f} | {took / yardstick:.1f} | {found[f'{code} worst']:.1f} "
-            "| | | has no skills |"
+            f"| `{rule}` | {took:.1f} | {took / reference_ns:.1f} | {found[f'{code} worst']:.1f} "
+            "| | | no skills |"
         )
 
 
@@ -244,7 +246,7 @@ def first(columns: Columns, samples: int) -> Columns:
 
 
 def nanoseconds(rounds: Mapping[str, tuple[Round, int]]) -> dict[str, float]:
-    """The median of each contender, in turn."""
+    """The median time per sample (ns) of each contender; the contenders run in turn."""
     took: dict[str, list[float]] = {name: [] for name in rounds}
     for _ in range(ROUNDS):
         for name, (run, samples) in rounds.items():
@@ -253,12 +255,14 @@ def nanoseconds(rounds: Mapping[str, tuple[Round, int]]) -> dict[str, float]:
 
 
 def of_rtlola(operator: Operator, trace: Path, counted: int) -> str:
-    """Measure RTLola compiled to Rust, if it counts the same; else say why it is left out."""
+    """The cell of RTLola compiled to Rust: its time and a difference of counts, or the reason why
+    RTLola is not measured.
+    """
     workload = Workload(BENCH, trace, SAMPLES, 1, 3)
     try:
         measured = rtlola_operator(workload, f"of_{operator.code}", specification(operator))
     except NotMeasuredError as error:
-        return f"left out: {error}"
+        return f"not measured: {error}"
     off = measured.counts[0] - counted
     return f"{measured.nanoseconds:.1f}" + (f" ({off:+} samples)" if off else "")
 
@@ -267,7 +271,7 @@ def rows(folder: Path) -> Iterator[str]:
     """A row for each operator."""
     typical, worst = (first(trace, SAMPLES) for trace in (typical_trace(), worst_trace()))
     write_trace(folder / "trace", typical)
-    yardstick: float | None = None
+    reference_ns: float | None = None
     for operator in OPERATORS:
         compiled = machine(folder, operator.code, of_samples(operator))
         built = Generated(compiled, folder, ["-O2"])
@@ -281,11 +285,11 @@ def rows(folder: Path) -> Iterator[str]:
                 "without": (python_steps(compiled, short), OF_PYTHON),
             }
         )
-        yardstick = yardstick or found["typical"]
+        reference_ns = reference_ns or found["typical"]
         peer = of_rtlola(operator, folder / "trace", calm()[1][0])
         yield (
             f"| `{operator.condition}` | {found['typical']:.1f} "
-            f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} "
+            f"| {found['typical'] / reference_ns:.1f} | {found['worst']:.1f} "
             f"| {found['python']:.0f} | {found['without']:.0f} | {peer} |"
         )
     lists = {
@@ -293,51 +297,63 @@ def rows(folder: Path) -> Iterator[str]:
         for name, columns in (("typical", typical), ("worst", worst))
     }
     found = nanoseconds(lists)
-    assert yardstick is not None, "operators come first"
+    assert reference_ns is not None, "the operators are measured first"
     yield (
-        f"| `{OF_A_LIST}` of {ELEMENTS} | {found['typical']:.1f} "
-        f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} | | | has no lists |"
+        f"| `{OF_A_LIST}` with {ELEMENTS} elements | {found['typical']:.1f} "
+        f"| {found['typical'] / reference_ns:.1f} | {found['worst']:.1f} | | | no lists |"
     )
-    yield from skill_rows(folder, typical, worst, yardstick)
+    yield from skill_rows(folder, typical, worst, reference_ns)
+
+
+PREFACE = """\
+# Cost of operators
+
+Written by `benchmarks/operators.py`; do not edit. Each condition is the only condition of a
+rule, and its inputs have no timeout. All figures are CPU times from one run on one machine
+({processor}, {day}). The contenders run in turn; each figure is the median of {rounds}
+rounds over {samples:,} samples at 100 Hz ({of_python:,} samples from Python). Absolute figures
+hold for this machine only; ratios carry over to other machines.
+
+The traces are the traces of [the benchmark of the monitor](performance.md): in the worst trace,
+each sample changes every comparison. A list has all its elements in each message. The last
+three rows have the same rule without a scope, with a scope, and with an exemption. The times of
+these rows include a call after each sample that reads the state of the rule. With a scope and with
+an exemption, the times also include ten messages per second that report the running skill.
+
+RTLola is compiled to Rust. Its specification counts samples, or has a window of a number of
+samples; at a steady rate, it means the same as the condition. If RTLola counts a different number
+of active samples, the cell shows the difference. rtlola2rust 0.1.0 does not implement windows of a
+number of samples.
+"""
+COLUMNS = (
+    "condition",
+    "C99, typical trace: ns per sample",
+    "ratio to a comparison",
+    "C99, worst trace: ns per sample",
+    "from Python, one call per sample, ns",
+    "without a C compiler, ns",
+    "RTLola in Rust, ns",
+)
 
 
 def page() -> str:
-    """The table, and how it came about."""
+    """The text of the page."""
     BENCH.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
-    day = datetime.now(timezone.utc).date()
-    return "\n".join(
-        [
-            "# What an operator costs",
-            "",
-            "Written by `benchmarks/operators.py`; do not edit. Each condition is the only one of",
-            "a rule, on inputs without a timeout. CPU time of the process, everything in one run",
-            f"on one machine, contenders in turn, medians of {ROUNDS} rounds over",
-            f"{SAMPLES:,} samples at 100 Hz (from Python {OF_PYTHON:,}),",
-            f"on {processor()}, {day}. Absolute figures are those of this machine;",
-            "ratios carry over. The traces are those of [the benchmark of rules](performance.md):",
-            "in the worst one, every comparison changes with every sample. A list has all its",
-            "elements in each message. The last rows have one rule by itself, with a scope, and",
-            "with an exemption. Their time includes a message ten times a second that tells which",
-            "skill runs, and asking after each sample whether the rule is active.",
-            "",
-            "RTLola, compiled to Rust, gets a specification that says the same by counting",
-            "samples, or by a window of so many samples: at a steady rate that is the same. Where",
-            "it counts another number of active samples, the difference is given.",
-            "rtlola2rust 0.1.0 implements no windows of so many samples.",
-            "",
-            "| condition | C99: ns a sample | to a comparison | worst: ns a sample "
-            "| from Python, one call a sample | without a C compiler | RTLola in Rust |",
-            "|---|---|---|---|---|---|---|",
-            *found,
-            "",
-        ]
+    preface = PREFACE.format(
+        processor=processor(),
+        day=datetime.now(timezone.utc).date(),
+        rounds=ROUNDS,
+        samples=SAMPLES,
+        of_python=OF_PYTHON,
     )
+    head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+    return "\n".join([preface, *head, *found, ""])
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

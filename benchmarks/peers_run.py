@@ -1,4 +1,4 @@
-"""The peers, each in a process of its own that reports CPU time and counts."""
+"""The peers. Each peer runs in a separate process that reports its CPU time and its counts."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from workload import c2po_rules, lola_rules
 HERE = Path(__file__).parent
 TIME_LIMIT_S = 600
 _PLACE = re.compile(r"thread '.*panicked at ")
-"""The line of a program in Rust that says where it ended; the reason follows."""
+"""The line in which a Rust program reports the place of a panic; the reason follows."""
 
 
 @dataclass(frozen=True)
 class Workload:
-    """The rules in that many copies, on the first samples of the trace in a folder.
+    """The rules in `copies` copies, on the first samples of the trace in a folder.
 
     `bench` is the folder in which the peers are installed.
     """
@@ -36,7 +36,7 @@ class Workload:
 
 @dataclass(frozen=True)
 class Measured:
-    """Nanoseconds of CPU a sample, and the active samples of each of the three rules."""
+    """The CPU time per sample (ns), and the number of active samples of each of the three rules."""
 
     nanoseconds: float
     counts: list[int]
@@ -56,17 +56,17 @@ class NotMeasuredError(Exception):
 
 
 def reelay(workload: Workload) -> Measured:
-    """Discrete time, one monitor a rule."""
+    """Measure reelay: discrete time, one monitor per rule."""
     return _python_peer("reelay_peer.py", workload)
 
 
 def rtamt(workload: Workload) -> Measured:
-    """Discrete time, the Python back end, one specification a rule."""
+    """Measure rtamt: discrete time, the Python back end, one specification per rule."""
     return _python_peer("rtamt_peer.py", workload)
 
 
 def rtlola(workload: Workload) -> Measured:
-    """The interpreter, in process."""
+    """Measure the RTLola interpreter in a Rust program."""
     rules = lola_rules(workload.copies)
     specification = _lola_specification(workload.bench, f"{3 * workload.copies}", rules)
     program = workload.bench / "cargo" / "release" / "rtlola"
@@ -74,7 +74,7 @@ def rtlola(workload: Workload) -> Measured:
 
 
 def rtlola_in_rust(workload: Workload) -> Measured:
-    """The same specification, compiled to Rust and then to a program."""
+    """Measure the same specification, compiled to Rust and then to a program."""
     copies = workload.copies
     rules = tuple((rule, f"r{rule + 1}_{copy}") for copy in range(copies) for rule in range(3))
     program, seconds = _compiled_rtlola(workload.bench, f"{3 * copies}", lola_rules(copies), rules)
@@ -83,13 +83,13 @@ def rtlola_in_rust(workload: Workload) -> Measured:
 
 
 def rtlola_operator(workload: Workload, name: str, specification: str) -> Measured:
-    """A specification of a single rule, the output `r1_0`, compiled to Rust."""
+    """Measure the specification of a single rule, the output `r1_0`, compiled to Rust."""
     program, _ = _compiled_rtlola(workload.bench, name, specification, ((0, "r1_0"),))
     return _measure([program, workload.trace, workload.samples, workload.rounds])
 
 
 def r2u2(workload: Workload) -> Measured:
-    """The Rust core, in process, on what C2PO compiled."""
+    """Measure the Rust core of R2U2 on a specification that C2PO compiled."""
     bench, rules = workload.bench, 3 * workload.copies
     specification = bench / f"rules_{rules}.c2po"
     specification.write_text(c2po_rules(workload.copies), encoding="utf-8")
@@ -110,8 +110,8 @@ def r2u2(workload: Workload) -> Measured:
 def _compiled_rtlola(
     bench: Path, name: str, text: str, rules: tuple[tuple[int, str], ...]
 ) -> tuple[Path, float]:
-    """The program, and the seconds that both compilers took. `rules` are the outputs, each with the
-    number of the rule that it counts for.
+    """The program, and the time of both compilers (s). `rules` has the outputs, each with the
+    number of its rule.
     """
     folder = bench / f"rtlola_in_rust_{name}"
     folder.mkdir(exist_ok=True)
@@ -157,13 +157,13 @@ def _python_peer(script: str, workload: Workload) -> Measured:
 
 
 def _measure(command: Sequence[object]) -> Measured:
-    """The last line that a peer prints."""
+    """The figures in the last line that a peer prints."""
     answer = json.loads(_finished(command).strip().splitlines()[-1])
     return Measured(answer["nanoseconds"], answer["counts"])
 
 
 def _finished(command: Sequence[object]) -> str:
-    """The standard output of a command; `NotMeasuredError` tells why there is none."""
+    """The standard output of a command. Raises `NotMeasuredError` with the reason of a failure."""
     words = [str(word) for word in command]
     name = Path(words[0]).name
     if shutil.which(words[0]) is None:
@@ -177,5 +177,5 @@ def _finished(command: Sequence[object]) -> str:
     if done.returncode != 0:
         said = [each for each in done.stderr.splitlines() if each and not _PLACE.match(each)]
         reason = (said or ["no message"])[0]
-        raise NotMeasuredError(f"{name} ended with {done.returncode}: {reason}")
+        raise NotMeasuredError(f"{name} failed with exit code {done.returncode}: {reason}")
     return done.stdout

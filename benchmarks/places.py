@@ -1,5 +1,5 @@
-"""Measure conditions about places of a scene, with few and with many polygons, and about points in
-a zone; write the tables as a page.
+"""Measure conditions about places in a scene, with few and with many polygons, and conditions about
+points in a zone; write the tables as a page.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from written_page import written_page
 COUNTS = (1, 10, 100)
 CORNERS = 6
 SIDE_M = 4.0
-"""Polygons stand on a grid of this width, and a robot drives across all of it."""
+"""The width of the cells of a grid of polygons (m). A robot drives across the whole grid."""
 
 NEAR_M = 0.47
 CONDITIONS = {"in": "place in Zone", "distance": f"distance(place, Zone) < {NEAR_M} m"}
-YARDSTICK = "place.x > 5 m"
+REFERENCE = "place.x > 5 m"
 _RULES = """
 skills "skills.json";
 action react;
@@ -57,7 +57,7 @@ Polygon = Sequence[tuple[float, float]]
 
 
 def polygons(count: int) -> list[Polygon]:
-    """Hexagons, one in each field of a grid."""
+    """Hexagons (m), one in each cell of a grid."""
     columns = math.ceil(math.sqrt(count))
     turns = [2 * math.pi * number / CORNERS for number in range(CORNERS)]
     middles = ((SIDE_M * (each % columns), SIDE_M * (each // columns)) for each in range(count))
@@ -67,7 +67,7 @@ def polygons(count: int) -> list[Polygon]:
 
 
 def path(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """The way of the robot: a curve that comes by all fields, in m."""
+    """The path of the robot: x and y (m) of a curve through all cells."""
     width = SIDE_M * math.ceil(math.sqrt(count))
     phase = np.linspace(0.0, 40 * math.pi, SAMPLES)
     x = width / 2 * (1 + np.cos(phase * 1.3)) - SIDE_M / 2
@@ -76,7 +76,7 @@ def path(count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_scene(folder: Path, count: int) -> None:
-    """A file of skills whose scene has so many polygons."""
+    """Write a file of skills whose scene has `count` polygons."""
     zone: dict[str, Any] = {"name": "hall.Zone", "parents": [], "place": None}
     locations = [
         {"iri": f"http://example.org/hall#Zone-{number}", "label": None, "classes": ["hall.Zone"],
@@ -88,7 +88,7 @@ def write_scene(folder: Path, count: int) -> None:
 
 
 def in_c(folder: Path, code: str, condition: str, count: int) -> Round:
-    """The generated update, with the place of each sample."""
+    """The generated update with the place of each sample."""
     write_scene(folder, count)
     compiled = machine(folder, code, _RULES.format(condition=condition))
     given = {"x": "x[i]", "y": "y[i]"}
@@ -109,7 +109,7 @@ def in_c(folder: Path, code: str, condition: str, count: int) -> Round:
 
 
 def by_shapely(code: str, count: int) -> Round:
-    """Shapely with a tree of rectangles over the polygons, asked for all samples at once."""
+    """Shapely with a tree of rectangles over the polygons, in one call for all samples."""
     tree = shapely.STRtree([shapely.Polygon(each) for each in polygons(count)])
     points = shapely.points(*path(count))
 
@@ -127,19 +127,19 @@ def by_shapely(code: str, count: int) -> Round:
 
 def rows(folder: Path) -> Iterator[str]:
     """A row for each condition and number of polygons."""
-    contenders = {"yardstick": in_c(folder, "yardstick", YARDSTICK, 1)}
+    contenders = {"reference": in_c(folder, "reference", REFERENCE, 1)}
     for count in COUNTS:
         for code, condition in CONDITIONS.items():
             ours, peer = in_c(folder, f"{code}_{count}", condition, count), by_shapely(code, count)
-            assert ours()[1] == peer()[1], "both say the same"
+            assert ours()[1] == peer()[1], "both find the same places"
             contenders |= {f"{code} {count}": ours, f"{code} {count} shapely": peer}
     found = nanoseconds({name: (run, SAMPLES) for name, run in contenders.items()})
-    yardstick = found["yardstick"]
-    yield f"| `{YARDSTICK}` | | {yardstick:.1f} | 1.0 | |"
+    base_ns = found["reference"]
+    yield f"| `{REFERENCE}` | | {base_ns:.1f} | 1.0 | |"
     for count in COUNTS:
         for code, condition in CONDITIONS.items():
             ours, peer = found[f"{code} {count}"], found[f"{code} {count} shapely"]
-            yield f"| `{condition}` | {count} | {ours:.1f} | {ours / yardstick:.1f} | {peer:.0f} |"
+            yield f"| `{condition}` | {count} | {ours:.1f} | {ours / base_ns:.1f} | {peer:.0f} |"
 
 
 # --- zones -----------------------------------------------------------------------------------
@@ -153,7 +153,7 @@ IN_ZONE = {
     "distance": f"min(p in points: distance(p, zoned)) < {NEAR_M} m",
 }
 OUTLINES = {"circle": 1.0, "star": 2.0}
-"""Polygons: how much farther from the middle every other corner is."""
+"""The distance of every other corner from the center, relative to the corners between them."""
 _LIST_HARNESS = """
 #include <stdlib.h>
 #include "{name}_monitor.h"
@@ -173,19 +173,19 @@ void lists(size_t n, const double *x, const double *y, uint64_t *active)
 
 
 def outline(share: float) -> Polygon:
-    """The corners of a polygon around the middle, every other one farther out."""
+    """The corners of a polygon around (0, 0) (m); every other corner has the distance `share`."""
     turns = [2 * math.pi * number / EDGES for number in range(EDGES)]
     radii = [share if number % 2 else 1.0 for number in range(EDGES)]
     return [(r * math.cos(turn), r * math.sin(turn)) for r, turn in zip(radii, turns, strict=True)]
 
 
 def points(share: float) -> np.ndarray:
-    """Points in the square around a polygon: all edges at their height are looked at."""
+    """Points in the square around a polygon (m), so that the monitor has to visit its edges."""
     return np.random.default_rng(1).uniform(-share, share, (2, LISTS * POINTS))
 
 
 def list_in_c(folder: Path, code: str, condition: str, share: float) -> Round:
-    """The generated update, with a list of points."""
+    """The generated update with a list of points."""
     corners = ", ".join(f"[{x!r}, {y!r}]" for x, y in outline(share))
     zoned = f"zone zoned in base_link {{ polygon {corners} m; }}"
     rule = f"rule r: if {condition} then {{ react; }};"
@@ -205,7 +205,7 @@ def list_in_c(folder: Path, code: str, condition: str, share: float) -> Round:
 
 
 def list_by_shapely(code: str, share: float) -> Round:
-    """Shapely with a prepared polygon, asked for all points of a list at once."""
+    """Shapely with a prepared polygon, in one call for all points of a list."""
     polygon = shapely.Polygon(outline(share))
     shapely.prepare(polygon)
     lists = [shapely.points(each.T) for each in np.split(points(share), LISTS, axis=1)]
@@ -228,7 +228,7 @@ def zone_rows(folder: Path) -> Iterator[str]:
         for code, condition in IN_ZONE.items():
             ours = list_in_c(folder, f"{outlined}_{code}", condition, share)
             peer = list_by_shapely(code, share)
-            assert ours()[1] == peer()[1], "both say the same"
+            assert ours()[1] == peer()[1], "both find the same places"
             contenders |= {f"{outlined} {code}": ours, f"{outlined} {code} shapely": peer}
     found = nanoseconds({name: (run, LISTS) for name, run in contenders.items()})
     for outlined in OUTLINES:
@@ -237,45 +237,50 @@ def zone_rows(folder: Path) -> Iterator[str]:
             yield f"| `{condition}` | {outlined} | {ours / 1e3:.1f} | {peer / 1e3:.0f} |"
 
 
+PREFACE = """\
+# Cost of conditions about places
+
+Written by `benchmarks/places.py`; do not edit. Each condition is the only condition of a rule. The
+class `Zone` has the given number of individuals in the scene, each with a polygon of
+{corners} corners. A robot drives across all polygons: {samples:,} places at 100 Hz. All figures
+are CPU times from one run on one machine ({processor}, {day}),
+the medians of {rounds} rounds. Absolute figures hold for this machine only.
+
+[Shapely](https://shapely.readthedocs.io) {shapely} searches a tree of rectangles,
+for all places in one call. Shapely gives the same answer for every place.
+
+| condition | polygons | C99: ns per sample | ratio to a comparison | Shapely: ns per place |
+|---|---|---|---|---|"""
+ZONES = """
+## Zones
+
+A list has {points} points, as many as a scan. A zone is a polygon of {edges} edges: a circle, or a
+star. Every other corner of the star is twice as far from the center as the corners beside it. All
+points lie in the square around the polygon. The time of C99 is the time of one message. The time of
+Shapely is the time of one call for all points, with a prepared polygon.
+
+| condition | polygon | C99: µs per list | Shapely: µs per list |
+|---|---|---|---|"""
+
+
 def page() -> str:
-    """The table, and how it came about."""
+    """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found, zoned = list(rows(Path(folder))), list(zone_rows(Path(folder)))
-    day = datetime.now(timezone.utc).date()
-    return "\n".join(
-        [
-            "# What a query about places costs",
-            "",
-            "Written by `benchmarks/places.py`; do not edit. Each condition is the only one of a",
-            "rule. Its class `Zone` has so many things in the scene, each a polygon of",
-            f"{CORNERS} corners. A robot drives across all of them: {SAMPLES:,} places at 100 Hz.",
-            f"CPU time of the process, in one run on one machine, medians of {ROUNDS} rounds, on",
-            f"{processor()}, {day}. Absolute figures are those of this machine.",
-            "",
-            f"[Shapely](https://shapely.readthedocs.io) {shapely.__version__} searches a tree of",
-            "rectangles, for all places in one call. It says the same of every place.",
-            "",
-            "| condition | polygons | C99: ns a sample | to a comparison | Shapely: ns a place |",
-            "|---|---|---|---|---|",
-            *found,
-            "",
-            "## Zones",
-            "",
-            f"A list of {POINTS} points, as many as a scan has, and a zone that is a polygon of",
-            f"{EDGES} edges: once around a circle, once a star, of which every other corner is",
-            "twice as far out. All points lie in the square around it. Time of one message, and",
-            "of Shapely with a prepared polygon for all points in one call.",
-            "",
-            "| condition | polygon | C99: µs a list | Shapely: µs a list |",
-            "|---|---|---|---|",
-            *zoned,
-            "",
-        ]
+    preface = PREFACE.format(
+        corners=CORNERS,
+        samples=SAMPLES,
+        processor=processor(),
+        day=datetime.now(timezone.utc).date(),
+        rounds=ROUNDS,
+        shapely=shapely.__version__,
     )
+    zones = ZONES.format(points=POINTS, edges=EDGES)
+    return "\n".join([preface, *found, zones, *zoned, ""])
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

@@ -1,8 +1,8 @@
-"""Proves the generated C of the examples, and writes the page of proofs and their cost.
+"""Prove the generated C of the examples, and write the page about the cost of the proofs.
 
-Examples that are named are proved; the page keeps the rows of the others. With `--library` the
-examples are the files of the library. A row says by a digest of which sources it is. The exit code
-is 1 if a query is not proved.
+If the command line names examples, only these examples are proved, and the page keeps the rows of
+the other examples. With `--library`, the examples are the files of the library. Each row has a
+digest of its rules file. The exit code is 1 if a query is not proved.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
 
 ROOT = Path(__file__).parents[1]
 SECONDS = 120
+SUBJECTS = {"examples": "the examples", "library": "the files of [the library](library.md)"}
+"""The subjects of the pages, by the names of the pages."""
 
 
 def processor_seconds() -> float:
@@ -42,7 +44,7 @@ class Proved:
 
 
 def proved(prover: Prover, example: str) -> Proved:
-    """Ask all queries about one rules file."""
+    """Run all queries about one rules file."""
     queries = queries_of(ROOT / example)
     before = processor_seconds()
     proofs = prove(queries, prover, seconds=SECONDS)
@@ -79,7 +81,7 @@ def link(example: str) -> str:
 
 
 def written(page: str, examples: Iterable[str]) -> dict[str, Proved]:
-    """Those of the examples that a page has, each with its rows."""
+    """The examples that a page already contains, each with its row and its lines."""
     found = {}
     for example in examples:
         named = re.escape(link(example))
@@ -90,51 +92,59 @@ def written(page: str, examples: Iterable[str]) -> dict[str, Proved]:
     return found
 
 
-def page(prover: Prover, known: Iterable[Proved], of: str) -> str:
-    """The whole page about examples, which are `of` something."""
+PREFACE = """\
+# Cost of proofs: {name}
+
+Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` proves the generated C of
+{subject} with {tools}, on {processor}.
+Each solver has at most {seconds} seconds of CPU time for each query. The digest identifies the
+rules that were proved.
+
+| Rules file | Rules | Queries | Proved | Undecided | Refuted | CPU minutes | Digest |
+|---|---|---|---|---|---|---|---|"""
+
+
+def page(prover: Prover, known: Iterable[Proved], name: str) -> str:
+    """The text of the page with this name."""
     known = list(known)
-    tools = ", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS)
-    unproved = [line for each in known for line in each.unproved]
-    return "\n".join(
-        [
-            "# What proofs cost",
-            "",
-            f"Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` on {of}, by",
-            f"{tools}, on {processor()}.",
-            f"No solver was given more than {SECONDS} seconds of a processor for one query.",
-            "",
-            "| Rules file | Rules | Queries | Proved | Undecided | Refuted | Processor minutes "
-            "| Sources |",
-            "|---|---|---|---|---|---|---|---|",
-            *(each.row for each in known),
-            *(["", "Not proved:", ""] if unproved else []),
-            *unproved,
-            "",
-        ]
+    preface = PREFACE.format(
+        name=name,
+        subject=SUBJECTS[name],
+        tools=", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS),
+        processor=processor(),
+        seconds=SECONDS,
     )
+    unproved = [line for each in known for line in each.unproved]
+    heading = ["", "Not proved:", ""] if unproved else []
+    return "\n".join([preface, *(each.row for each in known), *heading, *unproved, ""])
 
 
 def main() -> int:
-    """Prove, and write the page after each example."""
+    """Prove the examples, and write the page after each example."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, required=True, help="the page to write")
-    parser.add_argument("--library", action="store_true", help="prove files of the library")
-    parser.add_argument("examples", nargs="*", metavar="EXAMPLE", help="one of the rules files")
+    parser.add_argument("--library", action="store_true", help="prove the files of the library")
+    parser.add_argument(
+        "examples",
+        nargs="*",
+        metavar="EXAMPLE",
+        help="a rules file to prove; all rules files without this argument",
+    )
     arguments = parser.parse_args()
     examples = LIBRARY if arguments.library else EXAMPLES
     if unknown := {*arguments.examples} - {*examples}:
-        parser.error(f"no example: {', '.join(unknown)}; there are {', '.join(examples)}")
+        parser.error(f"unknown examples: {', '.join(unknown)}; choose from {', '.join(examples)}")
     out: Path = arguments.out
     known = written(out.read_text(encoding="utf-8"), examples) if out.is_file() else {}
     wanted = arguments.examples or examples
-    of = "files of [the library](library.md)" if arguments.library else "examples"
+    name = "library" if arguments.library else "examples"
     prover = Prover()
     if reason := prover.lacking():
-        parser.error(f"{reason}; `make prover` sets it up")
+        parser.error(f"{reason}; run `make prover` to install the prover")
     for example in wanted:
         known[example] = proved(prover, example)
         rows = (known[each] for each in examples if each in known)
-        out.write_text(page(prover, rows, of), encoding="utf-8")
+        out.write_text(page(prover, rows, name), encoding="utf-8")
     return int(any(known[example].unproved for example in wanted))
 
 

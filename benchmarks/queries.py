@@ -1,8 +1,9 @@
-"""Measure the queries about rules by the number of rules; write the table as a page."""
+"""Measure the queries about rules for different numbers of rules; write the tables as a page."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from machine import processor
@@ -28,23 +29,23 @@ BENCH = HERE.parent / "build" / "bench"
 COUNTS = (3, 10, 30, 100)
 SIMPLE_COUNTS = (8, 30, 100, 300)
 QUERIES = {
-    "in conflict (quick)": lambda asked: find_conflicts(asked, thorough=False),
-    "never or always active, constant parts (quick)": lambda asked: find_decided(
-        asked, thorough=False
+    "conflicting rules (quick)": lambda asked: find_conflicts(asked, thorough=False),
+    "rules that are never or always active, constant parts of conditions (quick)": lambda asked: (
+        find_decided(asked, thorough=False)
     ),
-    "whose loss nobody notices (quick)": find_unnoticed,
-    "recoveries that are blocked (quick)": find_blocked,
+    "stale inputs that activate no rule (quick)": find_unnoticed,
+    "blocked recoveries (quick)": find_blocked,
     "rules that keep themselves active (quick)": find_self_holding,
-    "latches that rules release (quick)": find_released_latches,
-    "rules that set each other off (quick)": find_alternating,
-    "durations that do not fit rates (quick)": find_unfit_durations,
-    "superfluous, or never its turn": find_implied,
-    "never cleared": find_never_cleared,
+    "latched rules that a rule resets (quick)": find_released_latches,
+    "rules that activate each other (quick)": find_alternating,
+    "durations that do not fit the message rates (quick)": find_unfit_durations,
+    "superfluous rules, rules that never get their resource": find_implied,
+    "rules that are never cleared": find_never_cleared,
 }
 
 
 def rules(count: int) -> str:
-    """Rules with durations over four inputs, of which every other needs the same parameter."""
+    """Rules with durations over four inputs. Each pair of rules needs the same parameter."""
     lines = [
         "system base { topic /imu : sensor_msgs/Imu at 100 Hz;",
         "topic /odom : nav_msgs/Odometry at [15, 25] Hz; }",
@@ -66,9 +67,7 @@ def rules(count: int) -> str:
 
 
 def simple_rules(count: int) -> str:
-    """Rules with a threshold or two each over five inputs, none of which stands in the way of
-    another.
-    """
+    """Rules with one or two thresholds each, over five inputs. No rule conflicts with another."""
     lines = [
         "input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec",
         "input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec",
@@ -91,20 +90,22 @@ def simple_rules(count: int) -> str:
 
 
 def simple_seconds(count: int) -> tuple[float, float]:
-    """CPU time of reading, checking and lowering so many simple rules, and of all quick queries
-    about them.
+    """The CPU time to parse, check and lower `count` simple rules, and the CPU time of all quick
+    queries about them (s).
     """
     path = BENCH / f"simple_{count}.ross"
     path.write_text(simple_rules(count), encoding="utf-8")
     start = time.process_time()
     machine = compile_file(path).machine
     compiled = time.process_time()
-    assert not list(ask_all(machine, thorough=False, within_ns=TOGGLE_NS)), "rules without faults"
+    assert not list(ask_all(machine, thorough=False, within_ns=TOGGLE_NS)), (
+        "the queries find nothing"
+    )
     return compiled - start, time.process_time() - compiled
 
 
 def seconds(count: int) -> dict[str, float]:
-    """CPU time of each query about so many rules."""
+    """The CPU time of each query about `count` rules (s)."""
     BENCH.mkdir(parents=True, exist_ok=True)
     path = BENCH / f"queries_{count}.ross"
     path.write_text(rules(count), encoding="utf-8")
@@ -117,47 +118,60 @@ def seconds(count: int) -> dict[str, float]:
     return took
 
 
+PREFACE = """\
+# Cost of queries about rules
+
+Written by `benchmarks/queries.py`; do not edit. All figures are CPU seconds of one process, on
+{processor}. The rules are generated: their conditions have durations and
+use four inputs, and each pair of rules needs the same parameter.
+"""
+SIMPLE = """
+The rules of the next table have one or two thresholds each. The queries find nothing, and the
+process has already imported all modules:
+"""
+
+
 def page() -> str:
-    """The whole page."""
+    """The text of the page."""
     found = {count: seconds(count) for count in COUNTS}
-    lines = [
-        "# What queries about rules cost",
-        "",
-        "Written by `benchmarks/queries.py`; do not edit. CPU seconds of one process, on",
-        f"{processor()}. The rules are generated: durations over four inputs,",
-        "and every two rules need the same parameter.",
-        "",
-        "| Query | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
-        "|---" * (len(COUNTS) + 1) + "|",
-    ]
-    for name in QUERIES:
-        cells = " | ".join(f"{found[count][name]:.2f}" for count in COUNTS)
-        lines.append(f"| {name} | {cells} |")
-    quick = (
+    totals = [
         sum(took for name, took in found[count].items() if "quick" in name) for count in COUNTS
-    )
-    lines.append("| all quick ones | " + " | ".join(f"{total:.2f}" for total in quick) + " |")
-    return "\n".join([*lines, *simple_lines()]) + "\n"
+    ]
+    lines = [
+        PREFACE.format(processor=processor()),
+        *_head("Query", COUNTS),
+        *(_line(name, [found[count][name] for count in COUNTS]) for name in QUERIES),
+        _line("all quick queries", totals),
+        *simple_lines(),
+    ]
+    return "\n".join(lines) + "\n"
 
 
 def simple_lines() -> list[str]:
     """The table of simple rules."""
-    simple_seconds(SIMPLE_COUNTS[0])  # the first time reads the tables of the parser, too
+    simple_seconds(SIMPLE_COUNTS[0])  # the first run also loads the tables of the parser
     found = [simple_seconds(count) for count in SIMPLE_COUNTS]
     return [
-        "",
-        "Rules with a threshold or two each, about which there is nothing to find; CPU seconds of",
-        "the same process, which has imported all it needs:",
-        "",
-        "| | " + " | ".join(f"{count} rules" for count in SIMPLE_COUNTS) + " |",
-        "|---" * (len(SIMPLE_COUNTS) + 1) + "|",
-        "| read, check and lower | " + " | ".join(f"{each[0]:.2f}" for each in found) + " |",
-        "| all quick queries | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
+        SIMPLE,
+        *_head("", SIMPLE_COUNTS),
+        _line("parse, check and lower", [compiled for compiled, _ in found]),
+        _line("all quick queries", [asked for _, asked in found]),
     ]
 
 
+def _head(first: str, counts: Sequence[int]) -> list[str]:
+    """The first two lines of a table, with a column for each number of rules."""
+    start = f"| {first} " if first else "| "
+    cells = " | ".join(f"{count} rules" for count in counts)
+    return [f"{start}| {cells} |", "|---" * (len(counts) + 1) + "|"]
+
+
+def _line(name: str, figures: Sequence[float]) -> str:
+    return f"| {name} | {' | '.join(f'{each:.2f}' for each in figures)} |"
+
+
 def main() -> None:
-    """Write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

@@ -1,5 +1,5 @@
-"""Recovery trees in real SkiROS2: the delay from the activation of a rule to the preemption of a
-primitive.
+"""Measure recovery trees in a real SkiROS2: the delays from the activation of a rule to the
+preemption of a primitive.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ ROOT = Path(__file__).parents[1]
 MESSAGES = ROOT / "ros" / "ros1" / "skill_context_msgs"
 ROUNDS = 100
 TICK_MS = 40.0
-"""SkiROS2 asks its ticker for 25 Hz."""
+"""SkiROS2 requests 25 Hz from its ticker."""
 SLACK_MS = 5.0
 ALLOWED_MS = TICK_MS + SLACK_MS
 PULL = -20.0
-"""A force (N) that a tree answers which ends with its rule only."""
+"""A force (N). The rule for this force requests a tree that ends only with the rule."""
 
 VERDICTS, GOALS, TICKS = "/stuck_safety/verdicts", "/recovery/goal", "/heron/tick_rate"
 STATE = "/stuck_safety/state"
@@ -45,60 +45,60 @@ TOPICS = {
 CLEARED, ACTIVATED = 0, 1
 
 PREFACE = """\
-Written by `benchmarks/recovering.py`; do not edit. One run on one machine ({processor}), at the
-usual priority.
+Written by `benchmarks/recovering.py`; do not edit. All figures are from one run on one machine
+({processor}). All processes have default priority.
 
-The skill manager of real SkiROS2 runs a task, and the node of the rules is a process of its own
-beside it. A rule becomes active {rounds} times, at instants that have nothing to do with the
-ticks, and asks for a behavior tree in the place of the task; then the rule is released. Instants
-are those that the node and the skills say themselves, by one clock.
+The skill manager of a real SkiROS2 runs a task, and the node of the rules is a separate process. A
+rule becomes active {rounds} times, at instants that are independent of the ticks. The rule requests
+a behavior tree in place of the task; then the rule is cleared. The node and the skills record the
+instants themselves, with the same clock.
 
-SkiROS2 asks its ticker for 25 Hz: a tick is {tick:.0f} ms. From tick to tick it took {period} ms
-in this run (p50, p90, max).
+SkiROS2 requests 25 Hz from its ticker, so a tick takes {tick:.0f} ms. In this run, the time from
+tick to tick was {period} ms (p50, p90, max).
 """
 
 Delays = dict[str, list[float]]
-"""Seconds, one for each round; and numbers of ticks."""
+"""Delays in seconds, one for each round; and numbers of ticks."""
 
-ACTIVE = "rule active"
-CLEAR = "rule cleared"
+ACTIVE = "from rule active"
+CLEAR = "from rule cleared"
 LATER = "ticks between"
 SENT = f"{ACTIVE} to goal sent"
-PREEMPTED = f"**{ACTIVE} to `onPreempt` of the primitive of the task**"
-BEGINS = f"{ACTIVE} to `onStart` of the first primitive of the tree"
-RELEASED = f"{CLEAR} to `onPreempt` of the primitive of the tree"
-RESUMED = f"{CLEAR} to `onStart` of the primitive of the task"
+PREEMPTED = f"**{ACTIVE} to `onPreempt` of the task's primitive**"
+BEGINS = f"{ACTIVE} to `onStart` of the tree's first primitive"
+RELEASED = f"{CLEAR} to `onPreempt` of the tree's primitive"
+RESUMED = f"{CLEAR} to `onStart` of the task's primitive"
 IN_TIME = {PREEMPTED: f"at most {ALLOWED_MS:.0f}"}
 
 
 def lines(folder: Path) -> Iterator[str]:
-    """The page; one sentence where SkiROS2 is not installed."""
-    yield "# How soon a recovery begins in SkiROS2"
+    """The lines of the page; one sentence if SkiROS2 is not installed."""
+    yield "# Latency of recoveries in SkiROS2"
     yield ""
     lacking = [str(part) for part in (ROS1, SKIROS2) if part.missing]
     if lacking:
         yield "Written by `benchmarks/recovering.py`; do not edit."
         yield ""
-        yield f"Not measured: this machine lacks {' and '.join(lacking)}."
+        yield f"Not measured: this machine does not have {' and '.join(lacking)}."
         return
     shutil.rmtree(folder, ignore_errors=True)
     delays, periods = measured(folder.resolve())
     at_once = delays.pop(LATER).count(0)
     about = {"processor": processor(), "rounds": ROUNDS, "tick": TICK_MS}
     yield PREFACE.format(**about, period=", ".join(marks(periods)))
-    yield "| | p50, ms | p90, ms | max, ms | to reach, ms |"
+    yield "| | p50, ms | p90, ms | max, ms | target, ms |"
     yield "|---|---|---|---|---|"
     for name, found in delays.items():
         yield f"| {name} | {' | '.join(marks(found))} | {IN_TIME.get(name, '')} |"
     within = sum(1e3 * each <= ALLOWED_MS for each in delays[PREEMPTED])
     yield ""
     yield f"{within} of {ROUNDS} activations preempt the task within {ALLOWED_MS:.0f} ms."
-    yield f"In {at_once} of {ROUNDS} no tick passes between the goal and the tick that preempts:"
-    yield "one that takes longer waits for a tick that the machine holds up."
+    yield f"In {at_once} of {ROUNDS} activations, no tick passes between the goal and the tick that"
+    yield "preempts the task. A slower activation waits for a tick that the machine delays."
 
 
 def main() -> None:
-    """Measure, print and write."""
+    """Measure, print and write the page."""
     out = written_page(__doc__)
     found: list[str] = []
     for line in lines(ROOT / "build" / "bench" / "recovering"):
@@ -108,7 +108,7 @@ def main() -> None:
 
 
 def measured(folder: Path) -> tuple[Delays, list[float]]:
-    """The delays of all rounds, and the seconds from tick to tick."""
+    """The delays of all rounds, and the times from tick to tick (s)."""
     notes, workspace = folder / "notes", folder / "robot"
     workspace.mkdir(parents=True)
     os.environ["NOTES"] = str(notes)
@@ -131,7 +131,7 @@ def measured(folder: Path) -> tuple[Delays, list[float]]:
 def _rounds(sensor: Ears, notes: Path) -> tuple[Delays, list[float]]:
     for topic in TOPICS:
         sensor.connected(topic)
-    until(lambda: sensor.last(STATE) is not None, "the node speaks")
+    until(lambda: sensor.last(STATE) is not None, "the node publishes its state")
     found: Delays = {name: [] for name in (SENT, PREEMPTED, BEGINS, RELEASED, RESUMED, LATER)}
     sensor.ask(forget=TICKS)
     for _ in range(ROUNDS):
@@ -142,8 +142,8 @@ def _rounds(sensor: Ears, notes: Path) -> tuple[Delays, list[float]]:
 
 
 def _round(sensor: Ears, notes: Path) -> dict[str, float]:
-    """The seconds from what the rule does to what the skills do, and how many ticks pass between
-    the goal and the tick that preempts.
+    """The delays from the changes of the rule to the reactions of the skills (s), and the number of
+    ticks between the goal and the tick that preempts the task.
     """
     before = len(_instants(notes))
     sensor.ask(forget=VERDICTS)
@@ -169,18 +169,18 @@ def _round(sensor: Ears, notes: Path) -> dict[str, float]:
 
 
 def _ticks(sensor: Ears) -> list[float]:
-    """The instants at which ticks began, heard by another process."""
+    """The instants at which ticks began (s), recorded by another process."""
     return [at for at, _ in sensor.ask(heard=TICKS)]
 
 
 def _verdict(sensor: Ears, change: int) -> float:
-    """The instant at which the rule changed so."""
+    """The instant of the verdict with this change (s)."""
     (found,) = [each["at"] for each in sensor.heard(VERDICTS) if each["change"] == change]
     return float(found)
 
 
 def _instants(notes: Path) -> list[float]:
-    """The instants that the skills recorded."""
+    """The instants that the skills recorded (s)."""
     text = notes.read_text(encoding="utf-8")
     return [float(line.rpartition(" ")[2]) for line in text.splitlines()]
 

@@ -1,8 +1,7 @@
-"""A replay of a long recording beside rosbags alone, and beside the former implementation of
-replays.
+"""Compare a replay of a long recording with rosbags alone and with the former implementation.
 
-Each runs in a process of its own, which tells its CPU time and its peak memory. The contenders run
-in turn. The recordings are kept in `build/bench/recordings`.
+Each contender runs in its own process, which reports its CPU time and its peak memory. The
+contenders run in turn. The recordings are kept in `build/bench/recordings`.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ MESSAGES = 300_000
 RATE = 100  # Hz
 ROUNDS = 3
 WANTED = 1.5 / 3.1
-"""The share of the CPU time of rosbags alone: 1.5 s were wanted where rosbags takes 3.1 s."""
+"""The target, relative to rosbags alone: 1.5 s on a machine on which rosbags takes 3.1 s."""
 IMU = "sensor_msgs/msg/Imu"
 START_NS = 1_700_000_000 * 10**9
 
@@ -48,7 +47,7 @@ import re, sys, time
 from pathlib import Path
 
 def tell():
-    # Not `resource.getrusage`: it counts what this process was before it became Python.
+    # `resource.getrusage` would include the process before it became Python.
     peak = re.search(r"VmHWM:\\s+(\\d+) kB", Path("/proc/self/status").read_text())
     print(time.process_time(), peak[1], file=sys.stderr)
 """
@@ -101,23 +100,24 @@ tell()
 
 
 HEAD = """\
-# What a replay costs
+# Cost of a replay
 
-Written by `benchmarks/replaying.py`; do not edit. CPU time and peak memory of processes, in one run
-on one machine ({machine}), contenders in turn, medians of
-{rounds} rounds. Absolute figures are those of this machine; ratios carry over.
+Written by `benchmarks/replaying.py`; do not edit. All figures are CPU times and peak memory of
+processes, from one run on one machine ({machine}). The contenders run in
+turn; each figure is the median of {rounds} rounds. Absolute figures hold for this machine only;
+ratios carry over to other machines.
 
-A ROS 1 bag has {messages:,} messages `sensor_msgs/Imu` at {rate} Hz. Two rules read 7 of the
-37 numbers in each. A replay makes the table, the verdicts and the timeline; the monitor was built
-before.
+The input is a ROS 1 bag with {messages:,} messages of type `sensor_msgs/Imu` at {rate} Hz. Two
+rules read 7 of the 37 numbers in each message. A replay writes the table, the verdicts and the
+timeline. The monitor was built before the measurement.
 
-| | CPU seconds | of rosbags alone | to reach | peak memory, MB |
+| | CPU seconds | ratio to rosbags alone | target | peak memory, MB |
 |---|---|---|---|---|"""
 
 
 @dataclass(frozen=True)
 class Run:
-    """A program with its recording, and how much of the CPU time of rosbags alone is wanted."""
+    """A program, its recording, and the target relative to the CPU time of rosbags alone."""
 
     program: str
     recording: Path
@@ -125,14 +125,14 @@ class Run:
 
 
 def page(folder: Path) -> str:
-    """The whole page; `folder` is for the recordings."""
+    """The text of the page; `folder` holds the recordings."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "rules.ross").write_text(RULES, encoding="utf-8")
     long, short, warm = (_recording(folder, MESSAGES // part) for part in (1, 10, 1000))
     runs = {
         "rosbags alone: read and decode all messages": Run(ROSBAGS, long),
-        "`rossmarie replay` as before: rosbags reads and decodes each message, and the "
-        "interpreter runs beside the monitor": Run(BEFORE + REPLAY, long),
+        "`rossmarie replay`, former implementation: rosbags reads and decodes each message, and "
+        "the interpreter runs beside the monitor": Run(BEFORE + REPLAY, long),
         "**`rossmarie replay`**": Run(REPLAY, long, f"at most {WANTED:.2f}"),
         f"**`rossmarie replay`** of {MESSAGES // 10:,} messages": Run(REPLAY, short),
     }
@@ -160,7 +160,7 @@ def _rows(
 
 
 def _measured(run: Run, folder: Path) -> tuple[float, float]:
-    """CPU seconds and megabytes of a run."""
+    """The CPU seconds and the megabytes of a run."""
     words = [str(folder / "rules.ross"), str(run.recording), str(folder / "report")]
     done = subprocess.run(
         [sys.executable, "-c", TELL + run.program, *words],
@@ -174,7 +174,7 @@ def _measured(run: Run, folder: Path) -> tuple[float, float]:
 
 
 def _recording(folder: Path, count: int) -> Path:
-    """A bag with so many messages; it is written once."""
+    """A bag with `count` messages, written once."""
     path = folder / f"imu{count}.bag"
     if path.is_file():
         return path
@@ -192,7 +192,7 @@ def _recording(folder: Path, count: int) -> Path:
 
 
 def _message(types: Mapping[str, Any], number: int, at_ns: int, chance: random.Random) -> Any:
-    """A vehicle that rocks, so that one rule is active now and then."""
+    """A message of a rocking vehicle; one rule is active from time to time."""
     stamp = types["builtin_interfaces/msg/Time"](sec=at_ns // 10**9, nanosec=at_ns % 10**9)
     half = 0.12 * math.sin(number / 150) + 0.1 * math.sin(number / 37)  # of the pitch, rad
     vector = types["geometry_msgs/msg/Vector3"]
@@ -212,7 +212,7 @@ def _message(types: Mapping[str, Any], number: int, at_ns: int, chance: random.R
 
 
 def main() -> None:
-    """Write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(FOLDER), encoding="utf-8")
 
 

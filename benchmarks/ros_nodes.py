@@ -1,4 +1,4 @@
-"""The generated nodes: the latency of their commands and actions, and their cost."""
+"""The generated nodes: the latency of commands and actions, the CPU load and the size."""
 
 from __future__ import annotations
 
@@ -45,47 +45,48 @@ rule overload: if load > 1 then { slow; };
 RELAYED = ("/relay_in", "/relay_out")
 PLAIN = ("/plain_in", "/plain_out")
 FILTERED = ("/unfil_cmd_vel", "/cmd_vel")
-TOPIC_TOOLS = "relay of topic_tools"
+TOPIC_TOOLS = "`relay` of topic_tools"
 HAND_WRITTEN = "hand-written relay"
 NODE = "**generated node**"
 
 PREFACE = """\
-Command in to command out, over the loopback. Commands go along the paths in turn, from one process;
-medians of {rounds} rounds, the maximum and the loss of all. A command is lost when a process was
-not scheduled for so long that a queue was full. {about}
+The table shows the latency of commands from the input to the output of a path, over the loopback
+interface. One process sends the commands to the paths in turn. p50 and p99 are medians of {rounds}
+rounds; the maximum and the loss are over all rounds. A command is lost if a process did not run for
+so long that a queue overflowed. {about}
 All processes have {priority}.
 """
 
 
 @dataclass(frozen=True)
 class Generation:
-    """A generation of ROS: its name, and the paths that are measured in it."""
+    """A generation of ROS: its name, and the measured paths."""
 
     title: str
     name: str
     about: str
     paths: Mapping[str, tuple[str, str]]
-    """The topics on which a command enters a path and leaves it; the first is the yardstick."""
+    """The topics on which a command enters and leaves each path. Ratios refer to the first path."""
 
 
 ROS1 = Generation(
     "ROS 1",
     "ros1",
-    "The hand-written relay\nknows the type and asks for TCP_NODELAY, as the node does.",
+    "The hand-written\nrelay knows the message type and requests TCP_NODELAY, as the node does.",
     {TOPIC_TOOLS: RELAYED, HAND_WRITTEN: PLAIN, NODE: FILTERED},
 )
 ROS2 = Generation(
     "ROS 2",
     "ros2",
-    f"The middleware is {os.environ.get('RMW_IMPLEMENTATION', 'the default')}. The hand-written\n"
-    "relay has the quality of service of the node.",
+    f"The middleware is {os.environ.get('RMW_IMPLEMENTATION', 'the default')}. The\n"
+    "hand-written relay has the same quality of service as the node.",
     {HAND_WRITTEN: PLAIN, NODE: FILTERED},
 )
 
 
 @dataclass(frozen=True)
 class Lateness:
-    """Microseconds, how many messages there were, and when the last one came."""
+    """Latencies (µs), the number of messages, and the instant of the last message (s)."""
 
     p50: float
     p99: float
@@ -95,11 +96,12 @@ class Lateness:
 
 
 def lines(folder: Path) -> Iterator[str]:
-    """The page on the nodes; one sentence for a generation that is not installed."""
-    yield "# How late commands come out of the nodes"
+    """The lines of the page; a generation that is not installed gets one sentence."""
+    yield "# Latency of the nodes"
     yield ""
-    yield "Written by `benchmarks/ros_nodes.py`; do not edit. Each section is one run on one"
-    yield f"machine ({processor()}); ratios carry over."
+    yield "Written by `benchmarks/ros_nodes.py`; do not edit. Each section is from one run on one"
+    yield f"machine ({processor()}). Absolute figures hold for this machine only; ratios carry over"
+    yield "to other machines."
     yield ""
     shutil.rmtree(folder, ignore_errors=True)
     lacking = ros1_live.missing() or (None if RELAY.exists() else f"there is no {RELAY}")
@@ -109,7 +111,7 @@ def lines(folder: Path) -> Iterator[str]:
 
 
 def main() -> None:
-    """Measure, print and write."""
+    """Measure, print and write the page."""
     out = written_page(__doc__)
     found: list[str] = []
     for line in lines(HERE.parent / "build" / "bench" / "ros"):
@@ -121,7 +123,7 @@ def main() -> None:
 def _section(
     generation: Generation, lacking: str | None, begin: Callable[[], Ros]
 ) -> Iterator[str]:
-    yield f"## The {generation.title} node"
+    yield f"## Node for {generation.title}"
     yield ""
     if lacking:
         yield f"Not measured: {generation.title} is {lacking}."
@@ -146,7 +148,7 @@ def _ros2(folder: Path) -> ros2_live.Ros2:
 
 
 class _Node:
-    """Generated nodes with their programs beside them, built."""
+    """The generated nodes and the programs that measure them, built."""
 
     def __init__(self, generation: Generation, ros: Ros) -> None:
         self._generation = generation
@@ -157,12 +159,12 @@ class _Node:
         self._talker = talkers / "talker"
 
     def commands(self) -> Iterator[str]:
-        """The table of commands: all paths are measured in turn, command by command."""
+        """The table of commands. The paths take turns, command by command."""
         paths = self._generation.paths
         base = next(iter(paths))
         about = self._generation.about
         yield PREFACE.format(rounds=ROUNDS, about=about, priority=_priority())
-        yield f"| | Hz | p50, us | p99, us | max, us | lost | p99 against {base} | to reach |"
+        yield f"| | Hz | p50, us | p99, us | max, us | lost | p99, ratio to {base} | target |"
         yield "|---|---|---|---|---|---|---|---|"
         for rate, count in ((100, 1000), (1000, 5000)):
             rounds = [self._command_round(rate, count) for _ in range(ROUNDS)]
@@ -176,17 +178,20 @@ class _Node:
         yield ""
 
     def figures(self) -> Iterator[str]:
-        """The table of everything else."""
+        """The table of the other figures."""
         acting = _median([self._violation_round() for _ in range(ROUNDS)])
         stops_ms = max(self._kill_round() for _ in range(ROUNDS))
-        yield "| | measured |"
+        yield "| | value |"
         yield "|---|---|"
-        yield f"| violation in, action out, p50 | {acting.p50:.0f} us |"
-        yield f"| violation in, action out, p99 | {acting.p99:.0f} us |"
+        yield f"| latency from a violation to the action, p50 | {acting.p50:.0f} us |"
+        yield f"| latency from a violation to the action, p99 | {acting.p99:.0f} us |"
         yield f"| violations without an action | {_lost(acting, ROUNDS * VIOLATIONS)} |"
-        yield f"| node killed to last command, 100 Hz, longest of {ROUNDS} | {stops_ms:.1f} ms |"
-        yield f"| CPU of a core, {TOPICS} topics of {RATE} Hz, {TOPICS} rules | {self._cpu():.1%} |"
-        yield f"| program of that node, stripped | {_stripped_kib(self._watching):.0f} KiB |"
+        killed = f"last command after SIGKILL of the node, 100 Hz, maximum of {ROUNDS} rounds"
+        yield f"| {killed} | {stops_ms:.1f} ms |"
+        load = f"CPU load of one core, {TOPICS} topics at {RATE} Hz, {TOPICS} rules"
+        yield f"| {load} | {self._cpu():.1%} |"
+        size = f"{_stripped_kib(self._watching):.0f} KiB"
+        yield f"| size of the program of this node, stripped | {size} |"
 
     def _command_round(self, rate: int, count: int) -> dict[str, Lateness]:
         paths = self._generation.paths
@@ -215,16 +220,16 @@ class _Node:
                 command, env=self._ros.variables, stdout=subprocess.PIPE, text=True
             )
             time.sleep(4.0)
-            killed_s = time.monotonic()  # the clock of the probe, too
+            killed_s = time.monotonic()  # the probe uses the same clock
             os.kill(node.running.pid, signal.SIGKILL)
             output, _ = probe.communicate(timeout=60)
         self._ros.forget_all()
         late = _lateness(output)
-        assert 0 < late.count < 400, "the node was killed on the way"
+        assert 0 < late.count < 400, "the node was killed between two commands"
         return max(0.0, 1e3 * (late.last_s - killed_s))
 
     def _cpu(self) -> float:
-        """The part of a core that a node uses while messages come."""
+        """The share of a core that a node uses while it receives messages."""
         with self._running(self._watching) as node:
             talk = f"exec {self._talker} {TOPICS} {RATE} {CPU_SECONDS + 10.0} >/dev/null"
             with self._running(Path("/bin/sh"), "-c", talk):
@@ -244,7 +249,7 @@ class _Node:
             process.end()
 
     def _measured(self, program: str, *arguments: object) -> list[Lateness]:
-        """The output of a program of the probe, one line for each path."""
+        """The figures that a program of the probe prints, one line for each path."""
         command = [str(self._probe / program), *map(str, arguments)]
         done = subprocess.run(
             command, env=self._ros.variables, capture_output=True, text=True, timeout=300
@@ -262,22 +267,22 @@ def _lost(late: Lateness, sent: int) -> str:
 
 
 def _priority() -> str:
-    """The scheduling of the processes that this program starts; `chrt` in front of it changes
-    it.
+    """The scheduling of the processes that this program starts. Run this program with `chrt` to
+    change the scheduling.
     """
     if os.sched_getscheduler(0) == os.SCHED_OTHER:
-        return "the usual priority"
-    return "real-time priority, so that other work on the machine counts for less"
+        return "default priority"
+    return "real-time priority, so that other load on the machine has less effect"
 
 
 def _cpu_seconds(process: int) -> float:
-    """The CPU time of a process so far; the name before the fields may hold blanks."""
+    """The CPU time of a process so far (s). The name before the fields may contain blanks."""
     fields = Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _stripped_kib(program: Path) -> float:
-    """The size of a program with the library of its package that has the node, if there is one."""
+    """The size of a program (KiB), including a library that contains the node."""
     library = program.parents[1] / f"lib{program.parent.name}_node.so"
     parts = [program, library] if library.exists() else [program]
     for each in parts:
@@ -291,7 +296,7 @@ def _lateness(line: str) -> Lateness:
 
 
 def _median(rounds: Sequence[Lateness]) -> Lateness:
-    """The medians of the percentiles, the maximum of the maxima."""
+    """The medians of the percentiles, and the maximum of the maxima."""
     return Lateness(
         statistics.median(late.p50 for late in rounds),
         statistics.median(late.p99 for late in rounds),

@@ -1,4 +1,4 @@
-"""A generated node of ROS 2 as a guard on the course, at the pace of the world."""
+"""A generated ROS 2 node as a guard on the course, in real time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ START_S = 20.0
 
 
 class Node:
-    """The node of these rules, built; as Nav2's are built: for speed."""
+    """The node of these rules, built with optimization, as Nav2's packages are."""
 
     def __init__(self, rules: Rules, folder: Path) -> None:
         machine = rules.machine(folder)
@@ -31,7 +31,7 @@ class Node:
         self.contender = Contender(rules.name, self._run)
 
     def cpu_ns(self) -> int:
-        """The CPU time that it has used."""
+        """The CPU time of the node so far (ns)."""
         return cpu_ns(self._process.running.pid)
 
     def __call__(
@@ -48,7 +48,7 @@ class Node:
         self._last = None
         self.lockstep.begin()
         until = time.monotonic() + START_S
-        while True:  # until it has started
+        while True:  # until the node has started
             self.lockstep.tell(0, None, None)
             try:
                 self.lockstep.ask(Command(0.1, 0.0))
@@ -59,7 +59,7 @@ class Node:
         yield self
 
     def end(self) -> None:
-        """No more runs."""
+        """End the node."""
         self._process.end()
         self.lockstep.end()
         self._ros.end()

@@ -1,8 +1,9 @@
-"""`make bench`: measure everything in one run and write the table.
+"""Measure the monitor and its peers in one run, and write the page (`make bench`).
 
-CPU time of the process, contenders of a group run in turn on the typical and on the worst trace,
-medians over the rounds; ratios are those of medians of one run. Every row also counts the active
-samples of the three rules, and says whether they are those of the hand-written loop.
+The figures are CPU times of the process. The contenders of a group run in turn on the typical and
+on the worst trace; each figure is the median of the rounds, and each ratio compares medians of one
+run. Every row also counts the active samples of the three rules and compares these counts with the
+hand-written loop.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ Contender = Callable[[Columns], Round]
 
 @dataclass(frozen=True)
 class Outcome:
-    """The CPU time on one trace, and the counts beside those of the hand-written loop."""
+    """The CPU time on one trace, and the counts with the counts of the hand-written loop."""
 
     nanoseconds: float
     counts: list[int]
@@ -62,7 +63,7 @@ class Outcome:
 
     @property
     def agreement(self) -> str:
-        """The comparison of the counts with those of the hand-written loop."""
+        """The comparison of the counts with the counts of the hand-written loop."""
         if self.counts == self.expected:
             return "equal"
         return ", ".join(
@@ -72,7 +73,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Row:
-    """One line of a table: an outcome for each trace."""
+    """One line of a table, with an outcome for each trace."""
 
     name: str
     outcomes: Mapping[str, Outcome]
@@ -80,7 +81,7 @@ class Row:
 
     @property
     def agreement(self) -> str:
-        """The agreement on all traces, or that on each of them where they differ."""
+        """The agreement on all traces, or the agreement on each trace if they differ."""
         texts = {case: outcome.agreement for case, outcome in self.outcomes.items()}
         if len(set(texts.values())) == 1:
             return next(iter(texts.values()))
@@ -88,9 +89,9 @@ class Row:
 
 
 def interleaved(contenders: Mapping[str, Contender], traces: Traces) -> dict[str, Row]:
-    """Run each contender on each trace once a round, in turn.
+    """Run each contender on each trace once per round, in turn.
 
-    The first contender is the yardstick of the counts.
+    The first contender gives the expected counts.
     """
     rounds = {
         (name, case): contender(columns)
@@ -134,10 +135,10 @@ def three_rules(traces: Traces) -> Iterator[str]:
     in_c = interleaved(
         {
             "hand-written C, loop over columns": partial(hand.over_columns, "hand_loop"),
-            "hand-written C, one opaque call a sample": partial(hand.over_columns, "hand_opaque"),
-            "**our C99, one opaque call a sample**": generated.over_columns,
+            "hand-written C, one opaque call per sample": partial(hand.over_columns, "hand_opaque"),
+            "**generated C99, one opaque call per sample**": generated.over_columns,
             **{
-                f"**ours from Python, whole columns, chunks of {chunk:,}**": partial(
+                f"**ROSSMARie from Python, whole columns, chunks of {chunk:,}**": partial(
                     from_python_columns, compiled, chunk=chunk
                 )
                 for chunk in (SAMPLES, 10_000, 1_000, 100)
@@ -148,9 +149,11 @@ def three_rules(traces: Traces) -> Iterator[str]:
     )
     in_python = interleaved(
         {
-            "hand-written Python closure, one call a sample": closure_steps,
-            "**ours from Python, one call a sample**": partial(from_python_steps, compiled),
-            "**ours without a C compiler, one call a sample**": partial(python_steps, compiled),
+            "hand-written Python closure, one call per sample": closure_steps,
+            "**ROSSMARie from Python, one call per sample**": partial(from_python_steps, compiled),
+            "**ROSSMARie without a C compiler, one call per sample**": partial(
+                python_steps, compiled
+            ),
         },
         head(traces, PYTHON_SAMPLES),
     )
@@ -162,19 +165,19 @@ def three_rules(traces: Traces) -> Iterator[str]:
     yield from table([*in_c.values(), *in_python.values(), *peers], 3)
     yield ""
     yield from RATIOS
-    yield ratio("C99 step : hand-written opaque step", ours, opaque, "at most 1.15")
+    yield ratio("generated C99 step : hand-written opaque step", ours, opaque, "at most 1.15")
     for row in list(in_c.values())[3:6]:
         chunk = row.name.strip("*").partition("chunks of ")[2]
-        name = f"whole columns from Python, chunks of {chunk} : C loop"
+        name = f"whole columns from Python, chunks of {chunk} : hand-written C loop"
         yield ratio(name, row, loop, "at most 1.3")
-    name = "one call a sample from Python : hand-written closure"
+    name = "one call per sample from Python : hand-written closure"
     yield ratio(name, step, closure, "at most 1.1")
-    name = "the same without a C compiler : hand-written closure"
+    name = "one call per sample without a C compiler : hand-written closure"
     yield ratio(name, python, closure, "at most 1.1")
-    yield from fastest_peer("C99 step", ours, peers)
+    yield from fastest_peer("generated C99 step", ours, peers)
 
 
-RATIOS = ("| ratio | typical | worst | to reach in the typical case |", "|---|---|---|---|")
+RATIOS = ("| ratio | typical | worst | target (typical trace) |", "|---|---|---|---|")
 
 
 def ratio(name: str, row: Row, base: Row, wanted: str) -> str:
@@ -187,7 +190,7 @@ def ratio(name: str, row: Row, base: Row, wanted: str) -> str:
 
 
 def fastest_peer(name: str, ours: Row, peers: Sequence[Row | LeftOut]) -> Iterator[str]:
-    """The ratio to the first peer, which is the fastest, if it was measured."""
+    """The ratio to the first and fastest peer, if the peer was measured."""
     match peers[0]:
         case Row() as peer:
             yield ratio(f"{name} : RTLola compiled to Rust", ours, peer, "below 1")
@@ -197,7 +200,7 @@ def fastest_peer(name: str, ours: Row, peers: Sequence[Row | LeftOut]) -> Iterat
 
 @dataclass(frozen=True)
 class Peer:
-    """A peer; with three rules it runs on that many samples, with more on fewer."""
+    """A peer. `samples` holds for three rules; more rules run on fewer samples."""
 
     name: str
     measure: Callable[[Workload], Measured]
@@ -209,15 +212,18 @@ PEERS = (
     Peer("RTLola compiled to Rust, rtlola2rust 0.1.0", peers_run.rtlola_in_rust, SAMPLES),
     Peer("RTLola, rtlola-interpreter 0.11.0", peers_run.rtlola, 100_000),
     Peer(
-        "R2U2, r2u2_core 4.2.4", peers_run.r2u2, 100_000, "weak start, and comparisons within 1e-5"
+        "R2U2, r2u2_core 4.2.4",
+        peers_run.r2u2,
+        100_000,
+        "weak start; comparisons with a tolerance of 1e-5",
     ),
     Peer("reelay 25.0.0", peers_run.reelay, 20_000, "weak start"),
-    Peer("rtamt 0.4.10", peers_run.rtamt, 5_000, "weak start; computes robustness, which is more"),
+    Peer("rtamt 0.4.10", peers_run.rtamt, 5_000, "weak start; computes robustness (more work)"),
 )
 
 
 def peer_rows(traces: Traces, copies: int) -> Iterator[Row | LeftOut]:
-    """The peers, on as many samples as they can do in reasonable time."""
+    """The peers, each on as many samples as it can process in reasonable time."""
     hand = Hand(HERE / "hand" / "hand.c", BENCH / "hand.so", ["-O2"])
     for peer in PEERS:
         samples = max(peer.samples // copies, 500)
@@ -233,7 +239,7 @@ def peer_rows(traces: Traces, copies: int) -> Iterator[Row | LeftOut]:
                 outcomes[case] = Outcome(measured.nanoseconds, measured.counts, expected)
                 notes.append(measured.note)
         except peers_run.NotMeasuredError as reason:
-            print(f"bench: {peer.name} is left out: {reason}")
+            print(f"bench: {peer.name} is not measured: {reason}")
             yield LeftOut(peer.name, str(reason))
         else:
             yield Row(peer.name, outcomes, "; ".join(dict.fromkeys(filter(None, notes))))
@@ -250,8 +256,10 @@ def scaling(traces: Traces) -> Iterator[str]:
             {
                 "hand-written C table, -O2": partial(hand.table, copies=copies),
                 "hand-written C table, -O3 -march=native": partial(fast.table, copies=copies),
-                "**our C99, -O2**": Generated(compiled, folder, ["-O2"]).over_columns,
-                "**our C99, -O3 -march=native**": Generated(compiled, folder, VECTOR).over_columns,
+                "**generated C99, -O2**": Generated(compiled, folder, ["-O2"]).over_columns,
+                "**generated C99, -O3 -march=native**": Generated(
+                    compiled, folder, VECTOR
+                ).over_columns,
             },
             head(traces, SCALED_SAMPLES),
         )
@@ -262,19 +270,20 @@ def scaling(traces: Traces) -> Iterator[str]:
         yield from table([*rows.values(), *peers], 3 * copies)
         yield ""
         yield from RATIOS
-        yield ratio("C99 : hand-written table, both -O2", ours, hand_written, "below 1")
-        yield from fastest_peer("C99, -O2", ours, peers)
+        yield ratio("generated C99 : hand-written C table, both -O2", ours, hand_written, "below 1")
+        yield from fastest_peer("generated C99, -O2", ours, peers)
         yield ""
 
 
 def table(rows: Iterable[Row | LeftOut], rules: int) -> Iterator[str]:
     """Rows as Markdown."""
-    yield "| | typical: ns a sample | ns a rule | worst: ns a sample | ns a rule | counts | |"
+    typical, worst = (f"{case}: ns per sample | ns per rule" for case in ("typical", "worst"))
+    yield f"| | {typical} | {worst} | counts | notes |"
     yield "|---|---|---|---|---|---|---|"
     for row in rows:
         match row:
             case LeftOut(name, reason):
-                yield f"| {name} | | | | | left out | {reason} |"
+                yield f"| {name} | | | | | not measured | {reason} |"
             case Row(name, outcomes, note):
                 times = " | ".join(
                     f"{outcome.nanoseconds:,.1f} | {outcome.nanoseconds / rules:,.2f}"
@@ -283,37 +292,42 @@ def table(rows: Iterable[Row | LeftOut], rules: int) -> Iterator[str]:
                 yield f"| {name} | {times} | {row.agreement} | {note} |"
 
 
-PREFACE = """# Performance
+PREFACE = """# Performance of the monitor
 
-Written by `make bench`; do not edit. CPU time of the process, everything in one run on one machine,
-contenders in turn, medians of {rounds} rounds; peers run by themselves, with three rules for
-3 rounds, with more for 1. Absolute figures are those of this machine
-({machine}); ratios carry over.
+Written by `make bench`; do not edit. All figures are CPU times from one run on one machine
+({machine}).
+The contenders run in turn; each figure is the median of {rounds} rounds. The peers run separately:
+3 rounds with three rules, 1 round with more rules. Absolute figures hold for this machine only;
+ratios carry over to other machines. A call is *opaque* if the compiler cannot inline it.
 
-**The rules.** Conditions: speed > 0.5 for 2.0 s; |pitch| > 10 for 4.0 s; distance < 0.8;
-force_z > 15 for 0.3 s; not contact. Rules: the first and the third; the second and speed > 0.05;
-the fourth and the fifth. 30 and 300 rules are copies with other constants.
+**Rules.** The five conditions are speed > 0.5 for 2.0 s; |pitch| > 10 for 4.0 s; distance < 0.8;
+force_z > 15 for 0.3 s; and not contact. Rule 1 joins the first and the third condition. Rule 2
+joins the second condition and speed > 0.05. Rule 3 joins the fourth and the fifth condition. The
+sets of 30 and 300 rules are copies of these three rules with other constants.
 
-**Typical and worst.** Both traces have {samples:,} samples at 100 Hz of speed, pitch, distance,
-force_z and contact. In the typical one the numbers are random walks with a seed, as sensors that
-move slowly send them: most samples change no comparison. In the worst one each sample changes
-every comparison of every rule: all numbers jump from one side of all their limits to the other.
-Only the last {rest:.0f} s of each {rest_period:,.0f} s stay on one side, so that all rules become
-active there. A monitor that evaluates everything with every sample, as the hand-written loops and
-RTLola do, needs about the same time for both. Ours evaluates what depends on a comparison that
-changed: little in the typical case, all of it in the worst one, and finding that out costs more
-than a plain evaluation would. 30 and 300 rules run on the first {scaled:,} samples.
+**Traces.** Both traces have {samples:,} samples of speed, pitch, distance, force_z and contact, at
+100 Hz. In the *typical* trace, the numbers are seeded random walks that resemble slow sensors: most
+samples change no comparison. In the *worst* trace, each sample changes every comparison of every
+rule: all numbers jump from one side of all their limits to the other. Only the last
+{rest:.0f} s of each {rest_period:,.0f} s stay on one side, so that all rules become active. The
+sets of 30 and 300 rules run on the first {scaled:,} samples.
 
-**Counts.** A row counts for how many samples each of the three rules (and its copies) was active,
-and compares that with the hand-written loop on the same samples. Most peers run on fewer samples;
-those that see less than {rest_period:,.0f} s of the worst trace see the jumps alone, in which no
-rule becomes active: there "equal" says little. With a weak start a condition counts as true for
-all the time before the first sample, which ours does not assume: such a peer reports a rule
-earlier.
+A monitor that evaluates everything for each sample needs about the same time for both traces. The
+hand-written loops and RTLola are such monitors. The monitor of ROSSMARie evaluates only the parts
+that depend on a changed comparison. In the typical trace, few parts do. In the worst trace, all
+parts do, and the search for these parts makes the monitor slower than a plain evaluation.
 
-**RTLola compiled to Rust** gets the specification that its interpreter gets, reports the rules and
-no other stream, and is compiled with `opt-level=3`, as the other programs in Rust are. Its
-conditions count samples where ours measure time: the same at a steady 100 Hz, and nowhere else.
+**Counts.** For each of the three rules (and its copies), a row counts the samples at which the rule
+was active, and compares this count with the hand-written loop on the same samples. Most peers run
+on fewer samples. A peer that sees less than {rest_period:,.0f} s of the worst trace sees only
+the jumps, and during the jumps no rule becomes active. For such a peer, "equal" means little. A
+peer with a *weak start* assumes that each condition was true before the first sample. ROSSMARie
+does not assume this. A peer with a weak start therefore reports a rule earlier.
+
+**RTLola compiled to Rust** uses the same specification as the RTLola interpreter. Its output is
+limited to the streams of the rules, and the compiler option is `opt-level=3`, as for the other
+programs in Rust. Its conditions count samples, but the conditions of ROSSMARie measure time. Both
+agree only at a steady 100 Hz.
 """
 
 
@@ -325,8 +339,8 @@ def describe_machine() -> str:
 
 
 def main() -> None:
-    """Measure, print and write."""
-    out = written_page("Measure the monitor beside its peers.")
+    """Measure, print and write the page."""
+    out = written_page("Measure the monitor and its peers.")
     traces = {"typical": typical_trace(), "worst": worst_trace()}
     for case, columns in traces.items():
         write_trace(BENCH / "trace" / case, columns)

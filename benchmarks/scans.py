@@ -1,4 +1,4 @@
-"""Measure rules on laser scans, the part of the node that takes scans apart included; write the
+"""Measure rules about laser scans, including the part of the node that unpacks a scan; write the
 table as a page.
 """
 
@@ -63,7 +63,7 @@ void drive(unsigned scans, unsigned long long *active)
     for (std::size_t i = 0; i != {beams}; i++) {{
         state = state * 1664525U + 1013904223U;
         const float share = static_cast<float>(state >> 8) / 16777216.0F;
-        scan.ranges.push_back(share < 0.05F ? 0.0F : 13.0F * share); // some say nothing
+        scan.ranges.push_back(share < 0.05F ? 0.0F : 13.0F * share); // no return
     }}
     scan.intensities.resize({beams});
     if ({name}_init(&m, nullptr, nullptr))
@@ -97,7 +97,7 @@ def in_c(folder: Path, code: str, condition: str, beams: int) -> Round:
 
 
 def _taken(compiled: ir.Machine, beams: int) -> tuple[str, str]:
-    """The statement that takes a scan apart, and the arguments of the update."""
+    """The statement that unpacks a scan, and the arguments of the update."""
     first, *_ = compiled.arrays
     last = first.path[-1]
     if isinstance(last, ir.Sector):
@@ -149,33 +149,30 @@ def rows(folder: Path) -> Iterator[str]:
         yield f"| `{condition}` | {cells} |"
 
 
+PREFACE = """\
+# Cost of conditions about laser scans
+
+Written by `benchmarks/scans.py`; do not edit. Each condition is the only condition of a rule. The
+times include the code of the generated nodes that unpacks a scan, and the generated monitor. The
+input is {scans:,} scans of random distances; about one distance in twenty is 0. All figures are
+CPU times from one run on one machine ({processor}, {day}),
+the medians of {rounds} rounds. Absolute figures hold for this machine only.
+"""
+
+
 def page() -> str:
-    """The table, and how it came about."""
+    """The text of the page."""
     with tempfile.TemporaryDirectory() as folder:
         found = list(rows(Path(folder)))
     day = datetime.now(timezone.utc).date()
+    preface = PREFACE.format(scans=SCANS, processor=processor(), day=day, rounds=ROUNDS)
     heads = " | ".join(f"µs, {beams} beams" for beams in BEAMS)
-    return "\n".join(
-        [
-            "# What a query about a laser scan costs",
-            "",
-            "Written by `benchmarks/scans.py`; do not edit. Each condition is the only one of a",
-            "rule. A scan is taken apart by the header that nodes have, and goes into the",
-            f"generated monitor: {SCANS:,} scans of random distances, of which every twentieth is",
-            "0. CPU time of the process, in one run on one machine, medians of "
-            f"{ROUNDS} rounds, on",
-            f"{processor()}, {day}. Absolute figures are those of this machine.",
-            "",
-            f"| condition | {heads} |",
-            f"|---|{'---|' * len(BEAMS)}",
-            *found,
-            "",
-        ]
-    )
+    rule = f"|---|{'---|' * len(BEAMS)}"
+    return "\n".join([preface, f"| condition | {heads} |", rule, *found, ""])
 
 
 def main() -> None:
-    """Measure, and write the page."""
+    """Measure and write the page."""
     written_page(__doc__).write_text(page(), encoding="utf-8")
 
 

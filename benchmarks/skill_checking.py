@@ -1,8 +1,9 @@
-"""Checks skills, in a process of its own: `skill_checking.py FOLDER`, with the ontology of the
-variable EZSKIROS_ONTOLOGY.
+"""Check skills in a separate process: `skill_checking.py FOLDER`, with the ontology of the variable
+EZSKIROS_ONTOLOGY.
 
-Prints a line of JSON: the CPU time of the import, of loading the ontology, of the check, and for
-comparison of Python compiling the same files; how many skills there are, and how many findings.
+The program prints a line of JSON: the CPU times of the import, of the loading of the ontology, of
+the check, and for comparison of the compilation of the same files by Python (s); and the numbers of
+skills and findings.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Measure, and print."""
+    """Measure and print."""
     instants = [time.process_time()]
     import ezskiros.cli.main  # noqa: F401
     from ezskiros.driver import check_paths
     from ezskiros.ontology import load
 
-    # Each round is the first: what Python would keep of the skills is not there yet.
+    # Each round is a first run, without the bytecode of an earlier run.
     sys.dont_write_bytecode = True
     instants.append(time.process_time())
     load()

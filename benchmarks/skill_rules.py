@@ -1,4 +1,4 @@
-"""Rules that ask which skill runs, and the loop around their generated C."""
+"""Rules that depend on the running skill, and the loop around their generated C."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SKILLS = {
     ],
 }  # fmt: skip
 CONTEXT_EVERY = 10
-"""Samples for each message that tells which skills run."""
+"""The number of samples for each message that reports the running skills."""
 
 OF_SKILLS = {
     "plain": "if speed > 0.5 then { react; }",
@@ -34,7 +34,7 @@ OF_SKILLS = {
     "exemption": "if speed > 0.5 then { react; } "
     "unless doing Drive then if speed > 0.9 then { react; }",
 }
-"""The same rule by itself, with a scope, and with an exemption."""
+"""The same rule without a scope, with a scope, and with an exemption."""
 
 SKILL_HARNESS = """
 #include <stdlib.h>
@@ -58,7 +58,7 @@ void skilled(size_t n, const int64_t *t, const double *speed, const uint8_t *dri
 
 
 def of_skills(rule: str) -> str:
-    """Rules about a speed, and which skill runs."""
+    """The rules file with a rule about a speed and the running skill."""
     return (
         'skills "skills.json";\naction react;\n'
         f"input speed = topic /reading : bench_msgs/Sample .speed;\nrule r: {rule};\n"
@@ -66,7 +66,7 @@ def of_skills(rule: str) -> str:
 
 
 def _reported_context(compiled: Machine) -> str:
-    """The lines that tell which skills run; none where no rule asks."""
+    """The lines that report the running skills; none if no rule needs them."""
     flags = ["drives[i]"] * sum(slot.path != ("speed",) for slot in compiled.slots)
     if not flags:
         return ""
@@ -75,10 +75,10 @@ def _reported_context(compiled: Machine) -> str:
 
 
 def write_skills(folder: Path) -> None:
-    """The file of skills that these rules name."""
+    """Write the file of skills that these rules name."""
     (folder / "skills.json").write_text(json.dumps(SKILLS), encoding="utf-8")
 
 
 def skill_harness(compiled: Machine) -> str:
-    """A speed with each sample, and the context ten times a second, where a rule asks for it."""
+    """A speed with each sample, and the skill context ten times a second if a rule needs it."""
     return SKILL_HARNESS.format(name=compiled.name, tell=_reported_context(compiled))

@@ -1,7 +1,7 @@
-"""The CPU time of a check of one small file with all imports, beside Python that does nothing.
+"""The CPU time of a check of one small file with all imports, compared with an empty program.
 
-The time of child processes counts: `ezskiros` checks in one. The contenders run in turn.
-Absolute figures differ from machine to machine, ratios much less. By itself:
+The time includes child processes, because `ezskiros` checks in a child process. The contenders run
+in turn. Absolute figures differ from machine to machine, ratios much less. To run only this part:
 `python benchmarks/start_up.py`.
 """
 
@@ -17,41 +17,41 @@ from pathlib import Path
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 ROUNDS = 11
-FLOOR = "Python that does nothing"
+FLOOR = "empty Python program"
 COMMANDS = {
     FLOOR: ("-c", "pass"),
     "`import typer, rich`": ("-c", "import typer, rich"),
     "`rossmarie check` of 8 rules": ("-m", "rossmarie", "check", EXAMPLES / "demo" / "demo.ross"),
-    "`ezskiros check` of a file": (
+    "`ezskiros check` of one file": (
         *("-m", "ezskiros", "check"),
         EXAMPLES / "pick_place" / "skills" / "motions.py",
     ),
 }
-TO_REACH = "under 0.4"
+TARGET = "under 0.4"
 
 
 def lines() -> Iterator[str]:
-    """The table of start-ups."""
+    """The table of start-up times."""
     seconds: dict[str, list[float]] = {name: [] for name in COMMANDS}
     for words in COMMANDS.values():
-        _cpu_seconds(*words)  # Python keeps what it has compiled, and `rossmarie` its parser
+        _cpu_seconds(*words)  # fills the caches of Python and of `rossmarie`
     for _ in range(ROUNDS):
         for name, words in COMMANDS.items():
             seconds[name].append(_cpu_seconds(*words))
     medians = {name: statistics.median(each) for name, each in seconds.items()}
     yield "## Start-up"
     yield ""
-    yield "| | CPU seconds | to reach | ratio |"
+    yield "| | CPU seconds | target | ratio to an empty program |"
     yield "|---|---|---|---|"
     for name, took in medians.items():
-        wanted = TO_REACH if "check" in name else ""
+        wanted = TARGET if "check" in name else ""
         yield f"| {name} | {took:.3f} | {wanted} | {took / medians[FLOOR]:.1f} |"
 
 
 def _cpu_seconds(*words: str | Path) -> float:
     """The CPU time of a run of Python and of its children."""
     environment = {**os.environ}
-    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # else it compiles all modules each time
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # otherwise each run compiles all modules
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([sys.executable, *words], env=environment, stdout=subprocess.DEVNULL, check=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -1,9 +1,9 @@
 """The workload of the benchmark: two traces, and the same three rules in many copies.
 
-A million samples at 100 Hz of speed, pitch, distance, force_z and contact. In the typical trace the
-numbers are seeded random walks that return to their mean, and contact is a seeded switch; in the
-worst one every comparison changes with every sample. Five conditions and three rules; for 30 and
-300 rules the set is repeated with other constants.
+A trace has a million samples of speed, pitch, distance, force_z and contact, at 100 Hz. In the
+typical trace, the numbers are seeded random walks that return to their mean, and contact is a
+seeded switch. In the worst trace, every sample changes every comparison. The workload has five
+conditions and three rules; for 30 and 300 rules, the rules are repeated with other constants.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Columns = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True)
 class Constants:
-    """The constants of one copy of the three rules; durations in samples."""
+    """The constants of one copy of the three rules. Durations are in samples."""
 
     speed: float
     pitch: float
@@ -40,7 +40,7 @@ class Constants:
 
 
 def constants(copies: int) -> list[Constants]:
-    """`copies` sets, the first one being the plain workload."""
+    """The constants of `copies` copies. The first copy is the plain workload."""
     return [
         Constants(
             speed=0.5 + 0.002 * copy,
@@ -57,7 +57,7 @@ def constants(copies: int) -> list[Constants]:
 
 
 def typical_trace() -> Columns:
-    """The columns: `t_ns` int64, four of float64, `contact` uint8."""
+    """The columns: `t_ns` as int64, four columns as float64, and `contact` as uint8."""
     random = np.random.default_rng(SEED)
     columns: Columns = {
         "t_ns": np.arange(SAMPLES, dtype=np.int64) * PERIOD_NS,
@@ -72,10 +72,10 @@ def typical_trace() -> Columns:
 
 
 def worst_trace() -> Columns:
-    """The same columns: with each sample all numbers jump to the other side of all their limits.
+    """The same columns. With each sample, all numbers jump to the other side of all their limits.
 
-    The last samples of each `REST_PERIOD` stay on the side where all conditions hold, for so long
-    that every rule becomes active: else no count would tell two monitors apart.
+    The last samples of each `REST_PERIOD` stay on the side on which all conditions hold, until
+    every rule is active. Otherwise no count would distinguish two monitors.
     """
     index = np.arange(SAMPLES)
     is_resting = index % REST_PERIOD >= REST_PERIOD - REST_SAMPLES
@@ -93,7 +93,7 @@ def worst_trace() -> Columns:
 def _walk(
     random: np.random.Generator, mean: float, deviation: float, memory_s: float, start: float
 ) -> NDArray[np.float64]:
-    """An Ornstein-Uhlenbeck process, sampled, to six decimals."""
+    """The samples of an Ornstein-Uhlenbeck process, rounded to six decimals."""
     keep = np.exp(-PERIOD_NS / 1e9 / memory_s)
     kicks = (random.standard_normal(SAMPLES) * deviation * np.sqrt(1 - keep * keep)).tolist()
     value = start
@@ -105,7 +105,7 @@ def _walk(
 
 
 def write_trace(folder: Path, columns: Columns) -> None:
-    """The columns as raw little-endian files, for peers in other languages."""
+    """Write the columns as raw little-endian files, for peers in other languages."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in REALS:
         columns[name].tofile(folder / f"{name}.f64")
@@ -135,7 +135,7 @@ def _rossmarie_lines(copies: int) -> Iterator[str]:
 
 
 def lola_rules(copies: int) -> str:
-    """The workload in RTLola: event counters, the strong start."""
+    """The workload in RTLola, with event counters and a strong start."""
     lines = [f"input {name}: Float64" for name in REALS] + ["input contact: Bool"]
     for copy, c in enumerate(constants(copies)):
         conditions = (
@@ -155,7 +155,7 @@ def lola_rules(copies: int) -> str:
 
 
 def c2po_rules(copies: int) -> str:
-    """The workload in R2U2's language: past-time MLTL, the weak start."""
+    """The workload in R2U2's language: past-time MLTL with a weak start."""
     lines = ["INPUT", "  speed, pitch, distance, force_z: float;", "  contact: bool;", "", "PTSPEC"]
     for c in constants(copies):
         tilted = f"(pitch > {c.pitch!r}) || (pitch < {-c.pitch!r})"

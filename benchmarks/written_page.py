@@ -1,4 +1,4 @@
-"""The page that a benchmark writes, as its command line says."""
+"""The command line of a benchmark: the path of the page that it writes."""
 
 from __future__ import annotations
 

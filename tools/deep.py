@@ -1,9 +1,9 @@
-"""Runs what is too slow for each run of the tests, says how long it took, and writes the page.
+"""Run the tests and proofs that are too slow for each test run, and write the page.
 
-All parts run, also after one that failed; the exit code is 1 if one did. Beside the figures the
-page has a digest of the sources whose changes ask for a deep run. A part that the page says has
-passed on these sources is not run again: remove the page to run all. With `--remind` nothing runs,
-and a line says whether a run is due.
+All parts run, also after a failure; the exit code is 1 if a part failed. The page has the durations
+and a digest of the sources whose changes require a deep run. A part that has passed for these
+sources according to the page does not run again: remove the page to run all parts. With `--remind`,
+nothing runs, and the program prints if a run is due.
 """
 
 from __future__ import annotations
@@ -26,23 +26,23 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
 PROVED = ROOT / "benchmarks" / "proved_examples.py"
 SOURCES = ("interpreter", "ir", "lowering", "native", "runtime", "targets", "verification")
-"""The generator, the semantics and the nodes, in `src/rossmarie`."""
+"""The folders of `src/rossmarie` with the generator, the semantics and the nodes."""
 
 KEPT = 24
-"""Lines at the end of a run of tests: the slowest, and how many there were."""
+"""The number of last lines of a test run on the page: the slowest tests, and the counts."""
 
 _DIGEST = re.compile(r"Digest of the sources:\s`(\w+)`")
 _ROW = re.compile(
     r"^\| (?P<about>.+) \| passed \| (?P<day>\S+) \| (?P<minutes>[\d.]+) \|$", re.MULTILINE
 )
 _COMMAND = "    $ "
-_UNSAID = re.compile(r"[.sxXFE]* *\[ *\d+%\]|make\[\d+\]: .*")
-"""Lines that are not kept: the progress of tests, and the folder that make is in."""
+_OMITTED = re.compile(r"[.sxXFE]* *\[ *\d+%\]|make\[\d+\]: .*")
+"""Lines that are not kept: the progress of tests, and the folders of make."""
 
 
 @dataclass(frozen=True)
 class Part:
-    """A program, and how many of its last lines go on the page."""
+    """A program, and the number of its last lines that go on the page."""
 
     about: str
     command: tuple[str, ...]
@@ -61,7 +61,7 @@ class Result:
 
 
 def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
-    """All parts; `soak` and `fuzz` are seconds."""
+    """The parts. `soak` and `fuzz` are in seconds."""
     deep = f"--deep --soak={soak} --durations=10"
     folders = ("tests/rossmarie", "tests/property")
     proved = "tests/rossmarie/verification"
@@ -70,12 +70,12 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
     examples = runpy.run_path(str(PROVED))["EXAMPLES"]
     return (
         Part(
-            "Tests of proofs, deep ones among them: each fault is refuted",
+            "Tests of proofs, including deep tests: each mutant is refuted",
             ("make", "test", f"OPTIONS={deep} {proved}"),
             KEPT,
         ),
         Part(
-            "All other tests of ROSSMarie, deep ones among them, each property with many examples",
+            "All other tests of ROSSMarie, including deep tests, many examples of each property",
             ("make", "test", f"OPTIONS={deep} --ignore={proved} tests/rossmarie"),
             KEPT,
         ),
@@ -85,21 +85,21 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
             KEPT,
         ),
         Part(
-            f"Live tests, deep ones among them; a node runs for {soak} s",
+            f"Live tests, including deep tests; one node runs for {soak} s",
             ("make", "test", f"OPTIONS={deep} tests/live"),
             KEPT,
         ),
         Part(
-            "All other tests, deep ones among them",
+            "All other tests, including deep tests",
             ("make", "test", f"OPTIONS={deep} {rest}"),
             KEPT,
         ),
         Part(
-            "Live tests, with nodes built by AddressSanitizer and UndefinedBehaviorSanitizer",
+            "Live tests with nodes built with AddressSanitizer and UndefinedBehaviorSanitizer",
             ("make", "test", "OPTIONS=--sanitize tests/live"),
             1,
         ),
-        # One by one: an interruption costs less.
+        # One part for each example, so that an interruption costs less.
         *(
             Part(
                 f"[Proofs](performance-proofs.md) of {Path(example).name}",
@@ -108,12 +108,14 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
             )
             for example in examples
         ),
-        Part(f"Damaged files, for {fuzz} s of each kind", ("make", "fuzz", f"SECONDS={fuzz}"), 1),
+        Part(
+            f"Damaged files, {fuzz} s for each kind of file", ("make", "fuzz", f"SECONDS={fuzz}"), 1
+        ),
     )
 
 
 def ran(part: Part) -> Result:
-    """Run a part; its output is shown as it comes."""
+    """Run a part and show its output immediately."""
     sys.stdout.write(f"\n$ {shown(part.command)}\n")
     sys.stdout.flush()
     begin = time.monotonic()
@@ -130,7 +132,7 @@ def ran(part: Part) -> Result:
         for line in running.stdout:
             sys.stdout.write(line)
             sys.stdout.flush()
-            if not _UNSAID.fullmatch(line.strip()):
+            if not _OMITTED.fullmatch(line.strip()):
                 lines.append(line.rstrip())
     minutes = (time.monotonic() - begin) / 60
     kept = lines[-part.kept :] if part.kept else ()
@@ -138,17 +140,17 @@ def ran(part: Part) -> Result:
 
 
 def shown(command: Sequence[str]) -> str:
-    """A command as one types it."""
+    """A command as text for a shell."""
     return shlex.join([Path(command[0]).name, *command[1:]])
 
 
 def outcome(result: Result) -> str:
-    """The result of a part, in a word or two."""
+    """The result of a part in a few words."""
     return "passed" if result.code == 0 else f"failed, exit code {result.code}"
 
 
 def digest() -> str:
-    """A digest of the sources that ask for a deep run when they change."""
+    """The digest of the sources whose changes require a deep run."""
     found = hashlib.sha256()
     for folder in SOURCES:
         for path in sorted((ROOT / "src" / "rossmarie" / folder).rglob("*")):
@@ -162,15 +164,15 @@ def page(results: Sequence[Result]) -> Iterator[str]:
     """The lines of the page."""
     yield "# Deep tests"
     yield ""
-    yield "Written by `make deep`; do not edit. Parts that are too slow for `make test`, run with"
-    yield f"{os.cpu_count()} processors. Digest of the sources:"
+    yield "Written by `make deep`; do not edit. These parts are too slow for `make test`. They ran"
+    yield f"on {os.cpu_count()} processors. Digest of the sources:"
     yield f"`{digest()}`."
     yield ""
     yield "| Part | Outcome | Day | Minutes |"
     yield "|---|---|---|---|"
     for result in results:
-        told = f"{outcome(result)} | {result.day} | {result.minutes:.1f}"
-        yield f"| {result.part.about} | {told} |"
+        text = f"{outcome(result)} | {result.day} | {result.minutes:.1f}"
+        yield f"| {result.part.about} | {text} |"
     yield f"| All | | | {sum(result.minutes for result in results):.1f} |"
     for result in results:
         if result.lines:
@@ -180,7 +182,7 @@ def page(results: Sequence[Result]) -> Iterator[str]:
 
 
 def passed(wanted: Sequence[Part]) -> dict[Part, Result]:
-    """The parts that the page says have passed on these sources."""
+    """The parts that have passed for these sources, according to the page."""
     text = PAGE.read_text(encoding="utf-8") if PAGE.is_file() else ""
     written = _DIGEST.search(text)
     if not written or written.group(1) != digest():
@@ -197,18 +199,26 @@ def passed(wanted: Sequence[Part]) -> dict[Part, Result]:
 
 
 def reminder(wanted: Sequence[Part]) -> str:
-    """A reminder whether all parts have passed on these sources."""
+    """A line that reports if a deep run is due."""
     if len(passed(wanted)) == len(wanted):
-        return "make deep: has passed on this generator and these nodes"
-    return "make deep: is due, it has not passed on this generator and these nodes"
+        return "make deep has passed for the current generator and nodes"
+    return "make deep is due: it has not passed for the current generator and nodes"
 
 
 def main() -> int:
-    """Run all parts and write the page, or remind."""
+    """Run the parts and write the page, or print the reminder."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--remind", action="store_true", help="only say whether a run is due")
-    parser.add_argument("--soak", type=int, default=600, metavar="SECONDS")
-    parser.add_argument("--fuzz", type=int, default=60, metavar="SECONDS")
+    parser.add_argument("--remind", action="store_true", help="only print if a run is due")
+    parser.add_argument(
+        "--soak",
+        type=int,
+        default=600,
+        metavar="SECONDS",
+        help="time of the node in the live tests",
+    )
+    parser.add_argument(
+        "--fuzz", type=int, default=60, metavar="SECONDS", help="time for each kind of damaged file"
+    )
     arguments = parser.parse_args()
     wanted = parts(arguments.soak, arguments.fuzz)
     if arguments.remind:
@@ -218,13 +228,13 @@ def main() -> int:
     for part in wanted:
         if part not in results:
             results[part] = ran(part)
-            # After each part: a run that is interrupted goes on where it was.
+            # Write after each part, so that an interrupted run can continue.
             ended = [results[each] for each in wanted if each in results]
             PAGE.write_text("\n".join(page(ended)) + "\n", encoding="utf-8")
     sys.stdout.write("\n")
     for result in results.values():
-        told = f"{result.minutes:6.1f} min  {outcome(result):<24}  {shown(result.part.command)}"
-        sys.stdout.write(f"{told}\n")
+        text = f"{result.minutes:6.1f} min  {outcome(result):<24}  {shown(result.part.command)}"
+        sys.stdout.write(f"{text}\n")
     return int(any(result.code for result in results.values()))
 
 

@@ -1,8 +1,8 @@
-"""Builds the distributions of `packages/`, checks them, and tries them in clean environments.
+"""Build the distributions of `packages/`, check them, and try them in clean environments.
 
 `make dist` writes wheels and source distributions into `dist/`. Each trial below gets a new
-environment for every supported Python of this machine; pip fetches what the wheels need. The exit
-code is 1 if a trial does not end as it says.
+environment for every supported Python on this machine; pip fetches the dependencies of the wheels.
+The exit code is 1 if a trial fails.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ROOT / "packages"
 OUT = ROOT / "dist"
 SUPPORTED = ("3.10", "3.11", "3.12", "3.13", "3.14")
-"""The Pythons that the distributions may be installed for, as far as this machine has them."""
+"""The supported versions of Python. Only the versions on this machine are tried."""
 
 _PLACEHOLDER = "rossmarie.example"
-"""The address in metadata and READMEs: `.example` is reserved (RFC 2606), and nobody can own it."""
+"""The address in metadata and READMEs: `.example` is reserved (RFC 2606) and has no owner."""
 
 _MEGABYTE = 1_000_000
-_SHOWN = 2000  # characters of the output of a command that does not end as it should
+_SHOWN = 2000  # characters of the output of a failed command
 
 
 @dataclass(frozen=True)
 class Expected:
-    """A command of a trial: the words, the exit code, and texts that its output contains."""
+    """A command of a trial, the texts that its output must contain, and the exit code."""
 
     command: str
     texts: Sequence[str] = ()
@@ -44,7 +44,7 @@ class Expected:
 
 @dataclass(frozen=True)
 class Trial:
-    """A requirement that is installed into a clean environment, and commands that are run there."""
+    """A requirement to install into a clean environment, and commands to run there."""
 
     requirement: str
     commands: Sequence[Expected]
@@ -170,7 +170,7 @@ def build(out: Path, *, with_sources: bool) -> list[Path]:
     """Build all distributions into an empty folder, without the network."""
     with TemporaryDirectory() as name:
         for project in sorted(PACKAGES.iterdir()):
-            # The folders of `packages` are links to the sources. A source distribution needs files.
+            # The folders of `packages` are links to the sources; source distributions need files.
             copy = Path(name, project.name)
             shutil.copytree(project, copy, ignore=shutil.ignore_patterns("__pycache__"))
             kinds = () if with_sources else ("--wheel",)
@@ -186,7 +186,7 @@ def check(files: Sequence[Path]) -> None:
     for file in files:
         found = Metadata.from_email(_metadata(file), validate=True)
         if any(_PLACEHOLDER in url for url in (found.project_urls or {}).values()):
-            print(f"{file.name}: {_PLACEHOLDER} is a placeholder: give the real address to release")
+            print(f"{file.name}: replace the placeholder {_PLACEHOLDER} before a release")
         if not found.description or found.description_content_type != "text/markdown":
             sys.exit(f"{file.name} has no description in Markdown")
     wheels = [str(each) for each in files if each.suffix == ".whl"]
@@ -204,8 +204,8 @@ def _metadata(file: Path) -> bytes:
 
 
 def failures(trial: Trial, programs: Path, folder: Path) -> Iterator[str]:
-    """Run the commands of a trial in a folder, with the programs of its environment, and tell each
-    one that does not end as it should.
+    """Run the commands of a trial in a folder, with the programs of its environment, and yield a
+    message for each failure.
     """
     environment = {"PATH": f"{programs}:/usr/bin:/bin", "HOME": str(folder), "LC_ALL": "C.UTF-8"}
     for each in trial.commands:
@@ -224,20 +224,20 @@ def failures(trial: Trial, programs: Path, folder: Path) -> Iterator[str]:
         is_raw = each.command.startswith(programs_of_ours(trial)) and "Traceback" in done.stdout
         if done.returncode != each.code or missing or is_raw:
             yield (
-                f"`{each.command}` ends with {done.returncode}, expected {each.code}; its output "
-                f"lacks {missing}:\n{done.stdout[-_SHOWN:]}"
+                f"`{each.command}` has exit code {done.returncode}, expected {each.code}; missing "
+                f"in the output: {missing}\n{done.stdout[-_SHOWN:]}"
             )
 
 
 def programs_of_ours(trial: Trial) -> tuple[str, ...]:
-    """The commands of a trial that are ours: a user never sees a traceback of them."""
+    """The programs of this project in a trial. A user never sees a traceback of these programs."""
     words = {each.command.partition(" ")[0] for each in trial.commands}
     return tuple(words - {"python"})
 
 
 def pythons() -> Mapping[str, Path]:
-    """The supported Pythons of this machine by their versions: this one, those that pyenv keeps,
-    and those on the PATH.
+    """The supported Pythons of this machine by their versions: this Python, the Pythons of pyenv,
+    and the Pythons on the PATH.
     """
     kept = [Path(sys.base_prefix, "bin", "python3")]
     kept += sorted(Path.home().glob(".pyenv/versions/*/bin/python"))
@@ -253,7 +253,7 @@ def pythons() -> Mapping[str, Path]:
 
 
 def try_all(files: Sequence[Path], version: str, python: Path) -> bool:
-    """Run all trials for one Python: True if each ends as it says."""
+    """Run all trials for one Python; True if no trial fails."""
     is_fine = True
     for trial in TRIALS:
         if _number(version) < _number(trial.oldest):
@@ -301,7 +301,7 @@ def main() -> None:
     results = [try_all(files, version, python) for version, python in found.items()]
     lacking = [version for version in SUPPORTED if version not in found]
     if lacking:
-        print(f"not tried, for this machine does not have them: Python {', '.join(lacking)}")
+        print(f"not tried, because not on this machine: Python {', '.join(lacking)}")
     sys.exit(not all(results) or not results)
 
 

@@ -1,11 +1,12 @@
 #!/bin/sh
-# Installs Debian packages: tools/setup_debian.sh PACKAGE... Only says what to install where it
-# cannot: without root, without apt-get, or offline. Never fails: whoever needs the package tells.
+# Installs Debian packages: tools/setup_debian.sh PACKAGE... Without root, without apt-get, or offline,
+# this program only prints the packages to install. It never fails: the program that needs a package
+# reports that the package is missing.
 set -u
 packages="$*"
 
 if ! command -v apt-get >/dev/null; then
-    echo "setup: not Debian; please install what Debian calls: $packages"
+    echo "setup: not Debian; please install the equivalents of these Debian packages: $packages"
 elif [ "$(id -u)" -ne 0 ]; then
     echo "setup: not root; please run: sudo apt-get install $packages"
 else

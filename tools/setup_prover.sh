@@ -1,7 +1,7 @@
 #!/bin/sh
-# Makes CBMC 6 ready for the tests that prove: from Debian 13, or from a Debian 13 in the cache folder
-# (setup_prover_debian.sh), which tests put on their PATH. Without it these tests are skipped, and say
-# so. Never fails.
+# Installs CBMC 6 for the tests of proofs: from Debian 13, or from a Debian 13 in the cache folder
+# (setup_prover_debian.sh), which the tests put on their PATH. Without CBMC 6, these tests are skipped
+# and the test run reports this. This program never fails.
 set -u
 cd "$(dirname "$0")"
 
@@ -17,6 +17,6 @@ if ! cbmc --version 2>/dev/null | grep -q '^6\.' || ! command -v cadical >/dev/n
     else
         ! command -v apt-get >/dev/null || command -v debootstrap >/dev/null ||
             ./setup_debian.sh debootstrap
-        ./setup_prover_debian.sh || echo "setup: without CBMC 6 proofs are not tested"
+        ./setup_prover_debian.sh || echo "setup: without CBMC 6, proofs are not tested"
     fi
 fi

@@ -1,13 +1,14 @@
 #!/bin/sh
-# Makes CBMC 6, CaDiCaL and z3 of Debian 13 run on another Linux: a Debian 13 in the cache folder, by
-# debootstrap, which needs root, once. Its programs need none: they are started by its own loader,
-# with its own libraries, from the folder `programs` in it, which belongs on the PATH.
-# Nothing half made is ever taken: the Debian is made aside, by one run at a time.
+# Installs CBMC 6, CaDiCaL and z3 of Debian 13 on another Linux: debootstrap makes a Debian 13 in the
+# cache folder, once. debootstrap needs root, but the programs do not: the folder `programs` has
+# scripts that start them with the loader and the libraries of this Debian. Put this folder on the
+# PATH. The Debian is made in a temporary folder, by one run at a time, so an interrupted run leaves
+# no incomplete Debian.
 set -eu
 root=${XDG_CACHE_HOME:-$HOME/.cache}/rossmarie/prover
 programs=$root/programs
 
-runs() { # whether a program that belongs to it runs
+runs() { # true if this program of the Debian runs
     "$programs/$1" --version >/dev/null 2>&1
 }
 
@@ -35,7 +36,7 @@ if [ ! -x "$root/usr/bin/cbmc" ]; then
         echo "setup: debootstrap is missing; please install it" >&2
         exit 1
     }
-    echo "setup: making a Debian 13 with CBMC 6 in $root, once"
+    echo "setup: making a Debian 13 with CBMC 6 in $root; this happens only once"
     rm -rf --one-file-system "$root"-*
     aside=$(mktemp -d "$root-XXXXXX")
     trap 'rm -rf --one-file-system "$aside" "$aside.log"' EXIT
@@ -52,6 +53,6 @@ if [ ! -x "$root/usr/bin/cbmc" ]; then
 fi
 write_programs
 is_whole || {
-    echo "setup: what debootstrap made does not run; remove $root and try again" >&2
+    echo "setup: the programs from debootstrap do not run; remove $root and try again" >&2
     exit 1
 }

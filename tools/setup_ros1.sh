@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs ROS 1 as Debian packages it, for the live tests. Without it they are skipped, and say so.
+# Installs the Debian packages of ROS 1 for the live tests. Without ROS 1, these tests are skipped and
+# the test run reports this.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,8 +1,8 @@
-/* What a person would write for the workload: the yardstick of every other row.
+/* Hand-written code for the workload: the reference for all other rows.
  *
- * `hand_loop` runs the three rules over whole columns; `hand_opaque` makes one call a sample that
- * the compiler cannot look into, as a generated step in its own file is called; `hand_table` runs
- * 3 * K rules with other constants, table-driven, so that the compiler may vectorise over rules.
+ * `hand_loop` runs the three rules over whole columns. `hand_opaque` makes one call per sample; the
+ * compiler cannot inline the call, as with a generated step in a separate file. `hand_table` runs
+ * 3 * K rules with other constants from a table, so that the compiler can vectorise over rules.
  */
 #include <math.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@ typedef struct {
 
 static const hand_state START = {NEVER, NEVER, NEVER};
 
-/* Whether `condition` has held over the closed interval of `duration` before `t`. */
+/* True if `condition` has held over the closed interval of `duration` before `t`. */
 static inline int held(int64_t *since, int condition, int64_t t, int64_t duration) {
     int64_t start = *since < t ? *since : t;
     start = condition ? start : NEVER;
@@ -67,7 +67,7 @@ void hand_opaque(size_t n, const int64_t *t, const double *speed, const double *
     RUN(opaque_step)
 }
 
-/* One set of constants of the three rules; durations in samples. */
+/* One set of constants of the three rules. Durations are in samples. */
 typedef struct {
     double speed, pitch, distance, force_z, creep;
     int64_t fast_samples, tilted_samples, pushed_samples;

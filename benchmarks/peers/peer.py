@@ -22,7 +22,7 @@ Monitors = TypeVar("Monitors")
 
 @dataclass(frozen=True)
 class Arguments:
-    """TRACE_FOLDER SAMPLES COPIES ROUNDS."""
+    """The arguments TRACE_FOLDER SAMPLES COPIES ROUNDS."""
 
     folder: Path
     samples: int
@@ -37,7 +37,7 @@ class Arguments:
 
     @property
     def constants(self) -> list[Constants]:
-        """One set of constants a copy of the rules."""
+        """The constants, one set for each copy of the rules."""
         return constants(self.copies)
 
     def rows(self) -> list[tuple[float, ...]]:
@@ -52,7 +52,7 @@ class Arguments:
 def measure(
     arguments: Arguments, build: Callable[[], Monitors], run: Callable[[Monitors], list[int]]
 ) -> None:
-    """Print the median CPU time of `run` in nanoseconds a sample, and the counts."""
+    """Print the median CPU time of `run` in nanoseconds per sample, and the counts."""
     seconds = []
     counts: list[int] = []
     for _ in range(arguments.rounds):

@@ -9,7 +9,7 @@ from peer import Arguments, measure
 
 
 def patterns(arguments: Arguments) -> Iterator[str]:
-    """Past-time MTL, the weak start; durations in samples."""
+    """The rules in past-time MTL, with a weak start. Durations are in samples."""
     for c in arguments.constants:
         pitch = f"{{pitch > {c.pitch:.6f}}} or {{pitch < -{c.pitch:.6f}}}"
         fast = f"historically[0:{c.fast_samples}]{{speed > {c.speed:.6f}}}"
@@ -21,7 +21,7 @@ def patterns(arguments: Arguments) -> Iterator[str]:
 
 
 def main() -> None:
-    """Build the monitors anew for each round; building is not timed."""
+    """Measure. Each round builds new monitors; the construction is not timed."""
     arguments = Arguments.read()
     rows = arguments.rows()
 

@@ -1,6 +1,6 @@
 """rtamt's online monitors (Python) on the workload: TRACE_FOLDER SAMPLES COPIES ROUNDS.
 
-A robustness above zero counts as active.
+A rule counts as active if its robustness is above zero.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ Online = rtamt.StlDiscreteTimeOnlineSpecification
 
 
 def formulas(arguments: Arguments) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """Past-time STL, the weak start, and the columns that each formula reads."""
+    """The rules in past-time STL, with a weak start, and the columns that each formula reads."""
     for c in arguments.constants:
         fast, tilted, pushed = c.fast_samples * 10, c.tilted_samples * 10, c.pushed_samples * 10
         yield f"historically[0:{fast}ms](c0 > {c.speed!r}) and (c2 < {c.distance!r})", (0, 2)
@@ -23,7 +23,7 @@ def formulas(arguments: Arguments) -> Iterator[tuple[str, tuple[int, ...]]]:
 
 
 def specification(formula: str, columns: tuple[int, ...]) -> Online:
-    """One parsed specification."""
+    """Parse a specification."""
     result = Online()
     for column in columns:
         result.declare_var(f"c{column}", "float")
@@ -36,7 +36,7 @@ def specification(formula: str, columns: tuple[int, ...]) -> Online:
 
 
 def main() -> None:
-    """Build the specifications anew for each round; building is not timed."""
+    """Measure. Each round builds new specifications; the construction is not timed."""
     arguments = Arguments.read()
     rows = arguments.rows()
 

@@ -1,5 +1,5 @@
-// Sends commands along several paths in turn, each at the same rate, and prints for each path how late
-// they came out at its end: the line of `Lateness`.
+// Sends commands along several paths in turn, each at the same rate, and prints the latency at the end
+// of each path: the line of `Lateness`.
 //
 //   commands RATE COUNT IN OUT [IN OUT ...]
 #include <geometry_msgs/Twist.h>
@@ -27,7 +27,7 @@ public:
         return publisher_.getNumSubscribers() > 0 && subscriber_.getNumPublishers() > 0;
     }
 
-    // A command carries when it was sent in a number that no rule bounds.
+    // A number of the command that no rule bounds holds the instant of the publication.
     void send(double at)
     {
         geometry_msgs::Twist command;
@@ -41,7 +41,7 @@ public:
 private:
     void receive(const geometry_msgs::Twist::ConstPtr &command)
     {
-        // Not what was sent to connect, a 0 of the filter's own, or a command that it repeats.
+        // Ignore the commands sent to connect, a 0 of the filter itself, and repeated commands.
         if (command->linear.z > latest_)
             lateness_.note(command->linear.z);
         latest_ = std::max(latest_, command->linear.z);
@@ -65,7 +65,7 @@ int main(int argc, char **argv)
     spinner.start();
     for (const auto &path : paths)
         while (ros::ok() && !path->is_connected()) {
-            path->send(0.0); // the relay of topic_tools advertises when it has heard something
+            path->send(0.0); // the relay of topic_tools advertises after its first message
             ros::WallDuration(0.05).sleep();
         }
     ros::WallDuration(1.0).sleep();

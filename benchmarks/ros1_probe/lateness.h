@@ -1,4 +1,4 @@
-// How late messages came.
+// The latency of messages.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ public:
         last_ = now();
     }
 
-    // A line: name, p50, p99 and maximum in microseconds, how many there were, when the last came.
+    // A line: name, p50, p99 and maximum (us), number of messages, instant of the last message.
     void print(const std::string &name)
     {
         std::sort(late_s_.begin(), late_s_.end());

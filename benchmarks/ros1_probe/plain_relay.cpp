@@ -1,5 +1,5 @@
-// What a filter that does nothing would be, with the settings of the generated node: the yardstick
-// beside the relay of topic_tools, which waits for full packets (no TCP_NODELAY).
+// A filter that does nothing, with the settings of the generated node. It is a second reference beside
+// the relay of topic_tools, which waits for full packets (no TCP_NODELAY).
 //
 //   plain_relay IN OUT
 #include <geometry_msgs/Twist.h>

@@ -1,4 +1,4 @@
-// Violates a rule again and again, and prints how late its action came: the line of `Lateness`.
+// Violates a rule again and again, and prints the latency of its action: the line of `Lateness`.
 //
 //   violations RATE COUNT
 #include <ros/ros.h>

@@ -1,5 +1,5 @@
-// Sends commands along several paths in turn, each at the same rate, and prints for each path how late
-// they came out at its end: the line of `Lateness`.
+// Sends commands along several paths in turn, each at the same rate, and prints the latency at the end
+// of each path: the line of `Lateness`.
 //
 //   commands RATE COUNT IN OUT [IN OUT ...]
 #include <geometry_msgs/msg/twist.hpp>
@@ -31,7 +31,7 @@ public:
         return publisher_->get_subscription_count() > 0 && subscription_->get_publisher_count() > 0;
     }
 
-    // A command carries when it was sent in a number that no rule bounds.
+    // A number of the command that no rule bounds holds the instant of the publication.
     void send(double at)
     {
         Twist command;
@@ -45,7 +45,7 @@ public:
 private:
     void receive(const Twist &command)
     {
-        // Not a 0 of the filter's own, or a command that it repeats.
+        // Ignore a 0 of the filter itself, and repeated commands.
         if (command.linear.z > latest_)
             lateness_.note(command.linear.z);
         latest_ = std::max(latest_, command.linear.z);

@@ -1,4 +1,4 @@
-// What a filter that does nothing would be, with the settings of the generated node: the yardstick.
+// A filter that does nothing, with the settings of the generated node: the reference.
 //
 //   plain_relay IN OUT
 #include <geometry_msgs/msg/twist.hpp>

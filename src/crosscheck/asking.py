@@ -14,7 +14,9 @@ from rossmarie.analysis.terms import YES
 
 
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
-    """The fact that the context is known, and that a skill runs. Others may run beside it."""
+    """The fact that the context is known and that a skill runs. Other skills may run at the same
+    time.
+    """
     asked = queries(state.machine)
     yes = {
         slot: skill in step.skills and not step.arguments and not step.is_ahead
@@ -24,8 +26,8 @@ def runs(state: Encoding, skill: str) -> z3.BoolRef:
 
 
 def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
-    """The fact that the context is known, and that neither a skill runs nor one in the same
-    query.
+    """The fact that the context is known, and that neither this skill nor another skill of the same
+    query runs.
     """
     asked = queries(state.machine)
     no = {
@@ -36,12 +38,12 @@ def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
 
 
 def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
-    """The fact that one of these rules becomes active, if none was."""
+    """The fact that one of these rules becomes active, if none was active before."""
     return z3.Or([becomes_active(state, rule) for rule in rules])
 
 
 def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.BoolRef]:
-    """The facts that the context is known, and gives these answers to the queries in all slots;
+    """The facts that the context is known and that the queries in all slots have these answers.
     None stands for any answer.
     """
     for slot, answer in answers.items():

@@ -1,4 +1,4 @@
-"""The world as conditions of skills describe it: facts and changes about the parameters of running
+"""The conditions of skills as facts and changes of the world, about the parameters of running
 skills.
 
 A primitive changes the world when it succeeds. So its pre-conditions stay true while it runs,
@@ -21,7 +21,7 @@ from ezskiros.ontology.statements import Statement
 from rossmarie.skills import Child, Condition, Skill
 
 Names = Mapping[str, str]
-"""Names that stand for the same things, by the parameters of a skill."""
+"""The names of the individuals that the parameters of a skill stand for, by parameter."""
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,7 @@ class Said:
 
 
 class UnreadableConditionError(Exception):
-    """A condition in the file of skills that is not valid. The text names its skill, and the
-    reason.
-    """
+    """An invalid condition in the skills file. The message gives the skill and the reason."""
 
 
 class Beliefs:
@@ -49,8 +47,8 @@ class Beliefs:
         """The skills whose conditions were read, by the places of the conditions."""
 
     def names_of(self, skill: Skill, prefix: str, *, are_own: bool = False) -> Names:
-        """New names for the parameters of a skill: `Drive.Target`. Own names stand for different
-        things.
+        """New names for the parameters of a skill, such as `Drive.Target`. Two names stand for
+        different individuals if `are_own` is true.
         """
         found = {name: f"{prefix}.{name}" for name in skill.parameters}
         for name, parameter in skill.parameters.items():
@@ -60,7 +58,7 @@ class Beliefs:
         return found
 
     def names_of_running(self, situation: Situation) -> dict[str, Names]:
-        """The names for the parameters of skills that run, by these skills."""
+        """The names for the parameters of the running skills, by skill name."""
         return {
             skill.name: self.names_of(skill, skill.name, are_own=number == 0)
             for number, skill in enumerate(situation.skills)
@@ -122,7 +120,9 @@ class Beliefs:
         return list(found)
 
     def _names_of_child(self, child: Child, skill: Skill, compound: Skill, above: Names) -> Names:
-        """The names of a child. A name that only children share is one for each compound."""
+        """The names of a child. A parameter that only children share has one name for each
+        compound.
+        """
         own = dict(self.names_of(skill, f"{compound.name}/{skill.name}"))
         for name in own:
             shared = child.arguments.get(name) or ""

@@ -55,13 +55,13 @@ def _reported_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], 
                 | reactions.CancelGoal(server=name, action_type=found)
             ) if found is not None:
                 yield (UseKind.SERVER, name), Mention(found, task.span)
-            case _:  # open: other effects tell of no type of a topic or server
+            case _:  # open: the other effects have no type of a topic or server
                 pass
 
 
 def find_unread(robot: Robot) -> Iterator[Diagnostic]:
-    """A warning for each topic that rules or skills publish, and that no node of the system models
-    subscribes to; none if no system model has nodes.
+    """A warning for each topic that rules or skills publish and that no node of the system models
+    subscribes to. There is no warning if no system model has nodes.
     """
     readers = dict(_readers(robot))
     if not readers:

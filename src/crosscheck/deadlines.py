@@ -32,7 +32,7 @@ from rossmarie.skills.trees import (
 _MOST_LEVELS = 32
 """The most levels of nested compounds that are searched. Deeper steps have no known deadline."""
 _FEW = 2
-"""The number of steps without a deadline from which one can use up the time of another."""
+"""The number of steps without a deadline at which one step can use up the time of another."""
 
 Values = Mapping[str, float | None]
 """The numbers of parameters; None for unknown ones."""
@@ -108,9 +108,11 @@ class _OpenSteps:
     _known: dict[str, _Open] = field(default_factory=dict)
 
     def of(self, skill: Skill, level: int = 0) -> _Open:
-        """Those of a compound; none of a primitive, which nobody can bound in its own tree."""
+        """The open steps of a compound; none for a primitive, which has no tree that could bound
+        it.
+        """
         if skill.name not in self._known:
-            self._known[skill.name] = _NONE  # of one that is in itself
+            self._known[skill.name] = _NONE  # a compound inside itself
             ways = [self._in_tree(each, level) for each in skill.trees]
             number = max((each.number for each in ways), default=0)
             self._known[skill.name] = _Open(number, _once(ways))
@@ -153,12 +155,12 @@ class _Times:
     )
 
     def of(self, skill: Skill, values: Values, level: int = 0) -> Longest:
-        """Those of a skill; without end of a primitive."""
+        """The longest time of a skill; infinite for a primitive."""
         if not skill.trees or level > _MOST_LEVELS:
             return longest.STEP
         key = skill.name, tuple(sorted(values.items()))
         if key not in self._known:
-            self._known[key] = longest.STEP  # of one that is in itself
+            self._known[key] = longest.STEP  # a compound inside itself
             ways = [self._in_tree(each, values, level + 1) for each in skill.trees]
             self._known[key] = longest.either(ways)
         return self._known[key]
@@ -210,7 +212,7 @@ def _words(node: Node) -> str:
 
 
 def _values(skill: Skill, given: Values) -> Values:
-    """The numbers of all parameters: those that are given, else the defaults."""
+    """The numbers of all parameters: the given values, otherwise the defaults."""
     return {name: given.get(name, each.default) for name, each in skill.parameters.items()}
 
 

@@ -75,25 +75,29 @@ class NotGranted(Warning, code="CHK104", name="not-granted"):
 
 
 class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
-    """A query for a thing of a class that has no member in the scene."""
+    """A query about an individual of a class that has no member in the scene."""
 
     title = "`{query}` is never true in this scene"
-    label = "the scene has no thing of the class that `{parameter}` needs"
+    label = "the scene has no individual of the class that `{parameter}` needs"
     query: str
     parameter: str
 
     class Others(Remark):
-        says = "in this scene `{parameter}` can be {known}; query one of these, or add a thing"
+        says = (
+            "in this scene `{parameter}` can be {known}; query one of these, or add an individual"
+        )
         parameter: str
         known: str
 
 
 class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
-    """A thing of the scene without a number that a rule reads while a skill uses the thing."""
+    """An individual of the scene without a number that a rule reads while a skill uses the
+    individual.
+    """
 
     title = "{thing} {problem} {property}, so {rules} {hold} while `{skill}` uses it"
-    label = "{rules} cannot read {property} of this thing"
-    help = "add one numeric {property} to this thing, or query a class without this thing"
+    label = "{rules} cannot read {property} of this individual"
+    help = "add one numeric {property} to this individual, or query a class without this individual"
     thing: str
     problem: str
     property: str
@@ -169,7 +173,7 @@ class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
 
 
 class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
-    """Skills that need a thing of a class that has no member in the scene."""
+    """Skills that need an individual of a class that has no member in the scene."""
 
     title = "{skills} cannot start in this scene: the scene has no {owl_class}"
     label = "this parameter needs a {owl_class}"
@@ -198,9 +202,7 @@ class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
 
 
 class NobodyReads(Warning, code="CHK302", name="nobody-reads"):
-    """A topic that rules or skills publish to, and to which no node of the system model
-    subscribes.
-    """
+    """A topic that rules or skills publish, and that no node of the system model subscribes to."""
 
     title = "no node subscribes to {topic}"
     label = "this publishes to {topic}; no node of the system model subscribes"

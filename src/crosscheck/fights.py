@@ -1,5 +1,5 @@
-"""Rules and skills that fight: the rule ends the skill, which clears the rule, and the tree starts
-the skill again.
+"""Conflicts of rules and skills: the rule ends the skill, the end clears the rule, and the tree
+restarts the skill.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rossmarie.skills import Child, Skill
 
 
 def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """A warning for each rule and each skill that it ends and that a tree starts again."""
+    """A warning for each rule and each skill that the rule ends and a tree restarts."""
     machine = robot.machine
     for skill in robot.skills.skills.values():
         again = _started_again(robot, skill)
@@ -37,7 +37,7 @@ def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
 
 
 def _started_again(robot: Robot, skill: Skill) -> Child | None:
-    """A place in a tree at which a skill is started again after it has failed."""
+    """A place in a tree that restarts a skill after it has failed."""
     children = (child for each in robot.skills.skills.values() for child in each.children)
     return next((each for each in children if each.skill == skill.name and each.is_retried), None)
 

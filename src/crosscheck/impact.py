@@ -25,8 +25,8 @@ class Dependent:
 
 
 def dependents(robot: Robot, skill: Skill) -> Iterator[Dependent]:
-    """Everything that depends on a skill: skills derived from it, compounds above it, and rules
-    that query it, are not applied while it runs, or take away its resources.
+    """Everything that depends on a skill. These are the skills derived from it, the compounds above
+    it, and the rules that query it, are not applied while it runs, or take away its resources.
     """
     below = {each.name for each in _derived(robot, skill)} | {skill.name}
     for name in sorted(below - {skill.name}):
@@ -48,7 +48,7 @@ def _place(robot: Robot, skill: Skill) -> Span:
 
 
 def _compounds(robot: Robot, names: set[str]) -> Iterator[Dependent]:
-    """The compounds with a tree that has one of some skills, and those above them."""
+    """The compounds with a tree that contains one of some skills, and the compounds above them."""
     waiting, seen = sorted(names), set(names)
     while waiting:
         name = waiting.pop(0)
@@ -65,7 +65,7 @@ def _rules(robot: Robot, skill: Skill) -> Iterator[Dependent]:
     for number, rule in enumerate(robot.machine.rules):
         for step in asked_by(robot.machine, number) if rule.exempts is None else ():
             if skill.name in step.skills:
-                yield Dependent(f"rule {rule.name}", f"asks for {step}", rule.head)
+                yield Dependent(f"rule {rule.name}", f"queries {step}", rule.head)
     for exempted in exemptions_of(robot):
         if skill in exempted.skills:
             name = robot.machine.rules[exempted.rule].name

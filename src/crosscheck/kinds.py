@@ -16,8 +16,8 @@ from rossmarie.units import UnknownUnitError, parse_unit
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of deed: its name, the kinds of permissions that permit it, the units of its numbers,
-    and an example. For a closeness, less is more.
+    """A kind of permitted behavior: its name, the permissions of this kind, the units of its
+    numbers, and an example. For a closeness, a smaller number is more permissive.
     """
 
     words: str
@@ -76,14 +76,14 @@ def widest(permissions: Sequence[Permission], kind: Kind) -> tuple[Permission, L
 def is_beyond(
     state: ArbitraryState, signals: Sequence[int], limit: Limit, kind: Kind
 ) -> z3.BoolRef:
-    """The fact that one of some numbers is known, and beyond the limit."""
+    """The fact that one of some numbers is known and beyond the limit."""
     return z3.Or(NO, *(_beyond(state, signal, limit, kind) for signal in signals))
 
 
 def is_within(
     state: ArbitraryState, signals: Sequence[int], limit: Limit, kind: Kind
 ) -> z3.BoolRef:
-    """The fact that all of some numbers are known, and within the limit."""
+    """The fact that all of some numbers are known and within the limit."""
     known = [state.signal(signal).known for signal in signals]
     return z3.And(*known, z3.Not(is_beyond(state, signals, limit, kind)))
 
@@ -95,6 +95,6 @@ def _beyond(state: ArbitraryState, signal: int, limit: Limit, kind: Kind) -> z3.
 
 
 def by_dimension(signals: Sequence[int], machine: Machine, limit: Limit) -> tuple[int, ...]:
-    """Those of some numbers that a limit can be compared with."""
+    """The signals that can be compared with a limit."""
     wanted = dimension_of(limit.unit)
     return tuple(each for each in signals if dimension_of(machine.signals[each].unit) == wanted)

@@ -1,8 +1,8 @@
 """The longest times that a behavior tree can take until it succeeds, and until it fails.
 
-Steps may take any time, and end either way. Only deadlines bound them. Ticks are taken to need no
-time. A node without memory, which starts all its children again at each tick, takes this long at
-least.
+A step may take any time and may succeed or fail. Only deadlines bound the steps. A tick is assumed
+to need no time. For a node without memory, which restarts all its children at each tick, the time
+is a lower bound.
 """
 
 from __future__ import annotations
@@ -17,26 +17,28 @@ Part = tuple[str, float]
 
 @dataclass(frozen=True)
 class Time:
-    """A number of seconds, and the parts that add up to it; infinite if nothing bounds it."""
+    """A number of seconds, and the parts that add up to it; infinite if nothing bounds the time."""
 
     seconds: float
     parts: tuple[Part, ...] = ()
 
     def then(self, other: Time) -> Time:
-        """The time with another one behind it."""
+        """The sum of two times, one after the other."""
         return Time(self.seconds + other.seconds, self.parts + other.parts)
 
 
 @dataclass(frozen=True)
 class Longest:
-    """The longest times of a tree; None of a result that it never has."""
+    """The longest times of a tree until success and failure. None means that the result is
+    impossible.
+    """
 
     success: Time | None
     failure: Time | None
 
     @property
     def end(self) -> Time:
-        """The longest time until it ends in either way."""
+        """The longest time until the tree succeeds or fails."""
         return _latest(self.failure, self.success) or _AT_ONCE
 
 
@@ -47,14 +49,14 @@ STEP = Longest(_NEVER, _NEVER)
 
 
 def either(ways: Iterable[Longest]) -> Longest:
-    """The times where it is not known which way is taken."""
+    """The times if the chosen branch is unknown."""
     known = [*ways]
     success = _latest(*(each.success for each in known))
     return Longest(success, _latest(*(each.failure for each in known)))
 
 
 def in_turn(children: Iterable[Longest]) -> Longest:
-    """Those of a sequence: it succeeds with its last child, and fails with any."""
+    """The times of a sequence: it succeeds with its last child, and fails with any child."""
     success: Time | None = _AT_ONCE
     failure: Time | None = None
     for each in children:
@@ -66,32 +68,33 @@ def in_turn(children: Iterable[Longest]) -> Longest:
 
 
 def turned(child: Longest) -> Longest:
-    """Those with success and failure in the place of each other."""
+    """The times with success and failure exchanged."""
     return Longest(child.failure, child.success)
 
 
 def until_one(children: Iterable[Longest]) -> Longest:
-    """Those of a selector: it fails with its last child, and succeeds with any."""
+    """The times of a selector: it fails with its last child, and succeeds with any child."""
     return turned(in_turn(map(turned, children)))
 
 
 def never_failing(children: Iterable[Longest]) -> Longest:
-    """Those of a sequence of which a failure is a success."""
+    """The times of a sequence that reports a failure as success."""
     return Longest(in_turn(children).end, None)
 
 
 def at_once(children: Sequence[Longest]) -> Longest:
-    """Those of children side by side until one fails, or all have succeeded."""
+    """The times of parallel children that end if one fails or all have succeeded."""
     successes = [each.success for each in children]
     success = None if None in successes else _latest(_AT_ONCE, *successes)
-    # One that cannot succeed ends all with its failure, at the latest when its own time is over.
+    # A child that cannot succeed ends all children with its failure, at the latest at the end of
+    # its own time.
     latest = _earliest(*(each.failure for each in children if each.success is None))
     failures = (each.failure for each in children)
     return Longest(success, _latest(*(each and _earliest(each, latest) for each in failures)))
 
 
 def until_first(children: Sequence[Longest]) -> Longest:
-    """Those of children side by side until one ends."""
+    """The times of parallel children that end if one ends."""
     if not children:
         return Longest(_AT_ONCE, None)
     latest = _earliest(*(each.end for each in children))
@@ -102,14 +105,14 @@ def until_first(children: Sequence[Longest]) -> Longest:
 
 
 def within(seconds: float, child: Longest, words: str) -> Longest:
-    """Those below a deadline: it fails what has no result by then."""
+    """The times below a deadline, which fails a child without a result."""
     over = Time(seconds, ((words, seconds),))
     success = child.success and _earliest(child.success, over)
     return Longest(success, over if child.end.seconds > seconds else child.failure)
 
 
 def again(tries: int, child: Longest, words: str) -> Longest:
-    """Those of a child that is started again after it has failed."""
+    """The times of a child that is restarted after a failure."""
     if child.failure is None or tries <= 1:
         return child
     failed, before = (_times(number, child.failure, words) for number in (tries, tries - 1))

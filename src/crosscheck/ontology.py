@@ -1,4 +1,4 @@
-"""The ontology that the skills of a robot were made from, by the sources in the file of skills."""
+"""The ontology from which the skills of a robot were made, from the sources in the skills file."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ezskiros.ontology.load import core_relations
 from ezskiros.ontology.read import read
 
 _MODULE = ".py"
-"""The ending of the sources of skills that are no ontology."""
+"""The ending of source files that are Python modules, not ontologies."""
 
 
 @dataclass(frozen=True)
 class Classes:
-    """The ontology of a robot. `missing` is a file that cannot be read, or a class of the skills
-    that it does not have; None if it has all.
+    """The ontology of a robot. `missing` is an unreadable file, or a class of the skills that is
+    not in the ontology; None if nothing is missing.
     """
 
     ontology: Ontology
@@ -27,13 +27,13 @@ class Classes:
 
     @cached_property
     def iris(self) -> Mapping[str, str]:
-        """The IRIs of classes, by the names that rules use."""
+        """The IRIs of classes, by the names in the rules."""
         return {name: iri for iri, name in self.ontology.spelled.items()}
 
 
 def ontology_of(robot: Robot) -> Classes:
-    """Read the ontology. Nothing is quoted from a file that cannot be read: a file of skills may
-    name any.
+    """Read the ontology. No text of an unreadable file is quoted, because a skills file can name
+    any file.
     """
     documents = []
     for path in _files(robot):

@@ -44,7 +44,7 @@ def find_not_granted(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
 
 
 def touched(machine: Machine, rule: int) -> set[str | None]:
-    """The names of what a rule has an effect on, topics and servers among them."""
+    """The names of everything that a rule affects, including topics and servers."""
     plans = machine.reactions.plans
     tasks = plans[rule].tasks if plans else ()
     return {effect_target(machine, machine.reactions.tasks[task].effect) for task in tasks}

@@ -15,7 +15,7 @@ from rossmarie.skills import Skill
 
 @dataclass(frozen=True)
 class Guarded:
-    """A rule that has an effect on something that a skill uses, and may take it away."""
+    """A rule that affects a resource of a skill, and may take it away."""
 
     rule: str
     thing: str
@@ -27,8 +27,8 @@ class Guarded:
 
 @dataclass(frozen=True)
 class Pictured:
-    """A skill: what it uses and permits, the rules that have an effect on what it uses, those that
-    are not applied while it runs, and those that ask for it.
+    """A skill: its resources and permissions, the rules that affect its resources, the rules that
+    are not applied while it runs, and the rules that query it.
     """
 
     name: str

@@ -1,7 +1,7 @@
 """Behavior trees that rules run, and the resources that the same rules take away from them.
 
-An effect that is not awaited stays in force: effects before a tree in its rule, or beside it, are
-in force while the tree runs.
+An effect that is not awaited stays in force. So the effects before a tree in its rule, or parallel
+to it, are in force while the tree runs.
 """
 
 from __future__ import annotations

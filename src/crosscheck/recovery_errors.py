@@ -109,7 +109,7 @@ class DeadlinesTooLong(Error, code="CHK210", name="deadlines-too-long"):
 
 
 class MayNotGoOn(Warning, code="CHK211", name="task-may-not-go-on"):
-    """A skill that a tree interrupts and that may not restart after the tree."""
+    """A skill that a tree interrupts and that may be unable to restart after the tree."""
 
     title = "after `{tree}`, `{skill}` may not restart: `{condition}` need not hold"
     label = "`{afterwards}` restarts `{skill}`"

@@ -1,4 +1,4 @@
-"""A robot in files: its rules, and their file of skills."""
+"""A robot in files: its rules, and their skills file."""
 
 from __future__ import annotations
 
@@ -19,9 +19,7 @@ from rossmarie.syntax import ast
 
 @dataclass(frozen=True)
 class Robot:
-    """Rules without errors, as they are written and as they are run, and the file of skills that
-    they name.
-    """
+    """Rules without errors, as syntax tree and as machine, and the skills file that they name."""
 
     modules: tuple[ast.Module, ...]
     program: CheckedProgram
@@ -34,12 +32,12 @@ class Robot:
         return self.program.skills.file
 
     def span_of(self, place: Place | None) -> Span:
-        """A place in the skills; the start of the file of skills, if it cannot be shown."""
+        """A place in the skills; the start of the skills file if the place cannot be shown."""
         assert self.program.skills is not None
         return self.program.skills.span_at(place) or Span(self.program.skills.source, 0, 0)
 
     def callers(self, skill: str) -> Iterator[Skill]:
-        """The compounds with a tree that has a skill."""
+        """The compounds with a tree that contains a skill."""
         for each in self.skills.skills.values():
             if any(child.skill == skill for child in each.children):
                 yield each
@@ -47,7 +45,7 @@ class Robot:
 
 @dataclass(frozen=True)
 class Loaded:
-    """The robot, None if there are errors, and all findings."""
+    """The robot, or None if there are errors; and all findings."""
 
     robot: Robot | None
     diagnostics: tuple[Diagnostic, ...]
@@ -56,7 +54,7 @@ class Loaded:
 def load(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
 ) -> Loaded:
-    """Read rules, and the skills that they name."""
+    """Read rules and the skills file that they name."""
     result = check_file(rules, systems=systems, message_folders=message_folders)
     if result.program is None:
         return Loaded(None, result.diagnostics)

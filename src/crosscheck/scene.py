@@ -1,7 +1,7 @@
-"""The scene that a robot starts in: the things of its world, by the classes that rules name.
+"""The scene in which a robot starts: the individuals of its world, by the classes that rules name.
 
-EzSkiROS itself reads it, in the ontology that the file of skills was made from. So a thing is and
-has here what it is and has while a skill runs with it.
+EzSkiROS itself reads the scene, with the ontology of the skills file. So each individual has the
+same classes and properties here as during the run of a skill.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from ezskiros.planning.scene import read_scene
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene as the world that it makes, with the IRIs of classes by the names that rules use."""
+    """A scene as a world model, with the IRIs of classes by the names in the rules."""
 
     document: Document
     world: World
@@ -33,39 +33,41 @@ class Scene:
     snapshots: Snapshots
 
     def things(self, *classes: str) -> tuple[str, ...]:
-        """The things of one of some classes, or of one derived from it, by their IRIs."""
+        """The IRIs of the individuals of some classes or of derived classes."""
         found = (thing for name in classes for thing in self.world.things(self.iris[name]))
         return tuple(dict.fromkeys(found))
 
     def is_a(self, thing: str, classes: Iterable[str]) -> bool:
-        """Say whether a thing is of one of some classes."""
+        """Say whether an individual is of one of some classes."""
         return any(self.world.is_a(thing, self.iris[name]) for name in classes)
 
     def classes(self, things: Iterable[str]) -> tuple[str, ...]:
-        """The classes that some things are said to be of, by their names, sorted."""
+        """The names of the classes of some individuals, sorted."""
         ontology = self.world.ontology
         iris = {iri for thing in things for iri in self.world.classes(thing)}
         return tuple(sorted(name_in(ontology, iri) for iri in iris))
 
     def numbers(self, thing: str) -> Mapping[str, float]:
-        """The numbers that a thing has, as the message about running skills tells them: one that
-        it has several of, or that is none, is not a number.
+        """The numbers of an individual, as the message about running skills reports them. A
+        property with several values, or with a value that is not a number, is NaN.
         """
         found = self.snapshots.properties(self.world, thing)
         return {each.property: each.number for each in found}
 
     def spelled(self, thing: str) -> str:
-        """`office:Whiteboard-5`, by the prefixes of the scene."""
+        """The IRI with the prefix of the scene, such as `office:Whiteboard-5`."""
         return spelled_in(self.document, thing, self.world.ontology.model)
 
     def place(self, thing: str) -> Span:
-        """The place where a thing is described; the start of the scene for one of the ontology."""
+        """The place where an individual is described; the start of the scene for an individual of
+        the ontology.
+        """
         return place_in(self.document, self.world.ontology.model, thing)
 
 
 @dataclass(frozen=True)
 class LoadedScene:
-    """The scene, None if nothing can be asked about it; and what is wrong with it."""
+    """The scene, or None if it cannot be used; and its findings."""
 
     scene: Scene | None
     diagnostics: Sequence[Diagnostic]

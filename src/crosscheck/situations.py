@@ -17,7 +17,7 @@ from rossmarie.skills import Skill
 
 @dataclass(frozen=True)
 class Situation:
-    """Skills that all run when a rule becomes active. Others may run beside them."""
+    """Skills that all run when a rule becomes active. Other skills may run at the same time."""
 
     skills: tuple[Skill, ...]
 
@@ -26,9 +26,9 @@ class Situation:
         return any(each.name == skill for each in self.skills)
 
     def __str__(self) -> str:
-        """`while Drive runs`."""
+        """The situation in words, such as `while Drive runs`."""
         if not self.skills:
-            return "whatever skill runs"
+            return "while any skill runs"
         names = listed([each.name for each in self.skills])
         return f"while {names} {'runs' if len(self.skills) == 1 else 'run'}"
 

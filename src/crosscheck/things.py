@@ -1,5 +1,5 @@
-"""Rules and skills against the things of a scene: those that a rule asks for, those that a skill
-needs, and the numbers of them that a rule reads.
+"""Rules and skills compared with the individuals of a scene: those that a rule queries, those that
+a skill needs, and the numbers that a rule reads.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.skills import Parameter, Skill
 
-if TYPE_CHECKING:  # for those who name a scene only
+if TYPE_CHECKING:  # only for users with a scene
     from crosscheck.scene import Scene
 
 
 def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
-    """A warning for each class of which skills need a thing, and the scene has none."""
+    """A warning for each class that skills need and that has no individual in the scene."""
     needed: dict[str, list[tuple[Skill, Parameter]]] = {}
     for skill in robot.skills.skills.values():
         for parameter in _things_of(robot, skill):
@@ -42,7 +42,7 @@ def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
 
 
 def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
-    """A warning for each query to the skills that no thing of the scene lets be true."""
+    """A warning for each query that no individual of the scene can make true."""
     asked = dict(_asked(robot.machine))
     for span, step in asked.items():
         for parameter, classes in step.arguments:
@@ -56,8 +56,8 @@ def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
 
 
 def _possible(robot: Robot, scene: Scene, step: ir.Doing, parameter: str) -> tuple[str, ...]:
-    """The things that a parameter of the skills that are asked for can be; none if a skill may find
-    others while it runs.
+    """The individuals that a parameter of the queried skills can stand for; none if a skill may set
+    the parameter while it runs.
     """
     skills = (robot.skills.skills.get(name) for name in step.skills)
     found = [skill.parameters.get(parameter) for skill in skills if skill is not None]
@@ -67,14 +67,14 @@ def _possible(robot: Robot, scene: Scene, step: ir.Doing, parameter: str) -> tup
 
 
 def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
-    """The parameters of a skill that are things."""
+    """The parameters of a skill that stand for individuals."""
     for each in skill.parameters.values():
         if each.type in robot.skills.classes:
             yield each
 
 
 def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
-    """The queries to the skills, each by the place where rules write it."""
+    """The queries about skills, each with its place in the rules."""
     asked = queries(machine)
     for proposition in machine.propositions:
         if isinstance(proposition.node, ir.Flag):
@@ -88,7 +88,7 @@ def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
 
 @dataclass(frozen=True)
 class _Reading:
-    """A rule that reads a number of a thing: its place in the machine, and the slot."""
+    """A rule that reads a number of an individual: its place in the machine, and the slot."""
 
     rule: int
     slot: int
@@ -96,7 +96,9 @@ class _Reading:
 
 
 def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """A warning for each thing without a number that a rule needs while a skill runs with it."""
+    """A warning for each individual without a number that a rule needs while a skill uses the
+    individual.
+    """
     stale: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
     for reading in _readings(robot.machine, inquiry):
         answers: dict[tuple[bool | None, ...], bool] = {}
@@ -112,8 +114,8 @@ def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Di
 
 
 def _readings(machine: ir.Machine, inquiry: Inquiry) -> Iterator[_Reading]:
-    """The numbers of things that rules read. A rule that tells of an exemption alone does nothing
-    without them.
+    """The numbers of individuals that rules read. Rules that only report an exemption are left out:
+    they do nothing without the number.
     """
     for number, rule in enumerate(machine.rules):
         if rule.exempts is not None:
@@ -127,8 +129,8 @@ def _readings(machine: ir.Machine, inquiry: Inquiry) -> Iterator[_Reading]:
 
 
 def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skill, str]]:
-    """The skills that a number is asked of, each with the things that it could take and that have
-    no such number.
+    """The skills whose number a rule reads, each with the individuals that it could use and that
+    have no such number.
     """
     for name in reading.step.skills:
         skill = robot.skills.skills.get(name)
@@ -136,15 +138,15 @@ def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skil
         if skill is not None and parameter is not None:
             for thing in scene.things(parameter.type):
                 number = scene.numbers(thing).get(str(reading.step.property))
-                if number is None or number != number:  # is not a number
+                if number is None or number != number:  # NaN
                     yield skill, thing
 
 
 def _answers(
     machine: ir.Machine, scene: Scene, reading: _Reading, skill: Skill, thing: str
 ) -> Mapping[int, bool | None]:
-    """The answers to all queries while only this skill runs, with this thing; None for those that
-    depend on other things.
+    """The answers to all queries while only this skill runs, with this individual. None for queries
+    that depend on other individuals.
     """
     found: dict[int, bool | None] = {}
     for slot, step in queries(machine).items():
@@ -156,7 +158,7 @@ def _answers(
 
 
 def _is_stale(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
-    """Say whether a rule can be stale for lack of this number alone."""
+    """Say whether the missing number alone can make a rule stale."""
     about = inquiry.about(reading.rule)
     machine = about.machine
     read = {each.node.slot for each in machine.signals if isinstance(each.node, ir.Read)}

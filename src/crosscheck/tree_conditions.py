@@ -1,7 +1,7 @@
-"""The conditions of a tree when its rule becomes active, and those of the skills that go on after
-it (thesis, section 5.2).
+"""The conditions of a tree when its rule becomes active, and of the skills that continue after it
+(thesis, section 5.2).
 
-Skills beside those that the rule asks for are taken to leave the world as these need it.
+The check assumes that other running skills leave the world as these skills need it.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ _REPLAN, _RETRY = "replan", "retry"
 
 
 def find_tree_conditions(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """The findings on the trees of all rules, each once. Escalations are left out: nobody knows
-    which skills run by then.
+    """The findings on the trees of all rules, each once. Escalations are left out, because the
+    skills that run at that time are unknown.
     """
     runs = [each for each in tree_runs(robot) if each.stage is not None]
     if not runs:
@@ -95,7 +95,9 @@ class _Tree:
                 yield finding.at(self.run.task.span)
 
     def _ended_by_itself(self) -> Iterator[Diagnostic]:
-        """The rule asks for a primitive that the tree interrupts, and nothing else holds it."""
+        """The rule queries a primitive that the tree interrupts, and nothing else keeps the rule
+        active.
+        """
         machine = self.robot.machine
         rule = machine.rules[self.run.rule]
         below = [each.name for each in skills_below(self.robot, self.run.skill)]
@@ -131,8 +133,8 @@ class _Tree:
     def _facts(
         self, beliefs: Beliefs, running: Mapping[str, Names]
     ) -> tuple[dict[Statement, Origin], dict[Statement, Origin], list[Change]]:
-        """The facts that skills hold, those that they have needed, and the changes that skills in
-        their trees may have made.
+        """The facts that running skills hold, the facts that they needed at their start, and the
+        changes that skills in their trees may have made.
         """
         held: dict[Statement, Origin] = {}
         needed: dict[Statement, Origin] = {}
@@ -145,8 +147,8 @@ class _Tree:
         return held, needed, changes
 
     def _free(self, names: Names, beliefs: Beliefs) -> list[str]:
-        """The names of things that the tree looks for in the world when it starts, or goes without;
-        nothing is said of them here.
+        """The names of individuals that the tree looks up when it starts, or that it does not need.
+        Nothing is known about them here.
         """
         return [
             names[name]
@@ -175,7 +177,7 @@ class _Tree:
     # --- after the tree ---------------------------------------------------------------------------
 
     def _tasks(self) -> Iterator[Skill]:
-        """The skills that a task may be, with those that run in it: no tree has them."""
+        """The skills that can be a task, with the running skills in them: no tree contains them."""
         for each in self.robot.skills.skills.values():
             below = [found.name for found in skills_below(self.robot, each)]
             is_around = any(running.name in below for running in self.situation.skills)
@@ -189,8 +191,8 @@ class _Tree:
         own: Situation,
         looked_for: Iterable[str] = (),
     ) -> Iterator[Diagnostic]:
-        """The conditions of a skill that starts again, or goes on; other things may be found then
-        for parameters that are `looked_for`.
+        """The conditions of a skill that restarts or continues. `looked_for` are parameters for
+        which the skill may find other individuals then.
         """
         beliefs = Beliefs(self.robot, self.classes.iris)
         running = beliefs.names_of_running(own)
@@ -224,12 +226,12 @@ class _Tree:
 
 
 def _looked_for(skill: Skill) -> list[str]:
-    """The parameters for which things are found in the world when a skill starts."""
+    """The parameters for which a skill finds individuals in the world when it starts."""
     return [name for name, each in skill.parameters.items() if each.is_needed and not each.is_given]
 
 
 def _bound(beliefs: Beliefs, running: Mapping[str, Names]) -> frozenset[str]:
-    """The names of things of skills that run."""
+    """The names of individuals of running skills."""
     names = (name for each in running.values() for name in each.values())
     return frozenset(name for name in names if name in beliefs.names)
 

@@ -1,4 +1,4 @@
-"""The behavior trees that rules run to recover."""
+"""The recovery trees that rules run."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from rossmarie.skills import Skill
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A rule that runs a tree: the task, its stage in the plan of the rule, None if the tree is an
-    escalation; the goal, and the skill.
+    """A rule that runs a tree: the task, its stage in the plan of the rule (None for an
+    escalation), the goal, and the skill.
     """
 
     rule: int
@@ -25,19 +25,19 @@ class TreeRun:
 
     @property
     def afterwards(self) -> str:
-        """The way in which the task goes on: `resume`, `retry` or `replan`."""
+        """The continuation of the task: `resume`, `retry` or `replan`."""
         (found,) = self._field(AFTERWARDS)
         return found
 
     @property
     def arguments(self) -> Mapping[str, str]:
-        """The values that the rule gives, as texts by the names of parameters."""
+        """The values that the rule gives, as texts by parameter name."""
         pairs = (each.partition("=") for each in self._field("arguments"))
         return {name: value for name, _, value in pairs}
 
     @property
     def passed(self) -> Mapping[str, tuple[str, str]]:
-        """The parameters that have the value of a parameter of a skill that runs: that skill, and
+        """The parameters that take the value of a parameter of a running skill: that skill, and
         that parameter.
         """
         found = {}
@@ -76,7 +76,7 @@ def _tree(effect: reactions.Effect) -> str | None:
 
 
 def skills_below(robot: Robot, skill: Skill) -> Iterator[Skill]:
-    """A skill, and all that its trees have, each once."""
+    """A skill, and all skills in its trees, each once."""
     found = {skill.name: skill}
     waiting = [skill]
     while waiting:

@@ -1,7 +1,7 @@
 """Guards in tasks: the rules that each primitive waits for before it starts.
 
-A primitive that starts while a rule takes away what it uses would only fail. `ezskiros run` reads
-the file, docs/reference/crosscheck.md.
+If a primitive starts while a rule takes away its resources, it can only fail. `ezskiros run` reads
+the file (docs/reference/crosscheck.md).
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ VERSION = 1
 
 @dataclass(frozen=True)
 class Woven:
-    """The guards of skills, by their names, and the node that tells of their rules. `rules` are all
-    that this node has, `left_out` those that ask about skills, with the skills that they take
-    something from.
+    """The guards of skills by skill name, and the node that reports their rules. `rules` has all
+    rules of this node. `left_out` has the rules that query skills, with the skills from which they
+    take a resource.
     """
 
     digest: str
@@ -34,8 +34,8 @@ class Woven:
 
 
 def woven(robot: Robot) -> Woven:
-    """The guards of a robot. A rule that asks about skills would wait for a skill that waits for
-    the rule: no skill waits for such a rule.
+    """The guards of a robot. A rule that queries skills could wait for a skill that waits for the
+    rule, so no skill waits for such a rule.
     """
     rules = robot.machine.rules
     asking = {rule.name for rule in rules if rests_on_skills(robot.machine, rule)}
@@ -60,7 +60,7 @@ def woven(robot: Robot) -> Woven:
 
 
 def text_of(found: Woven) -> str:
-    """The text of the file, with its last newline."""
+    """The text of the file, with a final newline."""
     head = {
         "format": FORMAT,
         "version": VERSION,

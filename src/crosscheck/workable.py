@@ -56,7 +56,7 @@ def _finding(
 
 
 def _shown(about: Inquiry, skill: str) -> list[Remark]:
-    """A trace of events, confirmed by the interpreter, in which the skill runs and the only rule is
+    """A trace, confirmed by the interpreter, in which the skill runs while only this rule is
     active.
     """
     machine = about.machine

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # a command that prints text needs neither
+if TYPE_CHECKING:  # not needed by a command that prints text
     from dslkit.diagnostics import Diagnostic
     from dslkit.diagnostics.render_json import Json
 
@@ -36,7 +36,7 @@ class Answer:
         self.found += found
 
     def text(self) -> str:
-        """The JSON object, with its last newline."""
+        """The JSON object, with a final newline."""
         from dslkit.diagnostics.render_json import render_json
 
         return render_json(

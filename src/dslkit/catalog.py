@@ -14,7 +14,7 @@ from dslkit.diagnostics.render_sarif import Rule, Tool
 
 
 class UnknownCodeError(Exception):
-    """There is no diagnostic of that code or name; the message says which one may be meant."""
+    """No diagnostic has this code or name. The message suggests a similar one."""
 
     def __init__(self, asked: str, diagnostics: tuple[type[Template], ...]) -> None:
         message = f"there is no diagnostic `{asked}`"
@@ -36,7 +36,7 @@ class Catalog:
     diagnostics: tuple[type[Template], ...]
 
     def page(self, code: str) -> str:
-        """The page, in Markdown, of the diagnostic with this code or name, in whatever case.
+        """The Markdown page of the diagnostic with this code or name, in upper or lower case.
 
         Raises `UnknownCodeError`.
         """
@@ -59,6 +59,6 @@ class Catalog:
         return page.read_text(encoding="utf-8")
 
     def _summary(self, found: type[Template]) -> str:
-        """The first paragraph under "What it means", which stands on every page, in one line."""
+        """The first paragraph under "What it means", a section of every page, in one line."""
         text = self._read(found).partition("## What it means\n")[2].strip()
         return " ".join(text.partition("\n\n")[0].split())

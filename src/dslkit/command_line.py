@@ -23,7 +23,7 @@ from dslkit.options import Format
 from dslkit.ownership import Comment, NotOwnError, list_written, marked, require_own
 from dslkit.writing import is_stream, reason, try_folder, try_writing, write_whole
 
-if TYPE_CHECKING:  # a run without findings needs neither
+if TYPE_CHECKING:  # not needed by a run without findings
     from rich.console import Console
 
     from dslkit.catalog import Catalog
@@ -60,7 +60,7 @@ class CommandLine:
     _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
-        """0 without errors, 1 with errors, 2 if a file could not be read."""
+        """The exit code: 0 without errors, 1 with errors, 2 if a file could not be read."""
         codes = {finding.code for finding in found if finding.severity is Severity.ERROR}
         if codes & self.unreadable:
             return 2
@@ -101,9 +101,9 @@ class CommandLine:
             typer.echo(render_sarif(found, tool), nl=False)
 
     def print_findings(self, found: Sequence[Diagnostic], console: Console | None = None) -> None:
-        """Print findings as text, without a count: on standard output, if nothing else is given.
+        """Print findings as text, without a count, on standard output or on the given console.
 
-        An answer as JSON collects the findings instead, unless they are for another console.
+        In a JSON answer the findings are collected instead, unless they are for another console.
         """
         if not found:
             return
@@ -133,7 +133,9 @@ class CommandLine:
             typer.echo(text, nl=False)
 
     def explain(self, code: str, hint: str = "") -> None:
-        """Print the page of a diagnostic; the `hint` follows if there is none with this code."""
+        """Print the page of a diagnostic; if no diagnostic has this code, print an error and the
+        `hint`.
+        """
         from dslkit.catalog import UnknownCodeError
 
         try:
@@ -184,7 +186,8 @@ class CommandLine:
         output. At the end it prints one JSON object with all findings and the result of the answer.
 
         `command` is the name of the command, `files` the number of files that the user named. The
-        object is printed after an error as well. An answer within another one is that other one.
+        object is printed after an error as well. An answer inside another answer is that other
+        answer.
         """
         if self._answers:
             yield self._answers[-1]
@@ -200,7 +203,7 @@ class CommandLine:
             typer.echo(answer.text(), nl=False)
             raise
         except (OSError, KeyboardInterrupt):
-            raise  # there may be no reader for the answer
+            raise  # nothing may read the answer
         except Exception as error:
             lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
             defect = f"this is a defect of {self.tool}; standard error has the details"
@@ -216,15 +219,15 @@ class CommandLine:
         """Print a line about the run: on standard error if standard output is for an answer."""
         typer.echo(line, err=bool(self._answers))
 
-    # --- what is written --------------------------------------------------------------------------
+    # --- output files -----------------------------------------------------------------------------
 
     def permit(self, force: bool) -> None:
         """Let the user's `--force` decide whether files of others are replaced."""
         self.permission.is_given = force
 
     def try_file(self, *paths: Path | None) -> None:
-        """End the run, before it takes its time, if it could not write one of these files after it,
-        or may not, because somebody else wrote what is there. None stands for no file.
+        """End the run early if one of these files cannot be written, or may not be replaced because
+        another program or the user wrote it. None stands for no file.
         """
         wanted = [path for path in paths if path is not None]
         self._refuse_twice(wanted)
@@ -234,13 +237,13 @@ class CommandLine:
             self.try_change(path)
 
     def try_change(self, path: Path) -> None:
-        """End the run if a file of the user, which is to be changed, could not be written."""
+        """End the run if a file of the user that is to be changed cannot be written."""
         with self.writing(path):
             try_writing(path)
 
     def try_folder(self, folder: Path, *names: str) -> None:
-        """End the run, before it takes its time, if it could not write files into a folder, or may
-        not write those with these names.
+        """End the run early if files cannot be written into a folder, or if files with these names
+        may not be replaced.
         """
         with self.writing_to(folder):
             try_folder(folder)
@@ -250,20 +253,20 @@ class CommandLine:
                 self.try_change(folder / name)
 
     def save(self, path: Path, text: str, comment: Comment | None = None) -> None:
-        """Write a file with the mark of this program; the run ends if that cannot be done.
-        `comment` is for formats that do not show by themselves how comments look in them.
+        """Write a file with the mark of this program. The run ends if the file cannot be written.
+        Give a `comment` for formats whose comment syntax the program does not know.
         """
         self.require_own_file(path)
         with self.writing(path):
             write_whole(path, self.marked(text, comment))
 
     def marked(self, text: str, comment: Comment | None = None) -> str:
-        """Add the mark by which this program knows the file again, as `ownership` does."""
+        """Add the mark by which this program recognizes the file, as `ownership` does."""
         return marked(text, self.tool, comment)
 
     def tell_written(self, path: Path) -> None:
-        """Say that a file was written: on standard error if standard output is for an answer or can
-        be that file.
+        """Report that a file was written: on standard error if standard output is for an answer or
+        can be that file.
         """
         typer.echo(f"wrote {path}", err=bool(self._answers) or is_stream(path))
 
@@ -277,12 +280,12 @@ class CommandLine:
         for path in paths:
             first = seen.setdefault(os.path.realpath(path), path)
             if first is not path and not is_stream(path):
-                self.fail(f"two outputs go to one file, {path}: give them two names", exit_code=2)
+                self.fail(f"two outputs have the same file, {path}: give two names", exit_code=2)
 
     def require_own_file(self, path: Path) -> None:
         """End the run if a file may not be written."""
         if str(path) == "-":
-            self.fail("`-` is no file: name /dev/stdout for standard output", exit_code=2)
+            self.fail("`-` is not a file: write /dev/stdout for standard output", exit_code=2)
         if self.permission.is_given:
             return
         with self.writing(path):
@@ -296,7 +299,7 @@ class CommandLine:
                 )
 
     def refuse_present(self, paths: Sequence[Path]) -> NoReturn:
-        """End the run because these files are there, and their user completes them by hand."""
+        """End the run because these files exist, and users complete them by hand."""
         names = ", ".join(map(str, paths))
         self.fail(
             f"nothing is written, because these are there: {names}; choose another folder, or "
@@ -305,8 +308,8 @@ class CommandLine:
         )
 
     def copy_example(self, example: Path, folder: Path) -> None:
-        """Copy a folder of examples and name each file; the run ends if a file is there already and
-        may not be replaced.
+        """Copy a folder of examples and report each file. The run ends if a file exists and may not
+        be replaced.
         """
         from dslkit.examples import FilesAreThereError, copy_example
 
@@ -338,7 +341,7 @@ class CommandLine:
     # --- studies with users ----------------------------------------------------------------------
 
     def try_study(self, log: Path | None) -> None:
-        """End the run, before it takes its time, if a check could not append to a study log."""
+        """End the run early if a check could not append to a study log."""
         if log is None:
             return
         from dslkit import study
@@ -375,5 +378,5 @@ class CommandLine:
     # --- how it ends ------------------------------------------------------------------------------
 
     def run(self, app: Callable[[], None]) -> None:
-        """Run the command; a defect of ours is reported as one."""
+        """Run the command. A defect of the program is reported as one."""
         Ending(self.tool, self.subject, self.internal_code, self.extras, self.complain).run(app)

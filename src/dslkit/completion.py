@@ -29,7 +29,7 @@ def codes(package: str) -> Words:
 
 
 def _plain(text: str) -> str:
-    """The letters and digits of a text: nothing that a pattern of paths understands."""
+    """The letters and digits of a text: no character that has a meaning in path patterns."""
     return "".join(each for each in text if each.isalnum())
 
 
@@ -41,7 +41,9 @@ def _codes(pages: list[Path]) -> Iterator[tuple[str, str]]:
 
 
 def folders(package: str, below: str, holding: str) -> Words:
-    """The folders of a package below a folder, if they hold a file, with the first line of this."""
+    """The folders of a package below a folder that contain a certain file, with the first line of
+    the file.
+    """
 
     def complete(incomplete: str) -> list[tuple[str, str]]:
         found = sorted((package_folder(package) / below).glob(f"*/{holding}"))

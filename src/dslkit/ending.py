@@ -1,4 +1,4 @@
-"""The end of a command: exit codes, interrupts, output that nobody reads and defects of a tool."""
+"""The end of a command: exit codes, interrupts, broken output pipes and defects of a tool."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ import typer
 from dslkit import garbage, signals, streams
 from dslkit.writing import reason
 
-if TYPE_CHECKING:  # only a missing module needs them
+if TYPE_CHECKING:  # needed only for a missing module
     from dslkit.extras import Extras
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
 
 INTERRUPTED = 128 + signal.SIGINT
-"""The exit code of a run that somebody has interrupted."""
+"""The exit code of an interrupted run."""
 
-_UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
+_UNHEARD = 141  # the exit code of a program that SIGPIPE ends: 128 + 13
 _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
 
 
@@ -45,7 +45,7 @@ class Ending:
     complain: Callable[[str], None]
 
     def run(self, app: Callable[[], None]) -> None:
-        """Run the command; a defect of ours is reported as one."""
+        """Run the command. A defect of the program is reported as one."""
         streams.make_ready()
         try:
             signals.raise_interrupts()
@@ -64,14 +64,16 @@ class Ending:
             finally:
                 sys.stdout.flush()
         except SystemExit as ended:
-            # Typer ends the run so if nobody reads what it writes.
+            # Typer ends the run like this if the output pipe is broken.
             return _UNHEARD if isinstance(ended.__context__, BrokenPipeError) else ended.code
         except Exception as error:
             return self._exit_code_after(error)
         return 0
 
     def _exit_code_after(self, error: Exception) -> int:
-        """Say what is wrong, unless it comes from an interrupt or nobody listens."""
+        """Print the error, except after an interrupt or a broken output pipe. Returns the exit
+        code.
+        """
         if (interrupted := signals.exit_code()) is not None:
             return interrupted
         if isinstance(error, BrokenPipeError) and error.filename is None:
@@ -100,7 +102,7 @@ class Ending:
         return code
 
     def _tell_defect(self, detail: str) -> None:
-        """Say that the tool is at fault, with what its makers need to know."""
+        """Report a defect of the tool, with the details that its developers need."""
         title = f"this is a defect of {self.tool}, not of {self.subject}"
         typer.echo(f"error[{self.internal_code}]: {title}", err=True)
         typer.echo("please report it, with the file that you checked and these lines:", err=True)
@@ -108,7 +110,7 @@ class Ending:
 
 
 def _drop(stream: TextIO) -> None:
-    """Drop what is left for a stream: otherwise Python fails once more when it ends."""
+    """Discard the remaining output of a stream. Otherwise Python fails again when it ends."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, stream.fileno())
     os.close(nowhere)
@@ -124,5 +126,5 @@ def _has_folder() -> bool:
 
 
 def _is_about_output(error: OSError) -> bool:
-    """Say whether standard output cannot be written to: such an error names no file."""
+    """Say whether an error is about standard output: such an error names no file."""
     return error.filename is None and error.errno in _OUTPUT_FAILURES

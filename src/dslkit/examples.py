@@ -1,5 +1,5 @@
-"""Copies folders of examples for users: all files or none. Files that are there stay unless the
-caller allows otherwise.
+"""Copies of example folders for users: all files or none. Existing files stay unless the caller
+allows their replacement.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ class FilesAreThereError(Exception):
 
 
 def named(known: Mapping[str, Example], name: str, kind: str) -> Example:
-    """The example of a name, in upper or lower case; `kind` is the word for it in the message.
+    """The example with a name, in upper or lower case. `kind` is the word for it in the message.
     Raises `UnknownExampleError`.
     """
     if found := known.get(name.lower()):
         return found
     near = difflib.get_close_matches(name.lower(), known, n=1)
     hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(known)}"
-    raise UnknownExampleError(f"there is no {kind} `{name}` in the box; {hint}")
+    raise UnknownExampleError(f"there is no {kind} `{name}`; {hint}")
 
 
 def files_of(folder: Path) -> Sequence[Path]:
@@ -45,9 +45,11 @@ def files_of(folder: Path) -> Sequence[Path]:
 
 
 def copy_example(example: Path, folder: Path, *, replaces_others: bool = False) -> Sequence[Path]:
-    """Copy the files of an example into a folder, which need not exist yet, and return what was
-    written. Raises `FilesAreThereError` before anything is written, unless the copy
-    `replaces_others`, and `OSError`.
+    """Copy the files of an example into a folder, which is created if necessary, and return the
+    written paths.
+
+    Raises `FilesAreThereError` before anything is written, unless the copy `replaces_others`, and
+    `OSError`.
     """
     files = files_of(example)
     targets = [folder / each for each in files]

@@ -11,8 +11,8 @@ from typing import Any
 
 
 def extension(group: str, name: str) -> Callable[..., Any] | None:
-    """The function of an installed package under a name; None if there is none, or if its package
-    has been removed.
+    """The function of an installed package under a name; None if there is no such function or the
+    package has been removed.
     """
     found = next(iter(entry_points(group=group, name=name)), None)
     if found is None:

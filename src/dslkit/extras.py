@@ -31,7 +31,7 @@ class Extras:
 
     def explained(self, error: ModuleNotFoundError) -> str | None:
         """A message for a user whose environment does not have a module; None if no extra contains
-        it.
+        the module.
         """
         name = (error.name or "").partition(".")[0]
         extra = next((each for each, modules in self.modules.items() if name in modules), None)
@@ -43,5 +43,5 @@ class Extras:
 def _is_installed(name: str) -> bool:
     try:
         return find_spec(name) is not None
-    except ValueError:  # a module without a specification, as a stand-in of a test
+    except ValueError:  # a module without a specification, such as a stand-in of a test
         return True

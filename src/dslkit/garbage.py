@@ -1,5 +1,5 @@
-"""Less frequent garbage collection: a command creates many objects at its start, and keeps nearly
-all.
+"""Less frequent garbage collection, because a command creates many objects at its start and keeps
+nearly all of them.
 """
 
 from __future__ import annotations
@@ -9,13 +9,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 _NEW_OBJECTS = 50_000
-"""The number of new objects between two collections. With Python's own number, below a thousand, a
-tenth of a short run is spent on collections.
+"""The number of new objects between two collections. With Python's default, below a thousand, a
+short run spends a tenth of its time on collections.
 """
 
 
 def look_seldom() -> None:
-    """Collect garbage less often from now on. Cycles still do not fill the memory."""
+    """Collect garbage less often from now on. The collection still frees cycles in time."""
     gc.set_threshold(_NEW_OBJECTS)
 
 
@@ -28,8 +28,8 @@ def look_no_more() -> None:
 
 @contextmanager
 def not_now() -> Iterator[None]:
-    """While the context is active, do not collect: most new objects are needed, or there is time
-    later.
+    """While the context is active, do not collect. Use it if most new objects are needed, or if a
+    later collection is soon enough.
     """
     was_enabled = gc.isenabled()
     gc.disable()

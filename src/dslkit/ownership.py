@@ -1,8 +1,8 @@
-"""Marks by which a program knows the files that it wrote, so that it replaces no others.
+"""Marks by which a program recognizes the files that it wrote, so that it replaces no other files.
 
-A mark is a comment at the beginning of a file, or one of the first fields of a file in JSON. Files
-in formats that have no place for a mark, such as CSV, are named in a list beside them, with the
-SHA-256 sums of their contents.
+A mark is a comment at the beginning of a file, or one of the first fields of a JSON file. Formats
+without a place for a mark, such as CSV, are named in a list beside the files, with the SHA-256 sums
+of their contents.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 from dslkit.writing import is_stream, write_whole
 
 _HEAD = 2048
-"""The bytes of a file that are searched for its mark."""
+"""The number of bytes that are searched for the mark."""
 _LINES = 3
 """The lines of a file that may hold the comment: an XML declaration can precede it."""
 _COMMENT = r"(?:#|//|<!--|/\*)\s*(?:Written|Generated) by `?{program}\b"
@@ -35,14 +35,16 @@ class Comment(Enum):
 
 
 class NotOwnError(OSError):
-    """A file that would be replaced was written by somebody else."""
+    """The file to be replaced was not written by this program."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(errno.EEXIST, "this program did not write it", str(path))
 
 
 def is_own(content: bytes, program: str) -> bool:
-    """Say whether a program may replace a file with this content: it is empty, or has its mark."""
+    """Say whether a program may replace a file with this content: the file is empty or has the mark
+    of the program.
+    """
     head = content[:_HEAD].decode(errors="replace")
     comment, field = (each.format(program=program) for each in (_COMMENT, _FIELD))
     has_comment = any(re.match(comment, each, re.IGNORECASE) for each in head.splitlines()[:_LINES])
@@ -50,7 +52,7 @@ def is_own(content: bytes, program: str) -> bool:
 
 
 def require_own(path: Path, program: str) -> None:
-    """Raise `NotOwnError` if a user's file is there, and `OSError` if it cannot be read.
+    """Raise `NotOwnError` if a user's file exists there, and `OSError` if it cannot be read.
 
     Terminals, pipes and devices have no content to lose.
     """
@@ -62,8 +64,8 @@ def require_own(path: Path, program: str) -> None:
 
 
 def marked(text: str, program: str, comment: Comment | None = None) -> str:
-    """Add a program's mark to a text that lacks one. HTML and XML need no `comment`; a text in
-    another format without one stays as it is.
+    """Add a program's mark to a text without one. HTML and XML need no `comment`; other formats
+    without a comment stay unchanged.
     """
     if text and is_own(text.encode(errors="replace"), program):
         return text
@@ -78,7 +80,7 @@ def marked(text: str, program: str, comment: Comment | None = None) -> str:
 
 
 def list_written(folder: Path, names: Iterable[str], program: str) -> str:
-    """Give the name of the list beside files that cannot hold a mark, after it is written. Raises
+    """Write the list beside files that cannot hold a mark. Returns the name of the list. Raises
     `OSError`.
     """
     name = _LIST.format(program=program)
@@ -88,7 +90,7 @@ def list_written(folder: Path, names: Iterable[str], program: str) -> str:
 
 
 def _is_listed(path: Path, program: str) -> bool:
-    """Say whether the list beside a file names it, and the file is as it was then."""
+    """Say whether the list beside a file names it, and the file is unchanged since then."""
     written = path.with_name(_LIST.format(program=program))
     if not written.is_file():
         return False

@@ -20,7 +20,8 @@ _KINDS = {
     "Input should be a valid integer": "whole number",
     "Input should be a valid number": "number",
 }
-"""The beginnings of pydantic's messages about text that is no number, and the kind of number."""
+"""The beginnings of pydantic's messages about text that is not a number, with the kind of number.
+"""
 
 
 class Group(TyperGroup):
@@ -39,8 +40,8 @@ class Group(TyperGroup):
 
 
 def _look_first_at_values_of(command: Any) -> None:
-    """Wrap the parameters of a command, including the option `--help`, which typer makes when it is
-    asked for the parameters.
+    """Wrap the parameters of a command, including the option `--help`, which typer makes when it
+    reads the parameters.
     """
     typers = command.get_params
 
@@ -54,7 +55,7 @@ def _look_first_at_values_of(command: Any) -> None:
 
 
 class _NotPlainError(ValueError):
-    """Typer has to convert this value, or report the error in it."""
+    """Signals that typer has to convert this value or report its error."""
 
 
 class _Plain:
@@ -64,7 +65,7 @@ class _Plain:
         self._parameter = parameter
 
     def itself(self) -> _Plain:
-        """Return itself: typer asks each parameter for an object with the method `coerce`."""
+        """Return itself: typer requires an object with the method `coerce` for each parameter."""
         return self
 
     def coerce(self, value: Any, **rest: Any) -> Any:
@@ -112,7 +113,7 @@ def _plain_words(message: str, value: object) -> str:
     """A message of pydantic in the words of a user."""
     for begin, kind in _KINDS.items():
         if message.startswith(begin):
-            return f"`{value}` is no {kind}"
+            return f"`{value}` is not a {kind}"
     return message.removeprefix("Value error, ").replace("Input should be", "it has to be")
 
 

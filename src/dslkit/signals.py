@@ -31,8 +31,8 @@ def raise_interrupts() -> None:
 
 
 def ask_to_end() -> Callable[[], bool]:
-    """Let a signal end nothing from now on. The returned function says whether one came. Use it for
-    work that continues until a user ends it, and that has results to print then.
+    """Let signals end nothing from now on. The returned function says whether a signal arrived. Use
+    it for work that continues until a user ends it and then prints results.
     """
     asked: list[int] = []
     _handle(lambda number, _: asked.append(number))
@@ -46,7 +46,7 @@ def exit_code() -> int | None:
 
 def _handle(handler: signal._HANDLER) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
-        if signal.getsignal(number) is not signal.SIG_IGN:  # the parent process wants it so
+        if signal.getsignal(number) is not signal.SIG_IGN:  # the parent process set it so
             signal.signal(number, handler)
 
 
@@ -57,7 +57,9 @@ def _end(number: int, _frame: object) -> None:
 def _interrupt(number: int, frame: FrameType | None) -> None:
     _came.append(number)
     while frame is not None:
-        if frame.f_code is _interrupt_again.__code__:  # an interrupt of this would be lost as well
+        if (
+            frame.f_code is _interrupt_again.__code__
+        ):  # an interrupt of this code would be lost as well
             _ask_again()
             return
         frame = frame.f_back
@@ -65,8 +67,8 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 
 
 def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
-    """Ask again for a lost interrupt. If Python cannot raise an interrupt, as in a callback of its
-    import system, it would print a traceback and continue.
+    """Raise a lost interrupt again. If Python cannot raise an interrupt, for example in a callback
+    of its import system, Python would print a traceback and continue.
     """
     if _came and issubclass(lost.exc_type, KeyboardInterrupt):
         _ask_again()
@@ -75,7 +77,7 @@ def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
 
 
 def _ask_again() -> None:
-    # Not by `threading`: the interrupt may have come while the main thread held its locks.
+    # Not with `threading`: the interrupt may have arrived while the main thread held its locks.
     _thread.start_new_thread(_signal_later, (_thread.get_ident(), _came[0]))
 
 

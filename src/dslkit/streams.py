@@ -15,7 +15,7 @@ def make_ready() -> None:
     """Prepare the standard streams, so that no other code depends on how the command was started.
 
     Characters outside the encoding of a stream, and invalid bytes of file names, are written as
-    escapes, as in Python strings. A closed stream is replaced by one that leads nowhere.
+    escapes, as in Python strings. A closed stream is replaced by a stream that discards its input.
     """
     codecs.register(_plain_ascii)
     for number in range(3):
@@ -30,8 +30,8 @@ def make_ready() -> None:
 
 
 def _open_if_closed(number: int) -> None:
-    """Open a closed stream: otherwise the next opened file would get its number, and be written
-    to.
+    """Open a closed stream. Otherwise the next opened file would get the number of the stream, and
+    receive its output.
     """
     try:
         os.fstat(number)
@@ -46,7 +46,7 @@ def _let_take_any_text(stream: io.TextIOWrapper) -> None:
 
 
 def _plain_ascii(name: str) -> codecs.CodecInfo | None:
-    """ASCII under another name: Typer takes a stream in ASCII for one in UTF-8."""
+    """ASCII under another name, because Typer treats an ASCII stream as UTF-8."""
     if name.replace("_", "-") != _ASCII:
         return None
     found = codecs.lookup("ascii")

@@ -77,7 +77,7 @@ def append(
     line = json.dumps(run) + "\n"
     handle = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
     try:
-        os.write(handle, line.encode())  # one call: two runs at once do not mix their lines
+        os.write(handle, line.encode())  # one call, so that two runs at once do not mix their lines
     finally:
         os.close(handle)
 
@@ -89,7 +89,7 @@ def read_log(path: Path) -> list[dict[str, Any]]:
     except UnicodeDecodeError:
         raise StudyLogError("it is not text in UTF-8") from None
     if text and not text.endswith("\n"):
-        raise StudyLogError("its last line has no end", text.count("\n") + 1)
+        raise StudyLogError("its last line is incomplete", text.count("\n") + 1)
     lines = text.split("\n")[:-1]
     return [_run(line, number) for number, line in enumerate(lines, start=1)]
 
@@ -122,7 +122,9 @@ def _run(line: str, number: int) -> dict[str, Any]:
 
 
 def _name(path: str | Path, folder: Path) -> str:
-    """The path from the folder of the log, or the last part alone: no log names other folders."""
+    """The path relative to the folder of the log, or only the file name, so that no log names other
+    folders.
+    """
     whole = Path(path).resolve()
     try:
         return whole.relative_to(folder).as_posix()
@@ -139,7 +141,9 @@ def _digest(path: Path) -> str | None:
 
 
 def _finding(found: Diagnostic, folder: Path) -> Mapping[str, object]:
-    """The code and the place of a finding, without its words: these can quote the user's text."""
+    """The code and the place of a finding, without its texts, because texts can quote the user's
+    code.
+    """
     span = found.primary.span
     return {
         "code": found.code,

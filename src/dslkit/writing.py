@@ -17,7 +17,7 @@ _ERRORS = "backslashreplace"
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that, whatever happens, it has either all of `content` or its old content.
+    """Write a file so that, after any failure, it has either all of `content` or its old content.
     Its permissions stay. Text is written in UTF-8; invalid file names in it are written with
     escapes. Raises `OSError`.
     """
@@ -27,23 +27,23 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[IO[bytes]]:
-    """Within, a stream takes the new content of a file, which replaces the old one at the end. An
-    exception within leaves the old one. A terminal, a pipe or a device takes the content at once.
-    Raises `OSError`.
+    """While the context is active, a stream takes the new content of a file, which replaces the old
+    content at the end. After an exception, the old content stays. A terminal, a pipe or a device
+    takes the content immediately. Raises `OSError`.
     """
     if is_stream(path):
-        sys.stdout.flush()  # what was printed before comes before
+        sys.stdout.flush()  # earlier output comes first
         with path.open("ab") as stream:
             yield stream
         return
-    target = Path(os.path.realpath(path))  # a link stays one
+    target = Path(os.path.realpath(path))  # a link stays a link
     is_there = target.exists()
     temporary = _begin(target)
     try:
         with temporary.open("wb") as stream:
             yield stream
             stream.flush()
-            os.fsync(stream.fileno())  # some file systems only now report that they are full
+            os.fsync(stream.fileno())  # some file systems report only now that they are full
         if is_there:
             shutil.copymode(target, temporary)
         temporary.replace(target)
@@ -53,7 +53,7 @@ def replacing(path: Path) -> Iterator[IO[bytes]]:
 
 @contextmanager
 def replacing_text(path: Path) -> Iterator[TextIO]:
-    """As `replacing`, with a stream that takes text. Line endings stay as they are written."""
+    """Like `replacing`, with a stream that takes text. Line endings are not converted."""
     with replacing(path) as stream:
         text = io.TextIOWrapper(stream, encoding="utf-8", errors=_ERRORS, newline="")
         try:
@@ -71,7 +71,7 @@ def write_texts(folder: Path, texts: Mapping[str, str]) -> None:
 
 
 def try_writing(path: Path) -> None:
-    """Begin to write a file, and undo it. Raises the `OSError` that `write_whole` would raise."""
+    """Begin to write a file, and undo this. Raises the `OSError` that `write_whole` would raise."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
@@ -82,14 +82,14 @@ def try_writing(path: Path) -> None:
         with temporary.open("wb") as stream:
             stream.write(bytes(_BLOCK))
             stream.flush()
-            os.fsync(stream.fileno())  # whether the file system is full
+            os.fsync(stream.fileno())  # reports a full file system
     finally:
         temporary.unlink()
 
 
 def try_folder(folder: Path) -> None:
-    """Try to write into a folder, which need not exist yet. The folder stays as it is.
-    Raises `OSError` if no file can be written there.
+    """Try to write into a folder, which need not exist yet. The folder stays unchanged. Raises
+    `OSError` if no file can be written there.
     """
     place = Path(os.path.realpath(folder))
     while not os.path.lexists(place):
@@ -100,23 +100,24 @@ def try_folder(folder: Path) -> None:
 
 
 def is_stream(path: Path) -> bool:
-    """Say whether a path leads to a terminal, a pipe or a device, which holds no content.
-    `/dev/stdout` is one also where a shell leads it into a file, which it has emptied itself.
+    """Say whether a path leads to a terminal, a pipe or a device, which has no content. This
+    includes `/dev/stdout` if a shell redirects it to a file, because the shell has emptied that
+    file.
     """
     is_open_file = str(path).startswith(("/dev/std", "/dev/fd/", "/proc/self/fd/"))
     return path.exists() and not path.is_dir() and (is_open_file or not path.is_file())
 
 
 def _begin(target: Path) -> Path:
-    """A file beside the target, which is going to replace it."""
+    """Create a file beside the target that will replace the target."""
     if target.exists():
-        target.open("r+b").close()  # replacing it would get around its write protection
+        target.open("r+b").close()  # a replacement would bypass its write protection
     temporary = target.with_name(f".rossmarie-{os.getpid()}.tmp")
     temporary.touch()
     return temporary
 
 
 def reason(error: OSError) -> str:
-    """The reason why something failed, in words."""
+    """The reason of a failure, in words."""
     words = error.strerror or str(error) or "it cannot be done"
     return words[:1].lower() + words[1:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # not from `typing`: while Python imports that, Ctrl-C is a traceback
+TYPE_CHECKING = False  # not from `typing`: Ctrl-C during its import prints a traceback
 if TYPE_CHECKING:
     from ezskiros.skills import (
         CONSUME,
@@ -52,7 +52,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Import what skills need only when one asks for it: every subpackage imports this one."""
+    """Import the names for skills on first use, because every subpackage imports this module."""
     if name in __all__:
         from ezskiros import skills
 

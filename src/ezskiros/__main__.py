@@ -7,7 +7,7 @@ from dslkit.signals import end_at_once
 
 
 def main() -> None:
-    """Run the command line. What is imported for it takes a while, and may be interrupted."""
+    """Run the command line. Its imports take a while, and Ctrl-C may interrupt them."""
     end_at_once()
     look_seldom()
     from ezskiros.cli.main import main as run

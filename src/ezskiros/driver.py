@@ -53,11 +53,12 @@ class Checked:
 def check_paths(
     paths: Iterable[Path], values: Path | None = None, collector: Collector | None = None
 ) -> Checked:
-    """Check the skills of files, folders and packages, and scenes; what skills print is dropped.
+    """Check the skills of files, folders and packages, and scenes. The output of skills is
+    discarded.
 
-    `values` is a file of values of parameters that are known at launch; findings are put into
-    `collector` as they come up. This runs the modules in this process: unlike `ezskiros check`, it
-    trusts them.
+    `values` is a file with values of parameters that are known at launch. Findings are added to
+    `collector` immediately. This function runs the modules in this process: unlike `ezskiros
+    check`, it trusts them.
     """
     paths = list(paths)
     scenes = [path for path in paths if path.suffix == SCENE]
@@ -88,20 +89,22 @@ def check_paths(
 
 
 def _launch_values(path: Path, interfaces: Sequence[SkillInterface]) -> LaunchValues:
-    """The values that are known at launch. YAML is loaded here, as no other file needs it."""
+    """The values that are known at launch. YAML is imported here, because only this file needs
+    it.
+    """
     from ezskiros.trees.launch import read_launch_values
 
     return read_launch_values(path, interfaces)
 
 
 def missing_conditions(paths: Iterable[Path], collector: Collector | None = None) -> list[Missing]:
-    """The pre-conditions that compound skills lack, in files, folders and packages."""
+    """The missing pre-conditions of compound skills, in files, folders and packages."""
     checked = check_paths(paths, collector=collector)
     return missing_pre_conditions(checked.trees, checked.library)
 
 
 def _scene(path: Path) -> Iterable[Diagnostic]:
-    """Find what is wrong with a scene; it is checked against the ontology that `load()` loads."""
+    """Check a scene against the ontology that `load()` loads."""
     nowhere = Span(SourceFile(str(path), ""), 0, 0)
     if not os.environ.get(VARIABLE):
         return [NoOntologyForScene().at(nowhere)]
@@ -111,7 +114,7 @@ def _scene(path: Path) -> Iterable[Diagnostic]:
 
 
 def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
-    """The stub of the ontology that `load()` loads, and what is wrong with that."""
+    """The stub of the ontology that `load()` loads, and the findings on the ontology."""
     from ezskiros.stubs import write_stub
 
     collector = Collector()
@@ -121,8 +124,8 @@ def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
 
 
 def owl_of() -> tuple[dict[str, str], Sequence[Diagnostic]]:
-    """The files in which SkiROS2 gets the ontology that `load()` loads, and what is wrong with it;
-    with errors there are none.
+    """The files with the ontology that `load()` loads, in the format of SkiROS2, and the findings.
+    After an error there are no files.
     """
     collector = Collector()
     with session.commanding(collector):
@@ -135,8 +138,8 @@ def owl_of() -> tuple[dict[str, str], Sequence[Diagnostic]]:
 
 
 def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
-    """The names of properties that several namespaces of the ontology that `load()` loads have, and
-    what is wrong with it.
+    """The names of properties that are in several namespaces of the ontology that `load()` loads,
+    and the findings on the ontology.
     """
     collector = Collector()
     with session.commanding(collector):
@@ -145,9 +148,9 @@ def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
 
 
 def export_paths(paths: Iterable[Path], out: Path, collector: Collector) -> str | None:
-    """The text of the file `out` with the skills of files, folders and packages; None if something
-    is wrong with them, which is put into `collector`. Raises `OSError` for a source that cannot be
-    read any more.
+    """The text of the export `out` with the skills of files, folders and packages; None after an
+    error. Findings are added to `collector`. Raises `OSError` for a source that can no longer be
+    read.
     """
     known = set(sys.modules)
     checked = check_paths(paths, collector=collector)
@@ -171,7 +174,7 @@ def export_paths(paths: Iterable[Path], out: Path, collector: Collector) -> str 
 
 
 def _located(path: Path) -> Iterable[tuple[Ontology, Location]]:
-    """The locations of a scene that was checked, with the ontology that knows their classes."""
+    """The locations of a checked scene, with the ontology of their classes."""
     ontology = load()
     document, _ = read(path)
     assert document is not None, "the scene was read before"
@@ -179,8 +182,8 @@ def _located(path: Path) -> Iterable[tuple[Ontology, Location]]:
 
 
 def _user_modules(known: Set[str], beginnings: tuple[str, ...]) -> Iterator[Path]:
-    """The modules of users that have been imported since only some were `known`, and those of the
-    packages that files with these beginnings are in.
+    """The users' modules that have been imported since only `known` modules were, and modules of
+    packages with files that have these beginnings.
     """
     for name, module in list(sys.modules.items()):
         file = str(getattr(module, "__file__", None))
@@ -194,12 +197,12 @@ def _has_errors(collector: Collector) -> bool:
 
 
 class UnknownSkillError(LookupError):
-    """There is no such skill; the text says so, and which one may be meant."""
+    """The skill does not exist. The message may suggest a similar name."""
 
 
 def explain_skill(name: str, paths: Iterable[Path], collector: Collector | None = None) -> str:
-    """Tell how each inferred parameter of a skill gets its value, and what the skill permits and
-    uses. Raises `UnknownSkillError`.
+    """Explain how each inferred parameter of a skill gets its value, and list the permissions and
+    resources of the skill. Raises `UnknownSkillError`.
     """
     skills = {each.name: each for each in check_paths(paths, collector=collector).skills}
     if name not in skills:
@@ -210,8 +213,8 @@ def explain_skill(name: str, paths: Iterable[Path], collector: Collector | None 
 
 
 def trees_of(name: str, checked: Checked) -> list[Tree]:
-    """The trees of a skill, or of one implementation. Raises `UnknownSkillError` if there is none:
-    it is unknown, or a primitive.
+    """The trees of a skill, or of one implementation. Raises `UnknownSkillError` if the skill is
+    unknown or a primitive.
     """
     found = [tree for tree in checked.trees if name in (tree.implementation, tree.skill.name)]
     if found:
@@ -232,15 +235,15 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
         key = f" ({parameter.key!r})" if parameter.key != parameter.name else ""
         shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_thing else "")
         if parameter.is_output:
-            yield f"{shown}  from the skill itself"
+            yield f"{shown}  set by the skill"
         elif parameter.kind is not Kind.INFERRED:
             origin = "given" if parameter.default is None else f"given, or {parameter.default!r}"
-            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'may stay without'}"
+            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'optional'}"
         elif parameter.name in steps:
             step = steps[parameter.name]
             place = step.clause.span
             yield f"{shown}  from {step.source}, by {place.text} ({place})"
         else:
-            yield f"{shown}  any of its class: no pre-condition leads to it"
+            yield f"{shown}  any individual of this class: no pre-condition restricts the choice"
     yield from (f"permits {each.span.text} ({each.span})" for each in skill.permits)
     yield from (f"uses {each.kind.value} {each.name} ({each.span})" for each in skill.uses)

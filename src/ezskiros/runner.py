@@ -24,10 +24,10 @@ from ezskiros.trees.tree import Tree
 
 @dataclass(frozen=True)
 class Ready:
-    """A skill that can be run, with its arguments, and the world that it runs in.
+    """A skill that can be run, with its arguments and its world.
 
-    `elsewhere` is what is wrong with skills that it calls, and that are not among the files;
-    `sources` are the files of the skills and of the ontology.
+    `elsewhere` are the findings on skills that it calls and that are not in the files. `sources`
+    are the files of the skills and of the ontology.
     """
 
     library: Library
@@ -40,7 +40,7 @@ class Ready:
 
 
 class FaultyError(Exception):
-    """The skills or the scene have errors: `diagnostics` has them."""
+    """The skills or the scene have errors, which are in `diagnostics`."""
 
     def __init__(self, checked: Checked, diagnostics: Sequence[Diagnostic]) -> None:
         super().__init__("there are errors")
@@ -49,7 +49,7 @@ class FaultyError(Exception):
 
 
 def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterable[str]) -> Ready:
-    """Check all, find the skill, and read its arguments (`Name=value`).
+    """Check the files, find the skill, and read its arguments (`Name=value`).
 
     `skill` is the name of a description, of an implementation, or both (`Pick.pick`). Raises
     `FaultyError`, `UnknownSkillError`, `WrongArgumentError`, and `OSError` for a scene that cannot
@@ -74,14 +74,14 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
 
 
 def _modules(checked: Checked) -> list[Path]:
-    """The files with skills: those that were checked, and those of skills that these call."""
+    """The files with skills: the checked files, and the files of skills that they call."""
     called = (Path(each.span.file.path) for each in checked.library.skills())
     known = [*(each for each in checked.files if each.suffix != SCENE), *called]
     return [each for each in known if is_file(each)]
 
 
 def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:
-    """Return the ontology of the skills and its findings. If the skills use no things, take the
+    """Return the ontology of the skills and its findings. If no skill uses individuals, this is the
     ontology that `load()` finds, if any.
     """
     known = library.ontology()
@@ -97,7 +97,7 @@ def _refuse_errors(checked: Checked, found: Sequence[Diagnostic]) -> None:
 
 
 def _found(name: str, library: Library) -> tuple[SkillClass, str | None]:
-    """The description, and the implementation if it is named."""
+    """The description, and the name of the implementation if it is given."""
     known: dict[str, tuple[SkillClass, str | None]] = {}
     for description in library.descriptions():
         for each in library.implementations(description):

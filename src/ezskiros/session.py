@@ -28,7 +28,7 @@ LIBRARIES = tuple(
         *map(sysconfig.get_path, _INSTALLED),
         *site.getsitepackages(),
         site.getusersitepackages(),
-        *(path for path in sys.path if Path(path).name in _SITES),  # such as those of ROS
+        *(path for path in sys.path if Path(path).name in _SITES),  # such as the paths of ROS
     }
 )
 """The folders of the standard library and of installed packages."""
@@ -53,7 +53,7 @@ class SkillError(TypeError):
 
 @contextmanager
 def collecting(collector: Collector) -> Iterator[Collector]:
-    """Within, findings go to `collector`."""
+    """While the context is active, findings go to `collector`."""
     token = _collector.set(collector)
     try:
         yield collector
@@ -63,14 +63,16 @@ def collecting(collector: Collector) -> Iterator[Collector]:
 
 @contextmanager
 def trying() -> Iterator[Collector]:
-    """Within, findings are kept apart: they are of something that may be done again."""
+    """While the context is active, findings are kept apart, because the code may run again."""
     with collecting(Collector()) as collector:
         yield collector
 
 
 @contextmanager
 def checking(beginnings: Iterable[str]) -> Iterator[None]:
-    """Within, files whose paths begin like this are the user's, even if they are installed."""
+    """While the context is active, files whose paths have these beginnings count as the user's,
+    even if they are installed.
+    """
     token = _checked.set(tuple({each for each in beginnings if each.startswith(LIBRARIES)}))
     try:
         yield
@@ -80,7 +82,7 @@ def checking(beginnings: Iterable[str]) -> Iterator[None]:
 
 @contextmanager
 def commanding(collector: Collector) -> Iterator[Collector]:
-    """Within, findings go to `collector`, and no code of the user's is behind them."""
+    """While the context is active, findings go to `collector`, and no user code is running."""
     token = _is_command.set(True)
     try:
         with collecting(collector):
@@ -91,7 +93,7 @@ def commanding(collector: Collector) -> Iterator[Collector]:
 
 @contextmanager
 def following(tell: Callable[[str], object]) -> Iterator[None]:
-    """Within, `tell` hears of each file that the check comes to."""
+    """While the context is active, `tell` is called with each file that the check reaches."""
     token = _follower.set(tell)
     try:
         yield
@@ -100,21 +102,21 @@ def following(tell: Callable[[str], object]) -> Iterator[None]:
 
 
 def come_to(path: str) -> None:
-    """Tell who follows the check that it has come to a file."""
+    """Report that the check has reached a file."""
     tell = _follower.get()
     if tell is not None:
         tell(path)
 
 
 def is_of_user(path: str) -> bool:
-    """Say whether a file is the user's: neither ours, nor of a library, nor Python's own."""
+    """Say whether a file is the user's: not a part of EzSkiROS, of a library or of Python."""
     if path.startswith((*OURS, "<frozen")):
         return False
     return path.startswith(_checked.get()) or not path.startswith(LIBRARIES)
 
 
 def report(diagnostic: Diagnostic) -> None:
-    """Keep a finding; raises `SkillError` with it if nobody collects."""
+    """Collect a finding. Raises `SkillError` with the finding if no session collects findings."""
     collector = _collector.get()
     if collector is None:
         raise SkillError(diagnostic)
@@ -129,8 +131,8 @@ def has_reported(span: Span) -> bool:
 
 
 def here() -> Span:
-    """The expression of the user's code that led here, by way of libraries or directly; the command
-    line, if a command of ours did.
+    """The expression in the user's code that led here, directly or through libraries; the command
+    line, if an EzSkiROS command did.
     """
     if _is_command.get():
         return COMMAND_LINE
@@ -139,5 +141,5 @@ def here() -> Span:
 
 
 def directly_here() -> Span:
-    """The expression that led here, of the user's code or of a library."""
+    """The expression that led here, in the user's code or in a library."""
     return call_site(*OURS) or NOWHERE

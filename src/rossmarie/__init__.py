@@ -1,6 +1,6 @@
 """ROSSMARie: safety rules for robots, checked before launch and monitored at run time.
 
-`rossmarie.load("rules.ross")` returns a running `Monitor`, and `guard(...)` puts that monitor
+`rossmarie.load("rules.ross")` returns a running `Monitor`. Its method `guard(...)` puts the monitor
 between a policy and its robot. `docs/reference/python.md` shows how to use both.
 """
 

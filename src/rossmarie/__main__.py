@@ -7,7 +7,7 @@ from dslkit.signals import end_at_once
 
 
 def main() -> None:
-    """Run the command line. Its imports take a while, and Ctrl-C may interrupt them."""
+    """Run the command line. Its imports are slow, and Ctrl-C may interrupt them."""
     end_at_once()
     look_seldom()
     from rossmarie.cli.main import main as run

@@ -1,20 +1,20 @@
-"""Kept files: compiled monitors and tables of the parser, for the next run.
+"""Stored files: compiled monitors and tables of the parser, for the next run.
 
-The content of a kept file is executed, or determines the meaning of a rule. Therefore `kept`
+The content of a stored file is executed, or determines the meaning of a rule. Therefore `kept`
 returns only content that this user's own processes have stored, byte for byte:
 
-- The folder and the file belong to this user, and nobody else can write to them. Both are looked at
-through open descriptors, so nobody can exchange them after the look.
+- The folder and the file belong to this user, and no other user can write to them. Both are checked
+  through open descriptors, so that no other user can exchange them after the check.
 - The file begins with a hash (HMAC-SHA256) of its name and its content under a random key of this
   user. So a file that was changed, cut off, renamed, or copied from elsewhere does not fit.
-- The bytes that were checked are the bytes that `kept` returns. Nobody reads the file again.
+- The checked bytes are the bytes that `kept` returns. The file is not read again.
 
-The key lies outside the cache folder, so that an archive of a cache cannot bring its own key. A
-program that can read the files of this user can read the key: nothing here protects against
-programs of the same user, or against root. These could also change this program.
+The key is outside the cache folder, so that an archive of a cache cannot contain a key of its own.
+A program that can read the files of this user can read the key: this module does not protect
+against programs of the same user, or against root. Such programs could also change this program.
 
-Content that fails a check is made again, and a warning gives the reason. If nothing can be stored,
-the content is made each time.
+Content that fails a check is created again, and a warning gives the reason. If nothing can be
+stored, the content is created each time.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def cache_folder() -> Path:
 
 def kept(name: str, make: Callable[[], bytes], *, anew: bool = False) -> bytes:
     """The content stored under this name. If there is no trusted content, or if `anew` is set,
-    `make` makes the content, which is then stored.
+    `make` creates the content, which is then stored.
 
     Raises the errors of `make`.
     """
@@ -99,7 +99,9 @@ def _tag(key: bytes, name: str, content: bytes) -> bytes:
 
 
 def _key() -> bytes:
-    """The key of this user. A new key is made if there is none that only this user can read."""
+    """The key of this user. A new key is created if there is no key that only this user can
+    read.
+    """
     with _Folder(_folder("XDG_STATE_HOME", ".local/state")) as folder:
         with suppress(FileNotFoundError):
             try:
@@ -107,7 +109,7 @@ def _key() -> bytes:
             except _DistrustError as distrust:
                 _tell(distrust)
         folder.write(_KEY, os.urandom(_SIZE))
-        return _whole(folder)  # if two processes make a key, both use the later one
+        return _whole(folder)  # if two processes create a key, both use the later key
 
 
 def _whole(folder: _Folder) -> bytes:
@@ -132,7 +134,7 @@ def _is_own(found: os.stat_result) -> bool:
 
 
 class _Folder:
-    """An open folder of this user to which no other user can write. A missing folder is made.
+    """An open folder of this user to which no other user can write. A missing folder is created.
 
     Its methods raise `OSError`, and `_DistrustError` for files that another user may have written.
     """

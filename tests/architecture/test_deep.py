@@ -107,6 +107,6 @@ def test_it_is_due_until_all_parts_have_passed_on_this_generator(
     run(deep, monkeypatch, "", "raise SystemExit(1)")
     assert "is due" in reminder()
     run(deep, monkeypatch, "", "")
-    assert "has passed on this generator" in reminder()
+    assert "has passed for the current generator" in reminder()
     (deep.ROOT / "src/rossmarie/targets/names.py").write_text("two")
     assert "is due" in reminder()

@@ -38,7 +38,7 @@ def contracts() -> Layers:
 def page() -> Layers:
     """The layers that ARCHITECTURE.md shows: a package on a line, and its own below, indented."""
     text = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
-    (block,) = (each for each in blocks(text) if each.heading == "Which way imports run")
+    (block,) = (each for each in blocks(text) if each.heading == "Import layers")
     found: dict[str, list[str]] = {}
     for line in block.text.splitlines():
         if line.startswith(" "):

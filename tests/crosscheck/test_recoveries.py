@@ -230,8 +230,8 @@ rule near: if gap < 0.3 m and doing Rub then {{ recover; }} clear when doing Rub
 @pytest.mark.parametrize(
     ("old", "new", "reported"),
     [
-        ('"kind": "relation"', '"kind": "relative"', "its `kind` is none of"),
-        ('"is_true": true', '"is_true": 1', "its `is_true` is missing, or of another type"),
+        ('"kind": "relation"', '"kind": "relative"', "its `kind` is not one of"),
+        ('"is_true": true', '"is_true": 1', "its `is_true` is missing or has the wrong type"),
     ],
 )
 def test_a_condition_that_is_none_is_said(

@@ -44,9 +44,10 @@ def test_the_guards_of_the_example(tmp_path: Path, *, bless: bool) -> None:
     done = command_line.run("crosscheck", "weave", RULES, "-o", out)
     assert (done.returncode, done.stdout) == (0, f"wrote {out}\n"), done.stderr
     assert done.stderr == (
-        "crosscheck: Reach and Wipe will not wait for `contact`: it asks about skills itself\n"
-        "crosscheck: Reach and Wipe will not wait for `contact_while_Wipe`: it asks about skills "
-        "itself\n"
+        "crosscheck: Reach and Wipe will not wait for `contact`, because it depends on the "
+        "running skills\n"
+        "crosscheck: Reach and Wipe will not wait for `contact_while_Wipe`, because it "
+        "depends on the running skills\n"
     )
     digest = json.loads((EXAMPLE / "skills.json").read_text())["digest"]
     text = out.read_text().replace(digest, "DIGEST")

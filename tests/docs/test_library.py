@@ -1,4 +1,4 @@
-"""The pages of the library say what its files, and the robots in the box, say."""
+"""The pages about the library match its files and the included robots."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from support.prose import LONGEST, RULES, findings, sentences
+from support.prose import LONGEST, RULES, docstring_findings, findings, sentences
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted(
@@ -18,17 +18,40 @@ PAGES = sorted(
 )
 
 
-TO_REWRITE = (Path(__file__).parent / "pages_to_rewrite.txt").read_text("utf-8").split()
-"""The pages that still break a rule. A page that no longer does has to leave the list."""
-
-
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_a_page_is_in_plain_english(page: Path) -> None:
     found = list(findings(page.read_text(encoding="utf-8")))
-    if str(page.relative_to(ROOT)) in TO_REWRITE:
-        assert found, f"{page} is in plain English: take it off the list"
-    else:
-        assert not found, {rule.name: rule.instead for rule in RULES}
+    assert not found, {rule.name: rule.instead for rule in RULES}
+
+
+PACKAGES = sorted(path.parent.name for path in (ROOT / "src").glob("*/__init__.py"))
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_docstrings_are_in_plain_english(package: str) -> None:
+    found = [
+        (str(module.relative_to(ROOT)), *each)
+        for module in sorted((ROOT / "src" / package).rglob("*.py"))
+        for each in docstring_findings(module.read_text(encoding="utf-8"))
+    ]
+    assert not found
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ('"""By whom it is done."""\n', [(1, "opening word", "By whom it is done.")]),
+        ('"""All of it."""\nx = 1\n"""Kept so long as `x` is."""\n',
+         [(3, "so long as", "Kept so long as Code is.")]),
+        ('def f():\n    """One.\n\n        so long as\n\n    Whoever."""\n',
+         [(2, "whoever", "Whoever.")]),
+        ("x = 'so long as'\n# so long as\n", []),
+    ],
+)  # fmt: skip
+def test_docstrings_are_found_with_their_lines(
+    source: str, found: list[tuple[int, str, str]]
+) -> None:
+    assert list(docstring_findings(source)) == found
 
 
 @pytest.mark.parametrize(

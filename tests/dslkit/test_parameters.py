@@ -69,9 +69,9 @@ COMMANDS = (
 REFUSED = {
     "a.txt --colour BLUE": "--colour': 'BLUE' is not one of 'red', 'blue'.",
     "a.txt --layers 0": "it has to be greater than or equal to 1",
-    "a.txt --layers x": "`x` is no whole number",
+    "a.txt --layers x": "`x` is not a whole number",
     "a.txt --seconds 0.1": "it has to be greater than or equal to 0.5",
-    "a.txt --seconds x": "`x` is no number",
+    "a.txt --seconds x": "`x` is not a number",
     "a.txt --even x": "--even': invalid literal",
 }
 """Words of a command line, and a part of the answer that differs from typer's."""

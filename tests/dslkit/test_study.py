@@ -74,7 +74,7 @@ def test_only_its_owner_reads_a_new_log(tmp_path: Path) -> None:
         ("[1]\n", 1, 'this line does not have "format"'),
         ('{"format": "dslkit-study-log", "version": 2}\n', 1, "this line has version 2"),
         ('{"format": "dslkit-study-log", "version": 1}\n', 1, "`time` of this line"),
-        ("{}", 1, "its last line has no end"),
+        ("{}", 1, "its last line is incomplete"),
         ("\n", 1, "this line is not JSON"),
     ],
 )

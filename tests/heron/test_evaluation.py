@@ -177,16 +177,16 @@ def test_intervals_hold_what_they_are_of() -> None:
 def test_the_page_tells_what_failed_and_what_is_missing() -> None:
     rows = as_expected(range(10))
     page = page_of(Results({"place": rows}, {}), "experiments")
-    assert "- 13 are met" in page
+    assert "- met: 13" in page
     assert "Not met" not in page
     assert "| task completed | 10 of 10 [72, 100 %] |" in page
     assert "Not finished" not in page
     rows[2] = row(Arm.ROSSMARIE, 0, completed=0.0)
     page = page_of(Results({"place": rows[:-1]}, {}), "experiments")
-    assert "- 1 are not met" in page
+    assert "- not met: 1" in page
     assert (
-        "*II, placing, high*, with ROSSMARie it finishes without an operator: it finishes in 9"
-        in page
+        "*II, placing, high*, with ROSSMARie the robot finishes without an operator: "
+        "the robot finishes in 9" in page
     )
     assert "Not finished: expected/rossmarie/9." in page
 
@@ -235,7 +235,7 @@ def test_the_page_shows_what_depends_on_a_choice() -> None:
     page = page_of(Results({}, {"operator": rows}), "experiments")
     assert "| 30 | - | - | 3 of 3, 41.0 [40.0, 42.0] | - | - |" in page
     assert "![Delay of the operator](experiments/operator.svg)" in page
-    assert "The thesis describes its experiments and gives no figures" in page
+    assert "The thesis describes its experiments, but gives no figures" in page
 
 
 # --- what is in the documentation ------------------------------------------------------------
@@ -314,7 +314,7 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
     command = ["evaluate", "--seeds", "2", "--experiment", "place", "--out", str(tmp_path)]
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 0, found.output
-    assert "30 of 30 are done already" in found.output
+    assert "30 of 30 are already done" in found.output
     assert "Seeds: 2." in (tmp_path / "experiments.md").read_text(encoding="utf-8")
     written = read_rows(Folder(tmp_path).rows("place"))
     assert len(written) == 18

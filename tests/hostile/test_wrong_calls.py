@@ -17,14 +17,14 @@ rule it: if on then { stop; };
 CALLS = {
     "crosscheck explain EZS401": "EZS401 is a code of ezskiros: run `ezskiros explain EZS401`",
     "crosscheck impact drive.ross Pick": "`crosscheck impact Pick drive.ross`",
-    "ezskiros check drive.csv": "drive.csv is no Python file",
+    "ezskiros check drive.csv": "drive.csv is neither a Python file",
     "ezskiros check drive.ross": "drive.ross is a rules file: `rossmarie check drive.ross`",
-    "ezskiros check d --rules drive.csv": "drive.csv is no rules file",
+    "ezskiros check d --rules drive.csv": "drive.csv is not a rules file",
     "ezskiros explain Pick": "`ezskiros explain Pick PATHS...`",
     "ezskiros explain ROSS401": "run `rossmarie explain ROSS401`",
     "ezskiros migrate drive.ross": "drive.ross is a rules file",
     "ezskiros run Pick drive.ross": "drive.ross is a rules file",
-    "heron run nav --seed x": "`x` is no whole number",
+    "heron run nav --seed x": "`x` is not a whole number",
     "rossmarie check drive.csv": "drive.csv is a recording, not a rules file",
     "rossmarie check drive.ross --system drive.ross": "`drive.ross` is not a system model",
     "rossmarie check drive.ross --toggle 2": "--toggle needs --thorough",
@@ -33,7 +33,7 @@ CALLS = {
     "rossmarie explain EZS401": "run `ezskiros explain EZS401`",
     "rossmarie replay drive.csv drive.ross": "name the rules file first",
     "rossmarie replay drive.ross drive.ross": "drive.ross is a rules file",
-    "rossmarie verify drive.ross --timeout x": "`x` is no whole number",
+    "rossmarie verify drive.ross --timeout x": "`x` is not a whole number",
 }
 
 

@@ -82,7 +82,7 @@ input force = topic /force : std_msgs/Float64 in N timeout 3 sec;
 action halt { block /cmd_vel : geometry_msgs/Twist; }
 rule stop: if force > 5 N then { halt; };
 """
-UNKNOWN = "waits: nobody knows which rules are active"
+UNKNOWN = "waits: the active rules are unknown"
 ACTIVE = "waits: rule `stop` is active"
 
 
@@ -187,7 +187,7 @@ def test_a_skill_waits_while_a_rule_is_active_and_then_starts(
     robot.set(force=0.0)
     succeeds(trip)
     assert said(notes) == ["init", "drive"]
-    assert "nothing is run" not in trip.said()
+    assert "nothing was run" not in trip.said()
 
 
 def test_a_skill_starts_while_no_rule_is_active(

@@ -158,7 +158,7 @@ def test_stops_are_false_while_nothing_is_near(modules: dict[str, Any]) -> None:
         return course.Command(0.0, 0.0)
 
     outcome = driven(modules, never, "wall ahead")
-    assert (outcome.stops, outcome.false_stops, outcome.way_m) == (1, 1, 0.0)
+    assert (outcome.stops, outcome.false_stops, outcome.distance_m) == (1, 1, 0.0)
     right = driven(modules, braking_at(modules, 0.7), "wall ahead")
     assert (right.stops, right.false_stops) == (1, 0)
     docking = driven(modules, braking_at(modules, 0.2), "docking station")

@@ -1,4 +1,4 @@
-"""The files of the library, and the page about them that is made from their texts."""
+"""The files of the library, and the page that is made from their texts."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from rossmarie.driver.workspace import LIBRARY, SYSTEM_MODEL
 from rossmarie.syntax import ast, parse
 
 BOUNDARIES = ".boundaries.ross"
-"""The ending of generated tests, which the tests beside the rules import."""
+"""The suffix of generated tests, which the tests beside the rules import."""
 
 TESTS = ".tests.ross"
 
 LABELS = ("Hazard", "Limit", "Derivation", "Source")
-"""The labels of the documentation of a rule, in this order; the source is not always needed."""
+"""The labels of the documentation of a rule, in this order. The source is optional."""
 
 
 def library_files() -> list[Path]:
@@ -36,18 +36,18 @@ def name_of(path: Path) -> str:
 
 
 def module_of(path: Path) -> ast.Module:
-    """The syntax tree of a file, without what it imports."""
+    """The syntax tree of a file, without its imports."""
     collector = Collector()
     return parse(SourceFile(str(path), path.read_text(encoding="utf-8")), collector)
 
 
 def rules_of(path: Path) -> list[ast.Rule]:
-    """The rules that a file itself has."""
+    """The rules of a file, without the rules of its imports."""
     return [item for item in module_of(path).items if isinstance(item, ast.Rule)]
 
 
 def paragraphs(documentation: str) -> dict[str, str]:
-    """The text behind each label of the documentation of a rule, in one line each."""
+    """The text after each label of the documentation of a rule, each in one line."""
     words = "|".join(LABELS)
     parts = re.split(rf"(?:^|\n)\s*({words}): ", documentation)
     pairs = zip(parts[1::2], parts[2::2], strict=True)
@@ -55,7 +55,7 @@ def paragraphs(documentation: str) -> dict[str, str]:
 
 
 def parameters_of(path: Path, rule: ast.Rule) -> list[str]:
-    """The parameters on which a rule of a file rests, by itself or by conditions that it names."""
+    """The parameters on which a rule depends, directly or by conditions that the rule names."""
     file = _File(path, module_of(path))
     inputs = {item.name.text: item for item in file.module.items if isinstance(item, ast.Input)}
     text = _text(rule.condition.span)
@@ -108,7 +108,7 @@ sensors have sent a message.
 
 @dataclass(frozen=True)
 class _File:
-    """One file, with what its texts are looked up by."""
+    """A file, and the lookup of its texts by name."""
 
     path: Path
     module: ast.Module
@@ -132,7 +132,7 @@ class _File:
 
 
 def page() -> str:
-    """The whole page."""
+    """The text of the page."""
     files = [_File(path, module_of(path)) for path in library_files()]
     with_rules = [file for file in files if rules_of(file.path)]
     lines = [_HEAD, *_overview(with_rules), "", *_actions(files)]
@@ -153,7 +153,7 @@ def _overview(files: Sequence[_File]) -> Iterator[str]:
 
 
 def _about(file: _File) -> str:
-    """The second comment of a file, up to how it is imported."""
+    """The second comment of a file, without the import line."""
     second = file.module.file.text.splitlines()[1].removeprefix("// ")
     return re.split(r"[:;] import|: import", second)[0]
 
@@ -202,7 +202,7 @@ def _section(file: _File) -> Iterator[str]:
 
 
 def _model(file: _File) -> Iterator[str]:
-    """The system model that the file needs, in short."""
+    """The lines of the system model that the file needs."""
     beside = file.path.with_name(SYSTEM_MODEL)
     if beside.exists():
         text = beside.read_text(encoding="utf-8").partition("\n")[2].strip()
@@ -211,7 +211,7 @@ def _model(file: _File) -> Iterator[str]:
 
 
 def _default(item: ast.Parameter | ast.Constant) -> str:
-    """The value that a file has by itself; a topic as its name."""
+    """The default value of a parameter; a topic as its name."""
     value = item.value if isinstance(item, ast.Constant) else item.default
     return "" if value is None else _text(value.span)
 
@@ -247,7 +247,7 @@ def _contract(rule: ast.Rule) -> str:
 
 
 def _used(file: _File, text: str) -> list[str]:
-    """The names in a text, and in what they stand for, each once."""
+    """The names in a text and in the definitions of these names, each once."""
     found: list[str] = []
     waiting = [text]
     while waiting:

@@ -1,4 +1,4 @@
-"""The page that says which rules of the library the robots in the box use, and how."""
+"""The page about the rules of the library that the included robots use."""
 
 from __future__ import annotations
 
@@ -19,13 +19,14 @@ _SHIPPED = "rossmarie/"
 _HEAD = """\
 # One library, five robots
 
-Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md)
-and the rules of [the library](library.md); do not edit. The page
-[one library, several robots](../explanation/one-library.md) explains the results.
+Written by `benchmarks/library_reuse.py` from the rules of the robots of
+[`rossmarie example`](command-line.md#rossmarie-example) and the rules of [the library](library.md);
+do not edit. The page [one library, several robots](../explanation/one-library.md) explains the
+results.
 
-A rule is used *as it is* if an import changes none of its numbers; names of topics, joints and
-frames do not count. A rule is used *with other numbers* if an import sets at least one of its
-numbers.
+A robot uses a rule *as it is* if the import changes no number of the rule; names of topics, joints
+and frames do not count. A robot uses a rule *with other numbers* if the import sets at least one
+number of the rule.
 """
 
 
@@ -38,7 +39,7 @@ class _Use:
 
     @cached_property
     def changed(self) -> list[str]:
-        """The rules that rest on one of these numbers."""
+        """The rules that depend on one of these numbers."""
         return [
             rule.name.text
             for rule in rules_of(self.path)
@@ -48,13 +49,13 @@ class _Use:
 
 @dataclass(frozen=True)
 class _Reported:
-    """A robot, and what its rules say."""
+    """A robot, and the contents of its rules."""
 
     robot: Robot
 
     @cached_property
     def uses(self) -> dict[str, _Use]:
-        """The files of the library with rules that it imports, by their names."""
+        """The imported files of the library that have rules, by their names."""
         found = {}
         for item in module_of(self.robot.rules).items:
             if isinstance(item, ast.Import) and item.path.value.startswith(_SHIPPED):
@@ -66,13 +67,13 @@ class _Reported:
 
     @cached_property
     def reasons(self) -> dict[str, str]:
-        """The reasons that its rules give for a file that they do not import."""
+        """The reasons in the rules for the files that they do not import."""
         text = self.robot.rules.read_text(encoding="utf-8")
         return {name: reason.rstrip(".") for name, reason in _REASON.findall(text)}
 
     @cached_property
     def types(self) -> set[str]:
-        """The types of the messages that the robot sends or takes."""
+        """The types of the messages that the robot publishes or receives."""
         model = module_of(self.robot.folder / SYSTEM_MODEL)
         return {
             part.message_type.text
@@ -84,7 +85,7 @@ class _Reported:
 
     @cached_property
     def replaced(self) -> set[str]:
-        """The actions of the library that stand otherwise in a copy beside its rules."""
+        """The actions of the library that a copy beside the rules changes."""
         folder = self.robot.folder / "rossmarie"
         copies = sorted(folder.glob("*.ross")) if folder.exists() else []
         return {
@@ -95,14 +96,14 @@ class _Reported:
         }
 
     def lacks(self, path: Path) -> list[str]:
-        """The types of messages that a file reads and the robot does not have."""
+        """The types of messages that a file reads but the robot does not have."""
         inputs = [item for item in module_of(path).items if isinstance(item, ast.Input)]
         types = {item.message_type.text for item in inputs if item.message_type}
         return sorted(types - self.types)
 
 
 def _is_name(path: Path, given: ast.Given) -> bool:
-    """Say whether a parameter stands for a topic, a frame or another name, and so for no number."""
+    """Say whether a parameter is a topic, a frame or another name, but not a number."""
     for item in module_of(path).items:
         if isinstance(item, ast.Parameter) and item.name.text == given.name.text:
             words = item.span.text.split("=", 1)[-1].split()
@@ -121,7 +122,7 @@ def _actions(path: Path) -> dict[str, str]:
 
 
 def page() -> str:
-    """The whole page."""
+    """The text of the page."""
     reported = [_Reported(robot) for robot in robots()]
     files = [path for path in library_files() if rules_of(path)]
     parts = [
@@ -138,8 +139,8 @@ def _rules(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str
     yield "## Rules"
     yield ""
     yield (
-        "| Robot | Used as they are | With other numbers | Not used: message missing "
-        "| Not used: other reason | Own |"
+        "| Robot | Used as they are | Used with other numbers | Not used: message missing "
+        "| Not used: other reason | Own rules |"
     )
     yield "|---|---|---|---|---|---|"
     for each in reported:
@@ -155,13 +156,15 @@ def _rules(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str
     several = {name for name in anywhere if sum(name in each.uses for each in reported) > 1}
     shared = sum(len(rules_of(path)) for path in files if name_of(path) in several)
     yield ""
-    yield f"Of {every} rules of the library {used} are used by a robot, {shared} by several."
+    yield f"The library has {every} rules. The robots use {used} of them, and several robots use"
+    yield f"{shared} of them."
 
 
 def _files(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Files of the library"
     yield ""
-    yield "The cells are the numbers that an import sets. A dash means that the file is not used."
+    yield "Each cell lists the numbers that the import sets. A dash means that the robot does not"
+    yield "use the file."
     yield ""
     yield f"| File | {' | '.join(each.robot.name for each in reported)} |"
     yield f"|---|{'---|' * len(reported)}"
@@ -188,8 +191,8 @@ def _reason(reported: _Reported, path: Path) -> str:
     if name_of(path) in reported.reasons:
         return reported.reasons[name_of(path)]
     if lacking:
-        return "it has no " + ", and no ".join(lacking)
-    return "it could be used, but the rules do not import it"
+        return "the robot has no " + " and no ".join(lacking)
+    return "the robot could use the file, but its rules do not import it"
 
 
 def _own(reported: Sequence[_Reported]) -> Iterator[str]:
@@ -203,9 +206,9 @@ def _own(reported: Sequence[_Reported]) -> Iterator[str]:
 def _recoveries(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Recoveries"
     yield ""
-    yield "The actions in the rules of the library. A rule declares if its recovery depends on the"
-    yield "task. The last two columns are the robots that use the action, and the robots that"
-    yield "replace the action by their own."
+    yield "The table lists the actions in the rules of the library. Each rule declares if its"
+    yield "recovery depends on the task. The last two columns list the robots that use the action,"
+    yield "and the robots that replace the action by their own action."
     yield ""
     yield "| Action | Rules for all tasks | Rules for a task | Robots | Replaced by |"
     yield "|---|---|---|---|---|"

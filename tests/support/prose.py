@@ -1,4 +1,4 @@
-"""The sentences of a page in Markdown, and our rules of plain English for them.
+"""The sentences of a page in Markdown or of a docstring, and our rules of plain English for them.
 
 No linter with rules of one's own comes from a registry by name (decision 0081), so the rules are
 regular expressions: each names a construction that readers had to read twice.
@@ -6,6 +6,8 @@ regular expressions: each names a construction that readers had to read twice.
 
 from __future__ import annotations
 
+import ast
+import inspect
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -65,6 +67,27 @@ def findings(page: str) -> Iterator[tuple[str, str]]:
         yield from ((rule.name, sentence) for rule in RULES if rule.pattern.search(sentence))
         if len(sentence.split()) > LONGEST:
             yield "long sentence", sentence
+
+
+_QUESTION = re.compile(r"(?:What|Whether|Which|How|Of|By|From|That|Where|Why|When|Who)\b")
+
+
+def docstrings(source: str) -> Iterator[tuple[int, str]]:
+    """The docstrings of a Python module with their lines, including those below assignments."""
+    for node in ast.walk(ast.parse(source)):
+        body = getattr(node, "body", None)
+        for statement in body if isinstance(body, list) else ():
+            value = statement.value if isinstance(statement, ast.Expr) else None
+            if isinstance(value, ast.Constant) and isinstance(value.value, str):
+                yield statement.lineno, inspect.cleandoc(value.value)
+
+
+def docstring_findings(source: str) -> Iterator[tuple[int, str, str]]:
+    """The lines of the docstrings that break a rule, each with the rule and the sentence."""
+    for line, text in docstrings(source):
+        if _QUESTION.match(text):
+            yield line, "opening word", text.partition("\n")[0]
+        yield from ((line, *found) for found in findings(text))
 
 
 def _is_no_prose(line: str) -> bool:

@@ -1,7 +1,7 @@
 """Build the documentation site: `build/site/VERSION`, and a page that leads to the newest version.
 
-A version of the site replaces only itself. So a folder that has other versions keeps them, and the
-menu in the header of each page offers all of them.
+A build replaces only its own version. The folder keeps the other versions, and the menu in the
+header of each page offers all versions.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ def version_of(project: Path) -> str:
 
 
 def versions_in(folder: Path) -> list[str]:
-    """The versions that a folder of sites has, the newest first."""
+    """The versions in a folder of sites, the newest first."""
     names = [path.name for path in folder.iterdir() if VERSION.fullmatch(path.name)]
     return sorted(names, key=Version, reverse=True)
 
 
 def write_settings(work: Path, pages: Pages) -> Path:
-    """The settings of this build: the common ones, and the navigation."""
+    """Write the settings of this build: the common settings and the navigation."""
     settings = work / "mkdocs.yml"
     contents = (PROJECT / "docs" / "README.md").read_text(encoding="utf-8")
     common = os.path.relpath(SETTINGS, work)
@@ -56,9 +56,9 @@ def write_settings(work: Path, pages: Pages) -> Path:
 
 
 def build(out: Path) -> Path:
-    """Build the site of this version into a folder of sites; give the first page.
+    """Build the site of this version into a folder of sites; return the first page.
 
-    Ends the program where the generator finds a broken link or another fault.
+    Ends the program if the generator finds a broken link or another fault.
     """
     work = PROJECT / "build" / "website" if out == PROJECT / "build" / "site" else out / ".work"
     pages = Pages(PROJECT, work / "pages")
@@ -67,7 +67,7 @@ def build(out: Path) -> Path:
         (work / "pages" / place).parent.mkdir(exist_ok=True)
         shutil.copyfile(Path(__file__).with_name(name), work / "pages" / place)
     version = version_of(PROJECT)
-    # Not `--quiet`: then the generator does not count what is strict.
+    # With `--quiet`, the generator would ignore `--strict`.
     done = subprocess.run(
         [
             *(sys.executable, "-m", "mkdocs", "build", "--strict", "--clean"),
@@ -88,7 +88,7 @@ def build(out: Path) -> Path:
 
 
 def main() -> None:
-    """Build the site, and tell where it is."""
+    """Build the site and print its location."""
     parser = argparse.ArgumentParser(description="Build the documentation site.")
     parser.add_argument("--out", type=Path, default=PROJECT / "build" / "site")
     out = parser.parse_args().out.resolve()

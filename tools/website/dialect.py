@@ -1,8 +1,8 @@
-"""Pages of GitHub's Markdown in the dialect of Python-Markdown, which the site's generator reads.
+"""Convert pages in GitHub's Markdown to the dialect of Python-Markdown, for the site's generator.
 
-The two dialects differ in three respects that our pages need. Python-Markdown wants four spaces for
-each level of a list, a blank line before a list or a table, and the name of a file as an option of
-a fence. The addresses of links change as well, since pages lie elsewhere in the site.
+The dialects differ in three respects that matter for our pages. Python-Markdown needs four spaces
+for each level of a list, a blank line before a list or a table, and the name of a file as an option
+of a fence. The addresses of links also change, because the pages have other paths in the site.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _OPENS = {"bullet_list_open", "ordered_list_open", "table_open", "blockquote_ope
 
 
 def to_site(text: str, target: Callable[[str], str]) -> str:
-    """A page for the site; `target` gives the new address for each address of a link."""
+    """A page for the site. `target` returns the new address for each address of a link."""
     lines = text.split("\n")
     tokens = _PARSER.parse(text)
     code = _lines_of_code(tokens)
@@ -35,13 +35,13 @@ def to_site(text: str, target: Callable[[str], str]) -> str:
 
 
 def title(text: str) -> str:
-    """The first heading of a page as plain text; empty where there is none."""
+    """The first heading of a page as plain text; empty if the page has no heading."""
     found = re.search(r"^# +(.+)$", text, re.MULTILINE)
     return re.sub(r"[`*]", "", found[1]).strip() if found else ""
 
 
 def _lines_of_code(tokens: list[Token]) -> set[int]:
-    """The numbers of the lines, from 0, in blocks of code; the line that opens a fence is none."""
+    """The numbers, from 0, of the lines in blocks of code, without the lines that open fences."""
     found: set[int] = set()
     for token in tokens:
         if token.type == "fence" and token.map:
@@ -70,7 +70,7 @@ def _reindent(lines: list[str], tokens: list[Token], code: set[int]) -> list[str
 
 
 def _line(line: str, old: int, new: int, is_code: bool) -> str:
-    """A line with `new` spaces in the place of at most `old`."""
+    """A line with `new` spaces in place of at most `old` spaces."""
     blank = len(line) - len(line.lstrip(" "))
     content = line[min(old, blank) :]
     if not content:
@@ -81,7 +81,7 @@ def _line(line: str, old: int, new: int, is_code: bool) -> str:
 
 
 def _space(lines: list[str], tokens: list[Token]) -> list[str]:
-    """The lines with a blank one before each outer list, table and quotation."""
+    """The lines with a blank line before each outer list, table and quotation."""
     starts = {
         token.map[0] for token in tokens if token.type in _OPENS and token.level == 0 and token.map
     }
@@ -94,7 +94,7 @@ def _space(lines: list[str], tokens: list[Token]) -> list[str]:
 
 
 def _address(lines: list[str], target: Callable[[str], str]) -> str:
-    """The text with new addresses; code, in blocks and in lines, keeps its own."""
+    """The text with new addresses; code in blocks and in lines does not change."""
     pieces: list[str] = []
     prose: list[str] = []
     fence = ""

@@ -1,7 +1,7 @@
-"""The pages of the site, put together from where they are in the project.
+"""Collect the pages of the site from their places in the project.
 
-Pages of `docs` keep their paths. The pages of the diagnostics, those at the top of the project, and
-each file that a page links to get a place beside them, so that a reader needs no other host.
+Pages of `docs` keep their paths. The pages of the diagnostics, the pages at the top of the project,
+and each file that a page links to get a path in the site, so that a reader needs no other host.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ TOP = {
     "CHANGELOG.md": "project/changelog.md",
     "CONTRIBUTING.md": "project/contributing.md",
 }
-"""Pages that get another name in the site."""
+"""Pages with another name in the site."""
 SETTINGS = {
     "README.md": "hide:\n  - navigation\n",
     "docs/reference/cheat-sheet.md": "hide:\n  - navigation\n  - toc\nsearch:\n  boost: 2\n",
     "docs/reference/ezskiros-cheat-sheet.md": "hide:\n  - navigation\n  - toc\n",
     "docs/reference/language.md": "search:\n  boost: 4\n",
 }
-"""Settings of single pages: the menus that they do without, and their rank in a search."""
+"""Settings of single pages: hidden menus, and the rank in a search."""
 CODES = re.compile(r"src/(\w+)/catalog/pages/(\w+\.md)")
 TABLES = {
     "crosscheck": "docs/reference/crosscheck.md",
@@ -42,7 +42,7 @@ FENCE = "`" * 6
 
 
 class Pages:
-    """The pages of a project, written into a folder."""
+    """The pages of a project, and the folder for the converted pages."""
 
     def __init__(self, project: Path, folder: Path) -> None:
         self._project = project.resolve()
@@ -62,7 +62,7 @@ class Pages:
             self._write(self._open.pop(0))
 
     def _first(self) -> Iterator[str]:
-        """The pages that no link is needed for."""
+        """The pages that the site always contains."""
         yield from TOP
         for pattern in ("docs/**/*.md", "src/*/catalog/pages/*.md"):
             for path in sorted(self._project.glob(pattern)):
@@ -111,7 +111,7 @@ class Pages:
         written.write_text(settings + text, encoding="utf-8")
 
     def _listing(self, source: str) -> str:
-        """A page with the pages and files of a folder."""
+        """A page that lists the pages and files of a folder."""
         name = "Decisions" if source == "docs/decisions" else source
         lines = [f"# {name}", ""]
         for path in sorted((self._project / source).iterdir()):
@@ -137,7 +137,7 @@ class Pages:
 
 
 def navigation(pages: Pages, contents: str) -> list[object]:
-    """The sections of the site. The page of contents has the order of the pages in each."""
+    """The sections of the site. The page of contents gives the order of the pages."""
     order = re.findall(r"\]\(([\w/-]+\.md)\)", contents)
     decisions = _in(pages, "decisions/", order)
     reference = _in(pages, "reference/", order)
@@ -160,6 +160,6 @@ def navigation(pages: Pages, contents: str) -> list[object]:
 
 
 def _in(pages: Pages, folder: str, order: list[str]) -> list[str]:
-    """The pages of a folder: those of the order first, then the others by name."""
+    """The pages of a folder: first the pages of the order, then the other pages by name."""
     found = sorted(page for page in pages.titles if page.startswith(folder))
     return sorted(found, key=lambda page: order.index(page) if page in order else len(order))

@@ -1,8 +1,8 @@
-//! What RTLola's compiler made of a specification, events handed over in memory:
+//! A specification compiled by RTLola's compiler, with events in memory:
 //! compiled TRACE_FOLDER SAMPLES ROUNDS
 //!
-//! `benchmarks/peers_run.py` puts the two parts beside this file: `main.rs` is the compiler's, and
-//! `count` adds the rules that are active.
+//! `benchmarks/peers_run.py` puts two parts beside this file: `main.rs` is the output of the
+//! compiler, and `count` counts the active rules.
 
 use std::path::Path;
 use std::time::Duration;

@@ -31,11 +31,11 @@ _HEAD = """\
 [the list](faults.toml) alone into the model solution of each language, runs the tools, and writes
 the first stage at which a tool finds the fault:
 
-- **by construction**: nobody can write the fault in this language.
+- **by construction**: the language cannot express the fault.
 - **writing**: a type checker in an editor finds the fault (mypy, with the stub that
   `ezskiros stubs` writes).
 - **check**: a check finds the fault before anything is built or run. A code names the diagnostic.
-- **build**: the compiler of the plain program rejects the fault or warns of it
+- **build**: the compiler of the plain program rejects the fault or warns about it
   (`g++ -Wall -Wextra`).
 - **run time**: the program ends with an error on [the trace](tasks/rules/trace.csv), or SkiROS2
   notices the fault.

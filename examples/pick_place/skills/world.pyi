@@ -16,7 +16,7 @@ _T = _TypeVar("_T")
 _N = _TypeVar("_N")
 
 class _Value(_Condition, _Generic[_T]):
-    """A data property: by itself the condition that there is a value."""
+    """A data property. Alone, it is the condition that a value exists."""
     def __eq__(self, value: _T, /) -> _Condition: ...
     def __ne__(self, value: _T, /) -> _Condition: ...
     def __lt__(self, value: _Nothing, /) -> _Condition: ...
@@ -38,10 +38,10 @@ class _Truth(_Value[_bool]): ...
 class _Anything(_Ordered[_float | _str | _bool, _float]): ...
 
 class _Ambiguous:
-    """Several namespaces have it: say it as `namespace.name(Subject, ...)`."""
+    """Several namespaces have this name: write `namespace.name(Subject, ...)`."""
 
 class _Thing:
-    """Something in the world."""
+    """An individual of the world model."""
     ContainerState: _Value[_Literal["Empty", "Full"]]
     Weight: _Number
     """In kg."""
@@ -107,7 +107,7 @@ _skiros: _TypeAlias = skiros
 _sumo: _TypeAlias = sumo
 
 class world:
-    """The ontology: all its namespaces."""
+    """All namespaces of the ontology."""
     cora: _TypeAlias = _cora
     rparts: _TypeAlias = _rparts
     scalable: _TypeAlias = _scalable

@@ -24,8 +24,8 @@ class ShowFormat(str, enum.Enum):
 
 
 def ros_namespace(text: str) -> str:
-    """A namespace of ROS with its first slash, as in `/robot1`; empty for that of all."""
+    """A ROS namespace with its first slash, as in `/robot1`; empty for the global namespace."""
     name = text.strip("/")
     if name and not re.fullmatch(r"[A-Za-z]\w*(/[A-Za-z]\w*)*", name, re.ASCII):
-        raise typer.BadParameter(f"`{text}` is no namespace of ROS, such as /robot1")
+        raise typer.BadParameter(f"`{text}` is not a ROS namespace, such as /robot1")
     return f"/{name}" if name else ""

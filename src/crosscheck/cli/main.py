@@ -1,7 +1,7 @@
 """The `crosscheck` command: one function per subcommand.
 
-Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
-itself was called wrongly, a file could not be read or there is no ROS, 70 a defect of this tool.
+Exit codes: 0 for no errors (there may be warnings), 1 for findings, 2 for a wrong call, an
+unreadable file or a missing ROS, 70 for a defect of this tool.
 """
 
 from __future__ import annotations

@@ -106,7 +106,7 @@ def _reported(skill: Pictured) -> str:
         ("guarded by", [str(each) for each in skill.guards if not each.is_taken]),
         ("interrupted by", [str(each) for each in skill.guards if each.is_taken]),
         ("exempt from", skill.exempt_from),
-        ("asked for by", skill.asked_by),
+        ("queried by", skill.asked_by),
     )
     lines = [f"  {title}: {', '.join(names)}" for title, names in parts if names]
     return "\n".join([skill.name, *lines])

@@ -24,7 +24,7 @@ from dslkit.options import ReportFormat
 _LOOK = 0.1
 """The seconds between two checks for silence."""
 _ABSENCE = 1.0
-"""The seconds between two checks from which the process counts as suspended."""
+"""If more seconds pass between two checks, the process was suspended."""
 
 
 Print = Callable[[Reported], None]

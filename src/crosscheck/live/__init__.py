@@ -1,1 +1,1 @@
-"""A running robot: the reports of its skills and of the node of its rules, compared."""
+"""A running robot: the reports of its skills are compared with those of the node of its rules."""

@@ -19,8 +19,8 @@ from rossmarie.skills import Permission, Skill
 
 @dataclass(frozen=True)
 class Facts:
-    """A robot in a namespace of ROS, such as `/robot1`; empty for that of all. `takings` are those
-    of each skill, `rests` the permissions that each exemption rests on, with their skills.
+    """A robot in a ROS namespace, such as `/robot1`; empty for the global namespace. `takings` has
+    the takings of each skill, `rests` the permissions behind each exemption, with their skills.
     """
 
     robot: Robot
@@ -31,7 +31,7 @@ class Facts:
 
     @property
     def package(self) -> str:
-        """The package of the node of the rules, which is called like it."""
+        """The package of the node of the rules. The node has the same name."""
         return node_name(self.robot.machine)
 
     @property
@@ -41,7 +41,7 @@ class Facts:
 
     @property
     def topic(self) -> str:
-        """The full name of the topic that tells which skills run."""
+        """The full name of the topic that reports the running skills."""
         return f"{self.namespace}{self.robot.skills.topic}"
 
     @property
@@ -52,13 +52,13 @@ class Facts:
 
     @property
     def declaration(self) -> Span:
-        """The place where the rules name their file of skills."""
+        """The place where the rules name their skills file."""
         assert self.robot.program.skills is not None, "a robot has skills"
         return self.robot.program.skills.declaration.span
 
     def permitted(self, exemption: str, running: Iterable[str]) -> str:
-        """The permissions that an exemption rests on, in words, of skills that run; of all that it
-        is for while nobody knows of one.
+        """The permissions of running skills behind an exemption, in words. If no running skill is
+        known, all permissions behind the exemption.
         """
         found, names = self.rests[exemption], {*running}
         known = [each for each in found if each[0].name in names] or found
@@ -66,7 +66,7 @@ class Facts:
             f"`{skill.name}` permits {permission} ({self.robot.span_of(permission.place)})"
             for skill, permission in known
         )
-        return ", ".join(dict.fromkeys(words)) or "nothing that is permitted"
+        return ", ".join(dict.fromkeys(words)) or "no permission"
 
 
 def facts_of(robot: Robot, namespace: str) -> Facts:
@@ -84,8 +84,8 @@ def facts_of(robot: Robot, namespace: str) -> Facts:
 
 
 def _rests(robot: Robot) -> Iterator[tuple[str, Iterator[tuple[Skill, Permission]]]]:
-    """Each rule that tells of an exemption, with the permissions of its skills that are about what
-    the exempted rule is about; with all of them if that is nothing that can be permitted.
+    """Each rule that reports an exemption, with the permissions of its skills for the signals of
+    the exempted rule. If none of these signals can be permitted, all permissions of the skills.
     """
     exempted = {id(each.written): each for each in exemptions_of(robot)}
     for number, rule in enumerate(robot.machine.rules):

@@ -1,4 +1,4 @@
-"""The messages of a robot, and the changes that are told of it, as plain data."""
+"""The messages of a robot, and the reported changes of its state, as plain data."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ class Running:
 
 @dataclass(frozen=True)
 class Context:
-    """The skills that run, and the digest of the export that they are from. `problem` says why the
-    rules do not take the message, whatever its digest; then nothing is in it.
+    """The running skills, and the digest of their export. If the rules reject the message,
+    `problem` gives the reason, whatever the digest is, and the message has no skills.
     """
 
     digest: str
@@ -29,7 +29,7 @@ class Context:
 
 @dataclass(frozen=True)
 class NodeState:
-    """The state of the node of the rules: the active rules, and those that operators exempt."""
+    """The state of the node of the rules: the active rules, and the rules that operators exempt."""
 
     active: tuple[str, ...] = ()
     exempted: tuple[str, ...] = ()
@@ -37,7 +37,7 @@ class NodeState:
 
 @dataclass(frozen=True)
 class Alive:
-    """A sign of life of the node."""
+    """A heartbeat of the node."""
 
 
 Message = Context | NodeState | Alive
@@ -61,7 +61,7 @@ class Kind(enum.Enum):
 
 @dataclass(frozen=True)
 class Change:
-    """A change in words, and the names in it for programs."""
+    """A change in words, and its names for programs."""
 
     kind: Kind
     text: str

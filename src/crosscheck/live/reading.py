@@ -1,5 +1,5 @@
-"""Messages of ROS as plain data. They are not trusted: texts are made safe for terminals, and too
-long ones are cut or ignored.
+"""ROS messages as plain data. The messages are not trusted: texts are made safe for terminals, and
+long texts are cut or ignored.
 """
 
 from __future__ import annotations
@@ -13,13 +13,14 @@ from dslkit.diagnostics.visible import visible
 from rossmarie.ir.skills import MOST_ARGUMENTS, MOST_RUNNING
 
 LONGEST_NAME = 120
-"""Characters of a name that are read; digests have 64, names of skills rarely more than 30."""
+"""The most characters of a name. Digests have 64 characters, names of skills rarely more than 30.
+"""
 MOST_RULES = 10_000
-"""Rules in a state that are read."""
+"""The most rules of a state that are read."""
 
 
 def context_of(message: Any) -> Context:
-    """A `skill_context_msgs/SkillContext` as libraries of ROS have it."""
+    """The context in a `skill_context_msgs/SkillContext` of any ROS library."""
     digest = _text(message.digest)
     if len(message.running) > MOST_RUNNING:
         return Context(digest, problem=f"more than {MOST_RUNNING} skills run")
@@ -39,7 +40,7 @@ def state_of(message: Any) -> NodeState:
 
 
 def is_alive(message: Any, node: str) -> bool:
-    """Say whether a `diagnostic_msgs/DiagnosticArray` is from a node, by its full name."""
+    """Say whether a `diagnostic_msgs/DiagnosticArray` is from a node with this full name."""
     return any(each.hardware_id == node.removeprefix("/") for each in message.status)
 
 

@@ -1,5 +1,5 @@
-"""The messages of a robot over ROS 1 or ROS 2, whichever this Python has. Nothing of either is
-imported before it is needed.
+"""The messages of a robot over ROS 1 or ROS 2, whichever this Python has. Neither is imported
+before it is needed.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from ezskiros.context.ros import ros2_spun, ros_libraries
 
 _NODE = "crosscheck_live"
 _MOST_WAITING = 1000
-"""Messages that are kept until somebody looks at them; ROS keeps more back."""
+"""The most messages that wait here. ROS keeps the others."""
 _LONGEST_WAIT = 1.0
-"""Seconds for which a message waits for a place among them."""
+"""The seconds for which a message waits for a free place."""
 _LONGEST_SPIN = 0.2
-"""Seconds for which ROS 2 waits for a message, until it looks whether this is to end."""
+"""The seconds for which ROS 2 waits for a message before it checks for the end."""
 
 Read = Callable[[Any], Message | None]
 Take = Callable[[Any], None]
@@ -35,9 +35,7 @@ class NoRosError(Exception):
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic that is listened to. Of one that is `kept`, the last message comes to those who come
-    later.
-    """
+    """A subscribed topic. If it is `kept`, later subscribers receive the last message, too."""
 
     name: str
     type: Any
@@ -47,13 +45,13 @@ class Topic:
 
 @dataclass
 class Ears:
-    """Messages with the times at which they came, by `time.monotonic`."""
+    """Received messages with their times, by `time.monotonic`."""
 
     heard: queue.Queue[tuple[float, Message]]
     end: Callable[[], object]
 
     def next(self, seconds: float) -> tuple[float, Message] | None:
-        """The next message, if one comes within some seconds."""
+        """The next message; None if none arrives within some seconds."""
         try:
             return self.heard.get(timeout=seconds)
         except queue.Empty:
@@ -69,7 +67,7 @@ def listen(facts: Facts) -> Ears:
         def take(message: Any) -> None:
             found = read(message)
             if found is not None:
-                with suppress(queue.Full):  # then there is no reader any more
+                with suppress(queue.Full):  # from now on nothing reads the queue
                     ears.heard.put((time.monotonic(), found), timeout=_LONGEST_WAIT)
 
         return take
@@ -80,8 +78,8 @@ def listen(facts: Facts) -> Ears:
 
 
 def _found(facts: Facts) -> tuple[Any, list[Topic]]:
-    """The library of a generation of ROS, and the topics with the types of their messages. Raises
-    `NoRosError` that names all that is missing.
+    """The library of this ROS generation, and the topics with their message types. Raises
+    `NoRosError`, which names everything that is missing.
     """
     missing = []
     libraries = ros_libraries()
@@ -94,7 +92,7 @@ def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     if library is None or missing:
         lacking = ", ".join(missing)
         raise NoRosError(
-            f"this Python lacks packages of ROS: {lacking}; source the workspace that has them"
+            f"ROS packages are missing for this Python: {lacking}; source their workspace"
         )
     context, state, diagnostics = messages.values()
     return library, [
@@ -119,7 +117,7 @@ def _imported(name: str) -> Any:
 def _ros1(rospy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
     if not importlib.import_module("rosgraph").is_master_online():
         raise NoRosError("no ROS master answers")
-    # Times are those of the monotonic clock here: /use_sim_time changes nothing.
+    # Times are from the monotonic clock of this machine, so /use_sim_time has no effect.
     rospy.init_node(_NODE, argv=[_NODE], anonymous=True, disable_signals=True)
     for topic, take in topics:
         rospy.Subscriber(topic.name, topic.type, take, tcp_nodelay=True)

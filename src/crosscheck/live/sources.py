@@ -1,17 +1,17 @@
-"""A source of messages that has to be heard again and again."""
+"""A source of messages that has to report regularly."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 FIRST_PATIENCE = 5.0
-"""Seconds in which the first message has to come: ROS takes its time to connect."""
+"""The seconds within which the first message has to arrive. ROS needs this time to connect."""
 
 
 @dataclass
 class Source:
-    """A source that counts as silent after `patience` seconds. `heard` is the time of its last
-    message; before the first one, the time at which listening began.
+    """A source that counts as silent after `patience` seconds. `heard` is the time of the last
+    message; before the first message, the time of the subscription.
     """
 
     patience: float
@@ -19,11 +19,13 @@ class Source:
     has_spoken: bool = False
 
     def speaks(self, at: float) -> None:
-        """A message comes."""
+        """Record a message."""
         self.heard, self.has_spoken = at, True
 
     def silence(self, at: float) -> float | None:
-        """The seconds since the last message, if they are more than the source may take."""
+        """The seconds since the last message if they exceed the patience of the source; otherwise
+        None.
+        """
         may = self.patience if self.has_spoken else max(self.patience, FIRST_PATIENCE)
         lasts = at - self.heard
         return lasts if lasts > may else None

@@ -1,4 +1,4 @@
-"""Counts of states: how often each was entered, and for how long."""
+"""Counts of states: the number of times that each was entered, and the total duration."""
 
 from __future__ import annotations
 

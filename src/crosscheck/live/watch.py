@@ -1,8 +1,7 @@
 """The observation of a running robot: messages in, changes and findings out.
 
-This module knows nothing about ROS and has no clock: each message has the time at which it was
-received, in seconds of a monotonic clock, and `pass_time` reports that time goes on without a
-message.
+This module knows nothing about ROS and has no clock. Each message has its time of arrival in
+seconds of a monotonic clock, and `pass_time` reports that time passes without a message.
 """
 
 from __future__ import annotations
@@ -18,11 +17,11 @@ from dslkit.diagnostics import Diagnostic, Severity, Template, listed
 from dslkit.source import Span
 
 NODE_PATIENCE = 3.0
-"""Seconds after which a node is silent: it tells its diagnostics once a second."""
+"""The seconds after which a node counts as silent. It reports diagnostics once a second."""
 
 Reported = Change | Diagnostic
 _Call = tuple[str, str]
-"""A skill, and the name of the call of it."""
+"""A skill, and the name of its call."""
 
 
 class Watch:
@@ -38,11 +37,11 @@ class Watch:
         self.skills: Tally[_Call] = Tally()
         self.rules: Tally[str] = Tally()
         self.takings: dict[tuple[str, str, str], int] = {}
-        """The times that a rule took a thing from a skill, by these three names."""
+        """The number of times that a rule took a thing from a skill, by these three names."""
         self.findings = 0
         self.has_errors = False
 
-    # --- what happens -----------------------------------------------------------------------------
+    # --- events -----------------------------------------------------------------------------------
 
     def take(self, at: float, message: Message) -> list[Reported]:
         """Process a message. Returns everything new in it."""
@@ -59,7 +58,7 @@ class Watch:
                     self._node.speaks(self.now)
 
     def pass_time(self, at: float) -> list[Reported]:
-        """Let time pass. Returns everything new without a message."""
+        """Let time pass. Returns everything new that needs no message."""
         self.now = max(self.now, at)
         return self._counted(self._silences())
 
@@ -76,8 +75,8 @@ class Watch:
         self._node.heard += seconds
 
     def end(self, at: float) -> list[Reported]:
-        """End; gives all that is new. A source that was never heard is reported, however short the
-        time was.
+        """End the observation, and return everything new. A source without any message is reported,
+        however short the observation was.
         """
         found = self.pass_time(at)
         if not self._context.has_spoken:
@@ -116,11 +115,9 @@ class Watch:
         digest = self._facts.robot.skills.digest
         reason = context.problem
         if reason is None and context.digest != digest:
-            reason = f"it is from the export {_short(context.digest)}"
+            reason = f"it is of another export, {_short(context.digest)}"
         if reason is None:
-            yield from self._over(
-                errors.UnusableContext, f"{self._facts.topic} is from this export"
-            )
+            yield from self._over(errors.UnusableContext, f"{self._facts.topic} is of this export")
             return
         wrong = errors.UnusableContext(
             topic=self._facts.topic, reason=reason, digest=_short(digest)
@@ -144,7 +141,7 @@ class Watch:
             found = errors.NotExported(skills=listed(unknown))
             yield from self._tell(errors.NotExported, found.at(self._facts.declaration))
         else:
-            yield from self._over(errors.NotExported, "the rules know all that runs")
+            yield from self._over(errors.NotExported, "the rules know all running skills")
 
     def _context_is_silent(self, seconds: float) -> Iterator[Reported]:
         facts = self._facts
@@ -153,10 +150,10 @@ class Watch:
         yield from self._forget_skills(self._context.heard)
 
     def _forget_skills(self, at: float) -> Iterator[Change]:
-        """Nobody knows any more what runs; it was known until a time."""
+        """Forget the running skills, which were known until a time."""
         for call in list(self.skills.since):
             self.skills.end(call, at)
-            text = f"nobody knows any more whether {call[0]} runs"
+            text = f"it is unknown whether {call[0]} still runs"
             yield Change(Kind.UNKNOWN, text, {"skill": call[0], "goal": call[1]})
         self._taken = frozenset()
 
@@ -164,7 +161,7 @@ class Watch:
 
     def _take_state(self, state: NodeState) -> Iterator[Reported]:
         self._node.speaks(self.now)
-        yield from self._over(errors.SilentNode, f"{self._facts.node} is heard again")
+        yield from self._over(errors.SilentNode, f"{self._facts.node} reports again")
         yield from self._other_rules(state)
         active = [each for each in state.active if each in self._facts.rules]
         for rule in [each for each in self.rules.since if each not in active]:
@@ -181,7 +178,7 @@ class Watch:
             wrong = errors.OtherRules(node=self._facts.node, rules=listed(others))
             yield from self._tell(errors.OtherRules, wrong.at(self._facts.declaration))
         else:
-            yield from self._over(errors.OtherRules, f"{self._facts.node} tells of these rules")
+            yield from self._over(errors.OtherRules, f"{self._facts.node} reports these rules")
 
     def _activates(self, name: str) -> Change:
         self.rules.begin(name, name, self.now)
@@ -197,15 +194,15 @@ class Watch:
         exempts = self._facts.rules[name].exempts
         if exempts is None:
             return Change(Kind.RULE_CLEARS, f"{name} clears after {lasted:.3g} s", {"rule": name})
-        text = f"{name} is not used any more, after {lasted:.3g} s"
+        text = f"{name} is no longer used, after {lasted:.3g} s"
         return Change(Kind.EXEMPTION_ENDS, text, {"rule": name, "exempted": exempts.rule})
 
     def _operators(self, exempted: frozenset[str]) -> Iterator[Change]:
         for name in sorted(self._exempted - exempted):
-            text = f"no operator exempts {name} any more"
+            text = f"the operator no longer exempts {name}"
             yield Change(Kind.OPERATOR_ENDS, text, {"rule": name})
         for name in sorted(exempted - self._exempted):
-            yield Change(Kind.OPERATOR_EXEMPTS, f"an operator exempts {name}", {"rule": name})
+            yield Change(Kind.OPERATOR_EXEMPTS, f"the operator exempts {name}", {"rule": name})
         self._exempted = exempted
 
     def _node_is_silent(self, seconds: float) -> Iterator[Reported]:
@@ -214,14 +211,14 @@ class Watch:
         yield from self._tell(errors.SilentNode, silent.at(rules))
         for rule in list(self.rules.since):
             self.rules.end(rule, self._node.heard)
-            text = f"nobody knows any more whether {rule} is active"
+            text = f"it is unknown whether {rule} is still active"
             yield Change(Kind.UNKNOWN, text, {"rule": rule})
         self._taken = frozenset()
 
     # --- both -------------------------------------------------------------------------------------
 
     def _compare_takings(self) -> Iterator[Change]:
-        """The things that rules which are active take from skills that run."""
+        """Compare the resources that active rules take with those that running skills need."""
         machine = self._facts.robot.machine
         found = {
             (machine.rules[each.rule].name, each.use.name, skill): each
@@ -240,7 +237,7 @@ class Watch:
     # --- findings ---------------------------------------------------------------------------------
 
     def _tell(self, kind: type[Template], found: Diagnostic) -> Iterator[Diagnostic]:
-        """A finding, unless it is reported already, and not over."""
+        """Report a finding, unless it was reported before and is not over."""
         if kind not in self._reported:
             self._reported.add(kind)
             yield found
@@ -259,5 +256,5 @@ class Watch:
 
 
 def _short(digest: str) -> str:
-    """The beginning of a digest, by which people tell it from others."""
+    """The beginning of a digest, for people who compare digests."""
     return f"{digest[:12]}..." if len(digest) > 12 else digest or "(none)"

@@ -65,8 +65,8 @@ class Journal:
         if whole:
             self._read(whole)
         elif not _HEAD.startswith(text[: len(_HEAD)]):
-            raise ForeignError(f"{self._path} is no journal of a campaign")
-        file.truncate(len(whole))  # a line that was interrupted while it was written
+            raise ForeignError(f"{self._path} is not a campaign journal")
+        file.truncate(len(whole))  # a line whose write was interrupted
         if not whole:
             self._write({"journal_of": self._subject})
             _keep_entry(self._path.parent)
@@ -78,9 +78,9 @@ class Journal:
             for line in lines:
                 self.values.setdefault(line.pop("key"), line)
         except (ValueError, KeyError, TypeError, AttributeError):
-            raise ForeignError(f"{self._path} is no journal of a campaign") from None
+            raise ForeignError(f"{self._path} is not a campaign journal") from None
         if subject != self._subject:
-            raise ForeignError(f"{self._path} is of {subject}, and this is {self._subject}")
+            raise ForeignError(f"{self._path} is the journal of {subject}, not of {self._subject}")
 
     def _write(self, line: dict[str, object]) -> None:
         assert self._file is not None

@@ -37,7 +37,7 @@ class Processes:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
-        """One result for each key, as they come."""
+        """Yield one result for each key, in the order of completion."""
         waiting = deque(keys)
         busy: list[_Process] = []
         idle: list[_Process] = []
@@ -66,7 +66,7 @@ class _Process:
         self._process = _CONTEXT.Process(target=_serve, args=(work, theirs), daemon=True)
         with undisturbed():
             self._process.start()
-        theirs.close()  # so that this process sees its end
+        theirs.close()  # so that this process sees when the other one ends
 
     def begin(self, key: str) -> None:
         """Start an episode in the process."""
@@ -97,7 +97,7 @@ class _Process:
         return self._process.is_alive()
 
     def end(self) -> None:
-        """End the process, whatever it does."""
+        """End the process immediately."""
         self._process.kill()
         self._process.join()
         self.pipe.close()

@@ -32,7 +32,7 @@ class Bar:
         """Begin with `count` episodes, of which `done` were in the journal."""
         self._progress.update(self._task, total=count, completed=done)
         if done:
-            self._progress.console.print(f"{done} of {count} are done already", highlight=False)
+            self._progress.console.print(f"{done} of {count} are already done", highlight=False)
 
     def hear(self, result: Result) -> None:
         """Count one more result."""

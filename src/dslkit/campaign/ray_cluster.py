@@ -1,4 +1,6 @@
-"""Workers as nodes of a Ray cluster. The requirements of episodes have to be installed there."""
+"""Workers as nodes of a Ray cluster. The modules that the episodes need have to be installed on the
+nodes.
+"""
 
 from __future__ import annotations
 
@@ -21,14 +23,12 @@ _PATIENCE_S = 20.0  # after 60 s without its head, Ray ends this process
 
 @dataclass(frozen=True)
 class RayCluster:
-    """The cluster at `address`, a host:port. Episodes of a node that dies run again on other
-    nodes.
-    """
+    """The cluster at `address`, a host:port. If a node dies, other nodes run its episodes again."""
 
     address: str
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
-        """One result for each key, as they come. Raises `UnreachableError`."""
+        """Yield one result for each key, in the order of completion. Raises `UnreachableError`."""
         try:
             self._knock()
             ended = signal.getsignal(signal.SIGTERM)
@@ -50,7 +50,7 @@ class RayCluster:
             ray.shutdown()
 
     def _still_there(self, last: float) -> float:
-        """The last time at which the head answered. Raises `UnreachableError` if that is too long
+        """The last time at which the head answered. Raises `UnreachableError` if this is too long
         ago.
         """
         now = time.monotonic()

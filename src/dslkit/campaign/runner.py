@@ -15,7 +15,9 @@ from dslkit.campaign.workers import Result, Value, Work, Workers
 
 @dataclass(frozen=True)
 class Failure:
-    """An episode that did not finish. It is not in the journal, so it will be tried again."""
+    """An episode that did not finish. The journal does not contain it, so a later run tries it
+    again.
+    """
 
     key: str
     reason: str
@@ -30,7 +32,7 @@ class Campaign:
 
 
 class Witness(Protocol):
-    """An observer of the progress."""
+    """An observer of progress."""
 
     def begin(self, count: int, done: int) -> None:
         """Begin with `count` episodes, of which `done` were in the journal."""

@@ -11,7 +11,7 @@ Value = dict[str, Scalar]
 """The result of an episode: one row, in the types of JSON."""
 
 Work = Callable[[str], Value]
-"""A function that runs the episode of a key. Other processes have to find it by its name."""
+"""A function that runs the episode of a key. Other processes must be able to import it by name."""
 
 
 class UnreachableError(Exception):
@@ -20,7 +20,7 @@ class UnreachableError(Exception):
 
 @dataclass(frozen=True)
 class Result:
-    """The end of an episode: its row, or the reason why there is none."""
+    """The end of an episode: its row, or the reason why there is no row."""
 
     key: str
     value: Value | None
@@ -31,6 +31,6 @@ class Workers(Protocol):
     """Processes, on this machine or elsewhere."""
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
-        """One result for each key, as they come. Closing the generator ends all running
-        episodes.
+        """Yield one result for each key, in the order of completion. Closing the generator ends all
+        running episodes.
         """

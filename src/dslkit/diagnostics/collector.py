@@ -28,7 +28,7 @@ class Collector:
         return any(found.severity is Severity.ERROR for found in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """All findings, in the order in which their files were first met, and sorted by place
+        """All findings, in the order in which their files appeared first, and sorted by place
         within each file.
         """
         files: dict[int, int] = {}

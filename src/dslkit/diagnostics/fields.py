@@ -1,9 +1,8 @@
 """Classes of texts with `{placeholders}`, whose annotated fields hold the values.
 
-The fields are given by their names, as those of a dataclass that is frozen and takes only keywords.
-No decorator makes the methods of each class, and nobody looks for its fields before its first use:
-Python would do so for some hundred classes, whenever a command starts, and a run needs few of them
-or none.
+The fields are declared by name, like those of a frozen dataclass that takes only keywords. Unlike a
+dataclass, no decorator makes methods for each class, and the fields are collected at the first use:
+there are some hundred classes, and a run needs few of them or none.
 
 A misspelt placeholder is found when the class is first used with any value, and by
 `check_placeholders`, which a test calls for every class.
@@ -30,7 +29,7 @@ class Wording:
 
     worded: ClassVar[tuple[str, ...]]
 
-    if not TYPE_CHECKING:  # mypy derives it, with the type of each field
+    if not TYPE_CHECKING:  # mypy derives the constructor, with the type of each field
 
         def __init__(self, **values: object) -> None:
             fields, defaults = _fields(type(self))

@@ -1,4 +1,4 @@
-"""Names for a sentence."""
+"""Lists of names in sentences."""
 
 from __future__ import annotations
 

@@ -9,8 +9,8 @@ from dslkit.source import Span
 
 
 class Severity(enum.Enum):
-    """The weight of a finding: an error stops the compiler between two stages, a warning never
-    does, and a note tells what is worth knowing: a proof, or that there is none.
+    """The weight of a finding. An error stops the compiler before its next stage, a warning never
+    does, and a note reports a fact, such as a proof or its absence.
     """
 
     ERROR = "error"
@@ -28,7 +28,7 @@ class Label:
 
 @dataclass(frozen=True)
 class Edit:
-    """Replace the text at `span` (which may be empty: an insertion) by `replacement`."""
+    """Replace the text at `span` by `replacement`. An empty span inserts the text."""
 
     span: Span
     replacement: str
@@ -36,7 +36,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Fix:
-    """Edits that, applied together, remove the finding."""
+    """Edits that together remove the finding."""
 
     title: str
     edits: tuple[Edit, ...]
@@ -44,11 +44,11 @@ class Fix:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """A finding: the mistake, its place, the reason, and what to write instead.
+    """A finding: the mistake, its place, the reason, and the correction.
 
-    `code` is stable and never reused (`ROSS301`), `name` is its readable twin (`unit-mismatch`),
-    `title` the one line to show if only one can be shown, `primary` the mistake itself, `labels`
-    the other places that matter, `notes` the reason, `help` what to write instead.
+    `code` is stable and never reused (`ROSS301`), `name` is a readable name (`unit-mismatch`),
+    `title` a summary in one line, `primary` the place of the mistake, `labels` are other relevant
+    places, `notes` reasons, and `help` is the correction.
     """
 
     code: str

@@ -1,6 +1,6 @@
-"""Remarks: a finding's words beside its own texts, at another place or in one of several cases.
+"""Remarks: additional texts of a finding, at other places or for special cases.
 
-A remark is declared beside the diagnostic that it belongs to, mostly inside of its class:
+Declare a remark beside its diagnostic, usually inside the class of the diagnostic:
 
     class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
         title = "`{identifier}` is not declared"
@@ -11,8 +11,8 @@ A remark is declared beside the diagnostic that it belongs to, mostly inside of 
             says = "`{near}` is declared here"
             near: str
 
-It becomes the label of a place, `UndeclaredName.Near(near=name).at(span)`, or is handed to `at` of
-the diagnostic, as its help or as a note.
+A remark becomes the label of a place, `UndeclaredName.Near(near=name).at(span)`, or a help or a
+note, if it is passed to `at` of the diagnostic.
 """
 
 from __future__ import annotations
@@ -40,20 +40,20 @@ class Remark(Wording):
 
 
 def remarked(found: Diagnostic, *notes: Remark, help: Remark | None = None) -> Diagnostic:
-    """A finding with more notes, and with another help if there is one."""
+    """A finding with additional notes, and with another help if one is given."""
     more = (*found.notes, *map(str, notes))
     return replace(found, notes=more, help=found.help if help is None else str(help))
 
 
 class DidYouMean(Remark):
-    """The help where a name is misspelt."""
+    """The help for a misspelt name."""
 
     says = "did you mean `{near}`?"
     near: str
 
 
 class Write(Remark):
-    """The help that is a text to write instead."""
+    """The help that gives the correct text."""
 
     says = "write `{meant}`"
     meant: str

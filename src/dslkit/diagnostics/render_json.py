@@ -1,4 +1,4 @@
-"""Findings for programs, as JSON of a stable form: `docs/reference/json-output.md` describes it."""
+"""Findings for programs, as JSON in a stable format: see `docs/reference/json-output.md`."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ def render_json(
     result: Json = None,
     error: str | None = None,
 ) -> str:
-    """One JSON object, in ASCII, ending in a line end.
+    """One JSON object in ASCII, with a final newline.
 
-    `command` is the program with the name of the command, `result` the output of that, and `error`
-    the reason why there is no result.
+    `command` is the program with the name of the command, `result` the result of the command, and
+    `error` the reason why there is no result.
     """
     document: Json = {
         "version": FORMAT_VERSION,

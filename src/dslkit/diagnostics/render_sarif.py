@@ -1,6 +1,6 @@
-"""Findings as SARIF 2.1.0, the form that code hosts and editors read.
+"""Findings as SARIF 2.1.0, the format that code hosts and editors read.
 
-Columns count code points from 1, as everywhere in this project, and the run says so.
+Columns count code points from 1, as everywhere in this project, and the SARIF run declares this.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class Rule:
 
 @dataclass(frozen=True)
 class Tool:
-    """The tool that found the findings. `rules` has an entry for each of its codes; other tools'
-    codes have none.
+    """The tool that reported the findings. `rules` has an entry for each code of the tool; codes of
+    other tools have none.
     """
 
     name: str
@@ -41,7 +41,7 @@ class Tool:
 
 
 def render_sarif(diagnostics: Sequence[Diagnostic], tool: Tool) -> str:
-    """A SARIF log with one run, in ASCII, ending in a line end."""
+    """A SARIF log with one run, in ASCII, with a final newline."""
     index = {rule.code: number for number, rule in enumerate(tool.rules)}
     run: Json = {
         "tool": {

@@ -8,7 +8,7 @@
       |
       = help: write a value in N
 
-The result is `rich` text: a console shows its colours on a terminal and leaves them out elsewhere.
+The result is `rich` text. A console prints its colours only on a terminal.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def _finding(found: Diagnostic, width: int) -> Iterator[Text]:
 
 
 def _is_quoted(file: SourceFile) -> bool:
-    """Not what a link leads to if that is a file of another kind, perhaps a secret one."""
+    """Say whether a file may be quoted. A link to a file of another kind may lead to a secret."""
     path = Path(file.path)
     return bool(file.text) and ending(path) == path.suffix.lower()
 
@@ -106,7 +106,7 @@ def _fix(fix: Fix, gutter: Gutter, width: int) -> Iterator[Text]:
 
 
 def _replaced(edits: Iterable[Edit], fixed: SourceFile) -> Iterator[Mark]:
-    """A mark for each line that the edits wrote; for a deletion, where something is gone."""
+    """A mark for each line that the edits wrote; for a deletion, a mark at the gap."""
     shift = 0
     for edit in sorted(edits, key=lambda edit: (edit.span.start, edit.span.end)):
         start = edit.span.start + shift

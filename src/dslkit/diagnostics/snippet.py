@@ -1,8 +1,8 @@
-"""Source lines with marks under them, as they stand between the title of a finding and its notes.
+"""Source lines with marks under them, between the title of a finding and its notes.
 
-In go labels (spans with a text); out come rows of a terminal, as text with styles. Any span of any
-text can be drawn: tabs, wide and combining characters, control characters, lines of any length,
-spans over several lines, empty spans and the end of the file.
+The input are labels (spans with a text); the output are rows of a terminal, as text with styles.
+Any span of any text can be drawn: tabs, wide and combining characters, control characters, lines of
+any length, spans over several lines, empty spans and the end of the file.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Gutter:
     width: int
 
     def row(self, content: Text | str = "", line: int | None = None) -> Text:
-        """A row; with the number of a line if it shows one."""
+        """A row, with the line number if the row shows a source line."""
         number = "" if line is None else str(line)
         row = Text(f"{number:>{self.width}} |", style=GUTTER_STYLE)
         if content:
@@ -49,7 +49,7 @@ class Gutter:
         return row
 
     def gap(self) -> Text:
-        """The row that stands for lines left out."""
+        """The row that stands for omitted lines."""
         return Text("...", style=GUTTER_STYLE)
 
     def attached(self, kind: str, text: str) -> Iterator[Text]:
@@ -63,7 +63,7 @@ class Gutter:
 
 
 def marks_of(label: Label, symbol: str, style: str) -> Iterator[Mark]:
-    """The marks of a label: one, or for a span over several lines one at each of its ends."""
+    """The marks of a label: one mark, or two marks at the ends of a span over several lines."""
     span = label.span
     file = span.file
     ends_line = span.end > span.start and file.text[span.end - 1] == "\n"
@@ -81,7 +81,7 @@ def marks_of(label: Label, symbol: str, style: str) -> Iterator[Mark]:
 
 
 def draw(file: SourceFile, marks: Iterable[Mark], gutter: Gutter, width: int) -> Iterator[Text]:
-    """The marked lines of a file in order, each with its marks below it in the order given."""
+    """The marked lines of a file in order, each with its marks below it in the given order."""
     by_line: dict[int, list[Mark]] = {}
     for mark in marks:
         by_line.setdefault(mark.line, []).append(mark)
@@ -101,7 +101,7 @@ def _draw_line(text: str, marks: Sequence[Mark], gutter: Gutter, width: int) -> 
 
 
 def _fitting_together(text: str, marks: Sequence[Mark], width: int) -> Iterator[Sequence[Mark]]:
-    """All marks at once if one stretch of the line can show where all begin, else one by one."""
+    """All marks at once if one part of the line can show all their starts; otherwise one by one."""
     starts = [mark.start for mark in marks]
     between = text[min(starts) : max(starts)]
     if _fits(text, width) or _fits(between, width // 2 - 1):
@@ -115,9 +115,9 @@ def _fits(text: str, width: int) -> bool:
 
 
 class _ShownLine:
-    """The stretch of a source line that the terminal shows, about `width` columns, with its marks.
+    """The part of a source line that the terminal shows, about `width` columns, with its marks.
 
-    However long the line is, only what is near the first mark is looked at.
+    However long the line is, only the text near the first mark is read.
     """
 
     def __init__(self, line: str, marks: Sequence[Mark], width: int) -> None:
@@ -150,15 +150,15 @@ class _ShownLine:
         return row
 
     def _column(self, character: int) -> int:
-        """The column, from that of the origin, of a character of the line; past the end of what
-        is looked at, one column each.
+        """The column of a character of the line, from the column of the origin. Behind the end of
+        the text that is read, each character takes one column.
         """
         index = character - self._origin
         beyond = max(index - len(self._columns) + 1, 0)
         return self._columns[index - beyond] + beyond
 
     def _left_edge(self, first: int, last: int, width: int) -> int:
-        """The column to begin at, so that the marks from `first` to `last` are seen in context."""
+        """The first column to show, so that the marks from `first` to `last` appear in context."""
         begin, end, total = self._column(first), self._column(last), self._columns[-1]
         if total <= width:
             return 0

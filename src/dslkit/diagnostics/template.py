@@ -1,6 +1,6 @@
-"""Diagnostics are declared as classes beside the stage that finds them.
+"""Diagnostics, declared as classes beside the stage that reports them.
 
-A class holds the texts, with `{placeholders}`; its fields hold the values:
+A class contains the texts, with `{placeholders}`. Its fields contain the values:
 
     class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
         title = "units do not match"
@@ -9,7 +9,7 @@ A class holds the texts, with `{placeholders}`; its fields hold the values:
         found: str
         expected: str
 
-Its texts for other places, and for one of several cases, are its remarks (`Remark`).
+Texts for other places, and for special cases, are remarks (`Remark`).
 """
 
 from __future__ import annotations

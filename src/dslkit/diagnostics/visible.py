@@ -1,4 +1,5 @@
-"""The look of a source text on a terminal: the width of its characters, and nothing sent raw.
+"""The appearance of source text on a terminal: the width of its characters, and no raw control
+characters.
 
 A character that could move the cursor, change colours or the writing direction, or that is
 invisible, is replaced by a visible one.
@@ -29,7 +30,7 @@ def cells(text: str) -> int:
 
 
 def columns_of(line: str) -> Iterator[tuple[str, int]]:
-    """Give each character of a source line as it is shown, and its column, from 0.
+    """Yield each character of a source line as it is shown, with its column from 0.
 
     Tabs become spaces up to the next stop.
     """

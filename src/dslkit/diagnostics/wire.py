@@ -1,6 +1,4 @@
-"""Findings as JSON messages between processes. Unlike a pickle, JSON runs no code of its sender
-when it is read.
-"""
+"""Findings as JSON messages between processes. Unlike a pickle, JSON runs no code of its sender."""
 
 from __future__ import annotations
 
@@ -19,7 +17,7 @@ class Sender:
         self._files: dict[SourceFile, int] = {}
 
     def send(self, found: Diagnostic) -> None:
-        """Send a finding, and the files that it is about."""
+        """Send a finding, and the files that it refers to."""
         for span in _spans(found):
             if span.file not in self._files:
                 number = self._files[span.file] = len(self._files)
@@ -40,7 +38,7 @@ class Sender:
 
 
 class Receiver:
-    """Converts messages to findings. A message of another form raises `ValueError`."""
+    """Converts messages to findings. A message of another format raises `ValueError`."""
 
     def __init__(self) -> None:
         self._files: dict[int, SourceFile] = {}

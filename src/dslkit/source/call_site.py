@@ -23,10 +23,10 @@ _OURS = f"{Path(__file__).parents[1]}{os.sep}"
 
 
 def call_site(*ours: str, but: tuple[str, ...] = ()) -> Span | None:
-    """The expression in the user's code that led here; None if there is none with a source.
+    """The expression in the user's code that led here; None if no such frame has a source.
 
     Frames of files in one of the folders `ours`, and of this package, are skipped. Files whose
-    paths begin with `but` belong to the user nevertheless.
+    paths begin with `but` still count as the user's.
     """
     passed = (_OURS, *ours, "<frozen")
     frame: FrameType | None = sys._getframe(1)  # noqa: SLF001
@@ -41,7 +41,7 @@ def call_site(*ours: str, but: tuple[str, ...] = ()) -> Span | None:
 def place_of(where: FrameType | TracebackType) -> Span | None:
     """The expression that a frame executes, or executed when an exception left it.
 
-    Only the line, if the expression is unknown; None if there is no source.
+    If the expression is unknown, the whole line; None if there is no source.
     """
     frame = where.tb_frame if isinstance(where, TracebackType) else where
     line = where.tb_lineno if isinstance(where, TracebackType) else where.f_lineno
@@ -51,7 +51,7 @@ def place_of(where: FrameType | TracebackType) -> Span | None:
 
 @lru_cache(maxsize=4096)
 def source_file(path: str) -> SourceFile | None:
-    """The text of a module, decoded as Python does; None if there is no such file of Python."""
+    """The text of a module, decoded as Python does; None if there is no such Python file."""
     lines = linecache.getlines(path) if ending(Path(path)) == ".py" else []
     return SourceFile(shown(path), "".join(lines)) if lines else None
 
@@ -95,7 +95,7 @@ else:
 
 
 def _offset(file: SourceFile, line: int, byte: int) -> int:
-    """An offset in code points of a column that counts the bytes of UTF-8."""
+    """The offset in code points for a column that counts UTF-8 bytes."""
     start = file.line_starts[line - 1]
     if file.text.isascii():
         return min(start + byte, len(file.text))

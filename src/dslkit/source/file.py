@@ -50,8 +50,8 @@ class SourceFile:
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
-        """The offset at which each line begins, as editors and Python see it: a carriage return
-        alone ends a line as well.
+        """The offset of each line start, as editors and Python count lines: a single carriage
+        return ends a line as well.
         """
         return (0, *(end.end() for end in _LINE_END.finditer(self.text)))
 

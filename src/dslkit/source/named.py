@@ -10,8 +10,8 @@ from dslkit.source.span import Span
 
 
 def uses_of(expression: Span) -> list[Span]:
-    """The uses of the names that a module gives to the value of an expression, in order: `skiros`
-    of `skiros = load().skiros`, also if the expression is a part of a tuple that is assigned.
+    """The uses of the names to which a module assigns the value of an expression, in order, such as
+    `skiros` of `skiros = load().skiros`. The expression may be a part of an assigned tuple.
     """
     file = expression.file
     try:

@@ -9,18 +9,18 @@ from pathlib import Path
 
 
 def is_file(path: Path) -> bool:
-    """Say whether there is such a file."""
+    """Say whether the file exists."""
     return os.path.isfile(path)  # noqa: PTH113
 
 
 def is_folder(path: Path) -> bool:
-    """Say whether there is such a folder."""
+    """Say whether the folder exists."""
     return os.path.isdir(path)  # noqa: PTH112
 
 
 def ending(path: Path) -> str:
-    """The ending of a file name, in lower case and with the dot. A link has the ending of the file
-    that it leads to: the name of a link promises nothing.
+    """The ending of a file name, in lower case and with the dot. A link has the ending of its
+    target, because the name of a link proves nothing.
     """
     try:
         return Path(os.path.realpath(path)).suffix.lower()

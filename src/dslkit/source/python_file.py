@@ -49,8 +49,8 @@ def refusal(file: SourceFile) -> tuple[str, Span] | None:
 
 
 def too_deep(text: str) -> int | None:
-    """The offset at which a text is nested too deeply for a parser, which would end the process;
-    None if it is not.
+    """The offset at which a text is nested so deeply that a parser would end the process; None if
+    no place is.
 
     Brackets in strings count as well, because the text need not be Python.
     """

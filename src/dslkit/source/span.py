@@ -31,7 +31,7 @@ class Span:
         return self.file.position(self.end)
 
     def to(self, other: Span) -> Span:
-        """The smallest span that covers both; they lie in the same file."""
+        """The smallest span that covers both. They must be in the same file."""
         return Span(self.file, min(self.start, other.start), max(self.end, other.end))
 
     def contains(self, other: Span) -> bool:

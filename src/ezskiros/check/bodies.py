@@ -1,9 +1,9 @@
 """Checks of method bodies that a check does not run: undefined names and attributes, and arithmetic
 that always fails.
 
-Nothing is reported if the method catches the exception, or tests first whether the name exists
-(`hasattr`, `sys.platform`). Nothing is reported either if a name may be defined invisibly
-(`setattr`, `exec`, a base class without its source).
+Nothing is reported if the method catches the exception, or first tests for the name (`hasattr`,
+`sys.platform`). Nothing is reported either if code may define the name invisibly (`setattr`,
+`exec`, a base class without its source).
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _CATCHING = frozenset(
 _ASKING = frozenset(
     ("hasattr", "platform", "version_info", "TYPE_CHECKING", "os.name", "find_spec", "locals")
 )
-"""Names in a condition that make a branch one that not every machine reaches."""
+"""Names in a condition that show that some machines do not reach the branch."""
 _HIDING = frozenset(
     (
         "setattr",
@@ -53,7 +53,7 @@ _HIDING = frozenset(
         "__setattr__",
     )
 )
-"""Names in a class with which attributes may come from anywhere."""
+"""Names in a class that can create attributes of any name."""
 _OPERATORS: Mapping[type[ast.operator], Callable[[object, object], object]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -63,11 +63,11 @@ _OPERATORS: Mapping[type[ast.operator], Callable[[object, object], object]] = {
     ast.Mod: operator.mod,
 }
 _KINDS = (type, ABCMeta, ImplementationClass)
-"""The metaclasses of which it is known that they add no attributes."""
+"""The metaclasses that are known to add no attributes."""
 
 
 def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """Find code that raises whenever it is reached, in the methods that a check does not run."""
+    """Find code that raises whenever it runs, in the methods that a check does not run."""
     attributes = _attributes(implementation)
     for method in _methods(implementation):
         found = written(method)
@@ -81,9 +81,8 @@ def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnost
 
 
 def _methods(implementation: type) -> Iterator[FunctionType]:
-    """The methods that users wrote and that no other one hides, in the order in which they stand.
-    What decorates a method, and is written elsewhere, is left out, and so are `expandBT` and
-    `conditions`, which a check runs.
+    """The methods that users wrote and that no other method overrides, in source order. Decorators
+    from elsewhere are left out, and so are `expandBT` and `conditions`, because a check runs them.
     """
     seen = {"expandBT", METHOD}
     for owner in _user_classes(implementation):
@@ -105,8 +104,8 @@ def _user_classes(implementation: type) -> Iterator[type]:
 
 
 def _uncaught(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """The nodes below, without those whose exceptions a `try` catches, those that a condition
-    guards, and annotations.
+    """The nodes below some nodes. Nodes whose exceptions a `try` catches, nodes that a condition
+    guards, and annotations are left out.
     """
     work = [*body][::-1]
     while work:
@@ -131,7 +130,7 @@ def _catches(handler: ast.ExceptHandler) -> bool:
 
 
 def _is_guarded(node: ast.If | ast.IfExp | ast.While | ast.BoolOp) -> bool:
-    """Tell whether a condition asks what there is on a machine."""
+    """Say whether a condition tests for features of the machine."""
     test = node if isinstance(node, ast.BoolOp) else node.test
     for each in ast.walk(test):
         match each:
@@ -201,7 +200,9 @@ class _Body:
         return isinstance(node.ctx, ast.Load) and node.id not in self._local
 
     def _module(self, node: ast.expr) -> ModuleType | None:
-        """The module that an expression stands for; stand-ins have attributes of any name."""
+        """The module that an expression stands for; None for stand-ins, which have attributes of
+        any name.
+        """
         found: object = None
         if self._is_global(node):
             found = self._globals.get(node.id)
@@ -219,7 +220,7 @@ def _is_asked(node: ast.AST) -> TypeGuard[ast.Attribute]:
 
 
 def _local_names(code: CodeType, node: ast.FunctionDef) -> frozenset[str]:
-    """The names that a function and those in it define."""
+    """The names that a function and its inner functions define."""
     codes = [code]
     for each in codes:
         codes += (one for one in each.co_consts if isinstance(one, CodeType))
@@ -262,7 +263,7 @@ def _failure(node: ast.BinOp) -> str | None:
 
 
 def _constant(node: ast.expr) -> Any:
-    """The value of a number or a text, None of all else."""
+    """The value of a constant number or text; None for any other expression."""
     if isinstance(node, ast.Constant) and type(node.value) in (int, float, str, bytes):
         return node.value
     return None
@@ -272,7 +273,7 @@ def _constant(node: ast.expr) -> Any:
 
 
 def _attributes(implementation: type) -> frozenset[str] | None:
-    """The attributes that `self` has by a class or an assignment; None if it may have others."""
+    """The attributes that `self` has from a class or an assignment; None if it may have others."""
     found = {*dir(implementation), *_FROM_HOSTS}
     for owner in _user_classes(implementation):
         file = source_file(file_of(owner))
@@ -285,8 +286,8 @@ def _attributes(implementation: type) -> frozenset[str] | None:
 
 @lru_cache(maxsize=64)
 def _set_in(file: SourceFile) -> Mapping[str, frozenset[str]]:
-    """For each class by its name, the names that attributes of `self` may get in it, and those of
-    `_HIDING` in it.
+    """The names of attributes of `self` that each class may set, and the names of `_HIDING` in it,
+    by class name.
     """
     classes = (each for each in ast.walk(ast.parse(file.text)) if isinstance(each, ast.ClassDef))
     return {

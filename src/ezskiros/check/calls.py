@@ -37,7 +37,7 @@ from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 
 def check_calls(tree: Tree, library: Library) -> Iterator[Diagnostic]:
-    """Report what does not fit, child by child."""
+    """Report the mismatches, child by child."""
     for call in calls(tree.root):
         skill = library.skill(call.skill)
         if skill is not None:
@@ -55,7 +55,7 @@ class _Checker:
     ontology: Ontology | None
 
     def check(self) -> Iterator[Diagnostic]:
-        """In the order in which it is written."""
+        """Report the mismatches in source order."""
         yield from self._implementation()
         places = argument_places(self.call.span)
         for name, value in self.call.arguments.items():
@@ -99,7 +99,7 @@ class _Checker:
         yield missing.at(self._named_implementation(), *labels, help=help)
 
     def _native(self, left: type) -> Diagnostic:
-        """It is reported where it is, and so once for all trees that need it."""
+        """The finding is at the implementation, so it is the same for all trees that need it."""
         found = errors.NativeImplementation(implementation=left.__name__, skill=self.skill.name)
         return found.at(class_span(left))
 
@@ -118,7 +118,7 @@ class _Checker:
         start += self.call.span.start + 1
         return Span(self.call.span.file, start, start + len(spelled) - 1)
 
-    # --- what its parameters get --------------------------------------------------------------
+    # --- values of parameters ---------------------------------------------------------------------
 
     def _unknown(self, name: str, span: Span) -> Diagnostic:
         names = [each.name for each in self.skill.parameters]
@@ -135,7 +135,7 @@ class _Checker:
             case ThingReference(parameter=given) | ValueReference(parameter=given):
                 yield from self._passed(parameter, given, span)
             case SymbolicValue() if not parameter.is_thing:
-                return  # it is known when the robot runs
+                return  # its value is known when the robot runs
             case _ if parameter.is_thing:
                 found = errors.NoThingGiven(
                     parameter=parameter.name,
@@ -154,15 +154,15 @@ class _Checker:
                 return
 
     def _inherited(self, parameter: Parameter) -> Iterator[Diagnostic]:
-        """Check a parameter that the child says nothing for: the compound's of this name stands for
-        it.
+        """Check a parameter without an argument, which takes the value of the compound's parameter
+        of the same name.
         """
         given = self.tree.skill.parameter(parameter.name)
         if given is not None:
             yield from self._passed(parameter, given, self.call.span)
 
     def _passed(self, parameter: Parameter, given: Parameter, span: Span) -> Iterator[Diagnostic]:
-        """Check that a parameter of the child can stand for what one of the compound stands for."""
+        """Check that a parameter of the child accepts the class of the compound's parameter."""
         labels = [_declared(parameter), _declared(given)]
         if parameter.iri is None or given.iri is None:
             if parameter.type is not given.type:
@@ -182,7 +182,7 @@ class _Checker:
             return
         is_wider = model.is_a(parameter.iri, given.iri)
         if is_wider and parameter.kind is Kind.OPTIONAL:
-            return  # what the child finds out is what the compound asks for
+            return  # the compound queries the outputs of the child
         kind = errors.PassedMayNotFit if is_wider else errors.PassedMisfit
         found = kind(
             given=given.name,
@@ -195,8 +195,8 @@ class _Checker:
     def _never_holds(
         self, parameter: Parameter, given: Parameter, span: Span, model: Model
     ) -> Iterator[Diagnostic]:
-        """A pre-condition of the child that things of the class of the compound's parameter never
-        fulfil, as the ontology says of which things a property is.
+        """A pre-condition of the child that is false for every individual of the class of the
+        compound's parameter, because the ontology does not allow the property for this class.
         """
         if given.iri == parameter.iri:
             return
@@ -227,8 +227,8 @@ class _Checker:
 def _needed(
     statement: Statement, name: str, skill: SkillInterface, model: Model
 ) -> Iterator[tuple[str, Union]]:
-    """The properties that a condition asks of a parameter, and of which things they are. One of
-    several conditions, and one on what is not so, asks for none.
+    """The properties that a condition requires of a parameter, with the classes that can have them.
+    A negated condition and one of several alternatives require none.
     """
     match statement:
         case Relation(subject, iri, other, is_true, is_abstract):

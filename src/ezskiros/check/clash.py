@@ -13,13 +13,13 @@ from ezskiros.ontology.statements import Statement
 
 
 class Axiom(NamedTuple):
-    """A statement of the ontology: a text with places for the names that it is about."""
+    """A statement of the ontology: a text with placeholders for the names in it."""
 
     text: str
     iris: tuple[str, ...]
 
     def reported(self, model: Model) -> str:
-        """As a clause of a sentence."""
+        """The statement as a clause of a sentence."""
         return self.text.format(*(spelled_iri(iri, model) for iri in self.iris))
 
 
@@ -32,10 +32,11 @@ class Reason(NamedTuple):
 
 @dataclass(frozen=True)
 class Clash:
-    """A contradiction: `said` cannot hold together, by `axioms` of the ontology, and by `why`.
+    """A contradiction: the statements `said` cannot hold together, by `axioms` of the ontology, and
+    by `why`.
 
-    `iris` are what else the ontology says something of; `thing` is the parameter whose class is
-    part of the reason.
+    `iris` are the other entities of the ontology in the reason; `thing` is the parameter whose
+    class is part of the reason.
     """
 
     said: frozenset[Statement]
@@ -51,19 +52,19 @@ class Clash:
         return "; ".join([*reported, *filter(None, [self.why])])
 
     def declared(self) -> Iterable[str]:
-        """Give all that the ontology says something of, each once."""
+        """All entities of the ontology in the reason, each once."""
         found = [iri for axiom in self.axioms for iri in axiom.iris]
         return dict.fromkeys([*found, *self.iris])
 
 
 def joined(*reasons: Reason, axiom: Axiom | None = None) -> Reason:
-    """All of some reasons together, and what the ontology says besides."""
+    """Several reasons joined, with one more axiom if given."""
     said = frozenset[Statement]().union(*(each.said for each in reasons))
     axioms = tuple(axiom for each in reasons for axiom in each.axioms)
     return Reason(said, (*axioms, axiom) if axiom else axioms)
 
 
 KnownClasses: TypeAlias = Mapping[str, Mapping[str, Reason]]
-"""The known classes of each thing, with a reason for each. The class of a parameter needs no
+"""The known classes of each individual, with a reason for each. The class of a parameter needs no
 reason.
 """

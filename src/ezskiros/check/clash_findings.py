@@ -17,11 +17,11 @@ from ezskiros.ontology.statements import Statement
 from ezskiros.skills.interface import Clause, SkillInterface
 
 Places: TypeAlias = Mapping[Statement, Clause]
-"""The statements that certainly hold, in order, and the conditions that make them."""
+"""The statements that certainly hold, in order, and the conditions that imply them."""
 
 
 def places_of(clauses: Iterable[Clause]) -> Places:
-    """Collect the statements that some conditions make together."""
+    """Collect the statements that some conditions imply together."""
     found: dict[Statement, Clause] = {}
     for clause in clauses:
         for each in certain([clause.statement]):
@@ -39,13 +39,13 @@ class Moment:
 
 
 class ClashFindings:
-    """For one skill."""
+    """The findings about one skill."""
 
     def __init__(self, skill: SkillInterface, ontology: Ontology) -> None:
         self._skill, self._ontology, self._model = skill, ontology, ontology.model
 
     def listed(self, said: Iterable[Statement]) -> str:
-        """Statements as they are written."""
+        """Statements as users wrote them."""
         return listed([spelled(each, self._model) for each in said])
 
     def found(self, clash: Clash, moment: Moment, places: Places) -> Diagnostic:
@@ -70,7 +70,9 @@ class ClashFindings:
         return self._at(found, clash, places)
 
     def _at(self, found: Template, clash: Clash, places: Places) -> Diagnostic:
-        """At the last of the conditions, with the others and what the ontology declares."""
+        """The finding at the last of the conditions, with the other conditions and the declarations
+        of the ontology.
+        """
         *others, last = (places[each].span for each in _in_order(clash, places))
         is_of_thing = clash.kind is world_errors.ImpossibleThing
         other = world_errors.OfOneThing() if is_of_thing else world_errors.AtOneTime()
@@ -86,5 +88,5 @@ class ClashFindings:
 
 
 def _in_order(clash: Clash, places: Places) -> list[Statement]:
-    """As they are written."""
+    """The statements in source order."""
     return [each for each in places if each in clash.said]

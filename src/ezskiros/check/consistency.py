@@ -3,7 +3,7 @@ satisfies together.
 
 Pre- and hold-conditions hold when a skill starts; post-conditions hold after it. A post-condition
 ends earlier facts that it excludes; this is only reported if it ends a hold-condition. The classes
-of things never change.
+of individuals never change.
 """
 
 from __future__ import annotations
@@ -27,11 +27,12 @@ from ezskiros.skills.interface import Clause, SkillInterface
 
 Said: TypeAlias = frozenset[Statement]
 MOST_WAYS = 64
-"""To combine the alternatives of several `or`; more are not looked into."""
+"""The most combinations of the alternatives of several `or`. Further combinations are not examined.
+"""
 
 
 def check_consistency(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """Report what is wrong with the conditions as sets."""
+    """Report contradictions and repetitions among the conditions."""
     for kind, clauses in (("pre", skill.pre), ("hold", skill.hold), ("post", skill.post)):
         seen: dict[Statement, Clause] = {}
         for clause in clauses:
@@ -50,7 +51,7 @@ class _Consistency:
         self._declared = {each.name: {each.iri: Reason()} for each in skill.parameters if each.iri}
         self._findings = ClashFindings(skill, ontology)
         self._facts: dict[Fact, Reason] = {}
-        """The facts that hold at any moment: classes of things are the same at all of them."""
+        """The facts that hold at any time: the classes of individuals never change."""
         name = skill.name
         self._before = Moment("pre", f"before `{name}`", "the skill can never start")
         self._during = Moment(
@@ -88,7 +89,7 @@ class _Consistency:
     def _world(self, said: Iterable[Statement]) -> World:
         return World(self._declared, self._model, said)
 
-    # --- classes, which hold at all times
+    # --- classes, which never change --------------------------------------------------------------
 
     def _empty_classes(self) -> Iterator[Diagnostic]:
         for parameter in self._skill.parameters if self._model.has_disjoint_classes else ():
@@ -110,8 +111,8 @@ class _Consistency:
             yield self._findings.found(clash, self._before, places)
 
     def _is_misfit(self, name: str, union: Union) -> bool:
-        """Say whether a relation needs this and the parameter does not fit: `check_relations`
-        tells.
+        """Say whether a relation needs this class and the parameter does not fit, which
+        `check_relations` reports.
         """
         skill, model = self._skill, self._model
         if misfit(model, skill.class_of(name), union) is not errors.DoesNotFit:
@@ -125,7 +126,7 @@ class _Consistency:
             if isinstance(each, Relation)
         )
 
-    # --- alternatives
+    # --- alternatives -----------------------------------------------------------------------------
 
     def _alternatives(
         self,
@@ -134,7 +135,9 @@ class _Consistency:
         places: Places,
         reported: list[Said],
     ) -> Iterator[Diagnostic]:
-        """Each `or` of which nothing is left, by what is certain and what is left of others."""
+        """Each `or` without any remaining alternative, given the certain facts and the remaining
+        alternatives of the others.
+        """
         ways: list[Literals] = [()]
         others: list[Clause] = []
         for clause in ors:
@@ -156,7 +159,7 @@ class _Consistency:
         return next(self._impossible(world), None) is not None
 
     def _impossible(self, world: World) -> Iterator[Clash]:
-        """Find the reasons why no such world model exists."""
+        """Find the reasons why no world model satisfies the conditions."""
         yield from filter(_is_error, world.clashes())
         yield from class_clashes(world.facts, world.classes, self._model)
 
@@ -183,7 +186,7 @@ class _Consistency:
             whys[clash.reason(self._model)] = None
         return found.at(clause.span, *labels, notes=[found.Why(why=why) for why in whys if why])
 
-    # --- the end of what is held
+    # --- the end of hold-conditions ---------------------------------------------------------------
 
     def _ended(self, clauses: Sequence[Clause], reported: list[Said]) -> Iterator[Diagnostic]:
         places = places_of(clauses)
@@ -193,7 +196,7 @@ class _Consistency:
 
 
 def _new(clashes: Iterable[Clash], reported: list[Said]) -> Iterator[Clash]:
-    """Those of which no part has been reported."""
+    """The clashes of which no part has been reported."""
     for clash in clashes:
         if not any(each <= clash.said for each in reported):
             reported.append(clash.said)

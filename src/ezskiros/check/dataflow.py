@@ -1,7 +1,7 @@
-"""Data flow: the values that the children of a behavior tree read and write, along all paths
-through the tree.
+"""Data flow: the values that the children of a behavior tree read and write, on all paths through
+the tree.
 
-A failed child has written nothing: outputs are passed on after success.
+A failed child has written nothing, because outputs are only passed on after success.
 """
 
 from __future__ import annotations
@@ -27,19 +27,19 @@ _PARALLELS = {Flow.PARALLEL_FF, Flow.PARALLEL_FS}
 
 Names = frozenset[str]
 Known = Names | None
-"""The names that certainly have a value somewhere; None if nothing gets there."""
+"""The names that certainly have a value at a point; None for an unreachable point."""
 
 
 @dataclass(frozen=True)
 class After:
-    """The names that certainly have a value after a node, by its result."""
+    """The names that certainly have a value after a node, by the result of the node."""
 
     success: Known
     failure: Known
 
 
 def check_dataflow(tree: Tree, library: Library) -> Iterator[Diagnostic]:
-    """Values that are read and that nobody has written, or written and never read."""
+    """Report values that are read but never written, or written but never read."""
     flow = _Dataflow(tree, library)
     after = flow.after(tree.root, tree.given | set(_known(tree.skill))).success
     yield from flow.found
@@ -60,8 +60,9 @@ def _known(skill: SkillInterface) -> Iterator[str]:
 
 
 def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
-    """Say whether a child may give a parameter its value: it says so; or the parameter is optional,
-    as those often are in SkiROS2 that a skill finds out, and an implementation sets it.
+    """Say whether a child may set the value of a parameter. This is true if the skill declares an
+    output, or if the parameter is optional and an implementation sets it, as SkiROS2 skills often
+    do.
     """
     if parameter.is_output or parameter.kind is not Kind.OPTIONAL:
         return parameter.is_output
@@ -71,7 +72,7 @@ def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
 
 
 def reads(parameter: Parameter) -> bool:
-    """Say whether the skill cannot do without a value."""
+    """Say whether the skill requires a value."""
     return parameter.kind is Kind.REQUIRED and parameter.default is None and not parameter.is_output
 
 
@@ -86,7 +87,9 @@ class _Dataflow:
     _read: set[str] = field(default_factory=set)
 
     def after(self, node: Node, before: Known) -> After:
-        """The names that certainly have a value after a node, given those that have one before."""
+        """The names that certainly have a value after a node, given the names that have a value
+        before it.
+        """
         if isinstance(node, Decorator) and isinstance(node.limit, ValueReference):
             self._limited(node, node.limit.parameter)
         match node:
@@ -96,7 +99,7 @@ class _Dataflow:
                 inner = self.after(child, before)
                 return After(inner.failure, inner.success)
             case Decorator(decoration=Decoration.TIMEOUT, child=child):
-                return After(self.after(child, before).success, before)  # stopped anywhere
+                return After(self.after(child, before).success, before)  # stopped at any point
             case Decorator(decoration=Decoration.RETRY, child=child):
                 return self.after(child, before)
             case Processor(flow=flow, children=children) if flow in _SEQUENCES:
@@ -112,7 +115,7 @@ class _Dataflow:
                 raise AssertionError(node)
 
     def _limited(self, node: Decorator, given: Parameter) -> None:
-        """Tell of a limit that may be nothing when the decorator is built, with the whole tree."""
+        """Report a time limit that may have no value when the tree is built with the decorator."""
         if given.name in self.tree.given | set(_known(self.tree.skill)):
             return
         nothing = errors.MayBeNothing(
@@ -163,7 +166,7 @@ class _Dataflow:
                 if shared.parameter.is_output:
                     self._writers.setdefault(shared.shared, call)
             elif shared.parameter.kind is Kind.INFERRED:
-                self._read.add(shared.shared)  # it was given, or has been found in the world
+                self._read.add(shared.shared)  # it was given, or the world model provides it
             else:
                 continue
             after.add(shared.shared)
@@ -173,7 +176,7 @@ class _Dataflow:
         return all_shared(call, self.library)
 
     def _unwritten(self, call: SkillCall, shared: Shared) -> Diagnostic:
-        """The finding for a value that is read: nobody gives it, or not on all ways."""
+        """The finding for a value that is read but not written, or not written on all paths."""
         parameter = shared.parameter
         labels = [DeclaredHere().at(parameter.span)]
         skill = call.skill.__name__
@@ -190,7 +193,7 @@ class _Dataflow:
         return found.at(call.span, *labels)
 
     def _writer_before(self, name: str, call: SkillCall) -> SkillCall | None:
-        """A child that writes a name somewhere else in the tree."""
+        """A child that writes a name elsewhere in the tree."""
         for other in calls(self.tree.root):
             if other is not call and any(
                 each.shared == name
@@ -204,7 +207,7 @@ class _Dataflow:
         return None
 
     def _races(self, children: Iterable[Node]) -> Names:
-        """Values that one child of a parallel writes and another one reads at the same time."""
+        """Report values that one child of a parallel writes while another child reads them."""
         reported = set()
         by_child = [list(calls(child)) for child in children]
         for index, own in enumerate(by_child):
@@ -232,7 +235,7 @@ class _Dataflow:
                     yield shared.shared, call
 
     def unread(self) -> Iterator[Diagnostic]:
-        """Report what is written and used by nobody."""
+        """Report outputs that no node uses."""
         own: Mapping[str, Span] = {each.name: each.span for each in self.tree.skill.parameters}
         for name, call in self._writers.items():
             if name not in self._read and name not in own:
@@ -241,6 +244,6 @@ class _Dataflow:
 
 
 def _in_all(outcomes: Iterable[Known]) -> Known:
-    """The names that have a value on all ways that there are; None if there are none."""
+    """The names that have a value on all reachable paths; None if there is no such path."""
     ways = [each for each in outcomes if each is not None]
     return frozenset.intersection(*ways) if ways else None

@@ -32,10 +32,11 @@ class _Use(NamedTuple):
 
 
 def check_directions(skills: Iterable[SkillInterface], model: Model) -> Iterator[Diagnostic]:
-    """Relations of which most conditions have the other direction; of equally many the later one.
+    """Relations that are reversed in most other conditions. If both directions are equally
+    frequent, the later one is reported.
 
-    Relations that are symmetric are left out, and those of two classes of which one is below the
-    other.
+    Symmetric relations are left out, and so are relations between two classes if one is a subclass
+    of the other.
     """
     uses: dict[str, dict[_Classes, list[_Use]]] = defaultdict(lambda: defaultdict(list))
     for number, (classes, relation, clause) in enumerate(_related(skills)):

@@ -2,7 +2,8 @@
 
 The module handles subproperties, inverses, symmetry and transitivity, and relations that are
 functional, inverse functional, asymmetric, irreflexive, or limited in number by a class. Each
-parameter stands for a different thing, which only matters where things are counted.
+parameter is assumed to stand for a different individual; this matters only for the limits in
+number.
 """
 
 from __future__ import annotations
@@ -28,16 +29,16 @@ class Fact(NamedTuple):
 
 
 Facts: TypeAlias = Mapping[Fact, Reason]
-"""Relations that hold, and why."""
+"""Relations that hold, each with a reason."""
 
 
 def fact_of(said: Relation) -> Fact:
-    """The relation that a statement says something of."""
+    """The relation in a statement."""
     return Fact(said.subject, said.relation, said.object)
 
 
 def entailed(stated: Iterable[Relation], model: Model) -> Facts:
-    """Some relations and all that follows from them."""
+    """Some relations, and all relations that follow from them."""
     found = {fact_of(each): Reason(frozenset({each})) for each in stated}
     work = list(found)
     for fact in work:
@@ -51,7 +52,7 @@ def entailed(stated: Iterable[Relation], model: Model) -> Facts:
 def _following(
     fact: Fact, found: Iterable[Fact], model: Model
 ) -> Iterator[tuple[Fact, tuple[Fact, ...], Axiom]]:
-    """Give all that one step leads to, with the facts and the axiom behind it."""
+    """Yield the consequences of one step, with the facts and the axiom behind each."""
     declared = model.relations.get(fact.relation)
     if declared is None:
         return
@@ -74,9 +75,9 @@ def _following(
 def relation_clashes(
     facts: Facts, forbidden: Iterable[Relation], classes: KnownClasses, model: Model
 ) -> Iterator[Clash]:
-    """Find contradictions among relations that hold and relations that do not hold.
+    """Find contradictions between relations that hold and relations that do not hold.
 
-    `classes` are those that things are known to be of.
+    `classes` are the known classes of individuals.
     """
     for denied in forbidden:
         reason = facts.get(fact_of(denied))
@@ -99,11 +100,11 @@ def _opposite(denied: Relation, reason: Reason, model: Model) -> Clash:
 
 
 def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool) -> Iterator[Clash]:
-    """A relation of a thing to itself, or there and back."""
+    """A relation of an individual to itself, or in both directions."""
     back = Fact(fact.object, fact.relation, fact.subject)
     if fact == back:
         kind = "asymmetric" if is_asymmetric else "irreflexive"
-        axiom = Axiom(f"{{}} is {kind}: it relates no thing to itself", (fact.relation,))
+        axiom = Axiom(f"{{}} is {kind}: it relates no individual to itself", (fact.relation,))
         whole = joined(reason, axiom=axiom)
         yield Clash(whole.said, world_errors.ToItself, whole.axioms)
     elif is_asymmetric and back in facts:
@@ -113,7 +114,7 @@ def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool)
 
 
 def _too_many(facts: Facts, classes: KnownClasses, model: Model) -> Iterator[Clash]:
-    """More things on one side of a relation than there can be."""
+    """More individuals on one side of a relation than the ontology allows."""
     objects: dict[tuple[str, str], list[Fact]] = defaultdict(list)
     subjects: dict[tuple[str, str], list[Fact]] = defaultdict(list)
     for fact in facts:

@@ -29,7 +29,7 @@ class Relates(Remark):
 
 
 class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
-    """A relation of a thing outside its domain or range."""
+    """A relation of an individual outside its domain or range."""
 
     title = "{parameter} is a {found}, but {property} needs a {wanted}"
     label = "this is a {found}"
@@ -41,7 +41,7 @@ class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
 
 
 class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
-    """A relation of a thing that may be in its domain or range."""
+    """A relation of an individual that may be in its domain or range."""
 
     title = "{parameter} is a {found}, but {property} needs a {wanted}: it may not be one"
     label = "this may be a {found} of another class"
@@ -77,7 +77,7 @@ class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
 
 
 class NoOrder(Error, code="EZS405", name="no-order"):
-    """`<` or the like on strings."""
+    """An operator such as `<` on strings."""
 
     title = "`{operator}` compares numbers, not {found}"
     help = "use `==` or `!=` for strings and Booleans"
@@ -111,7 +111,7 @@ class TwoPlaces(Clashing, code="EZS412", name="two-places"):
 
 
 class UnusedParameter(Warning, code="EZS420", name="unused-parameter"):
-    """A thing that no condition uses."""
+    """An individual that no condition uses."""
 
     title = "no condition uses the parameter `{parameter}`"
     help = "add a condition about `{parameter}`, or delete the parameter"

@@ -1,4 +1,4 @@
-"""The individuals of the ontology and of scenes that a parameter could stand for."""
+"""The individuals of the ontology and of scenes that a parameter can stand for."""
 
 from __future__ import annotations
 
@@ -13,26 +13,28 @@ from ezskiros.ontology.model import Model
 from ezskiros.ontology.read import read
 
 _OF_ROBOTS = frozenset(("Agent", "Device"))
-"""Classes of SUMO: SkiROS2 runs the skills of one robot, which has one of most devices."""
+"""Classes of SUMO with usually one individual: SkiROS2 runs the skills of one robot, which has one
+of most devices.
+"""
 
 
 class Individuals:
-    """Those of an ontology and of some scenes. Scenes that cannot be read have none."""
+    """The individuals of an ontology and of some scenes. Unreadable scenes have none."""
 
     def __init__(self, scenes: Sequence[Path] = ()) -> None:
         self._scenes = scenes
 
     def of(self, owl_class: str, model: Model) -> list[str]:
-        """The individuals of a class, and of those below it, by name."""
+        """The individuals of a class and of its subclasses, by name."""
         declared = ((each.iri, kind) for each in model.individuals.values() for kind in each.types)
         kinds = {*declared, *self._in_scenes}
         return sorted({iri for iri, kind in kinds if model.is_a(kind, owl_class)})
 
     def are_several(self, owl_class: str, model: Model) -> bool:
-        """Say whether more than one individual of a class could be meant.
+        """Say whether a class may have more than one individual.
 
-        Where neither the ontology nor a scene has one, a class is taken to have several, but for
-        robots and their devices: SkiROS2 runs the skills of one robot.
+        If neither the ontology nor a scene has an individual of the class, the answer is yes,
+        except for robots and their devices: SkiROS2 runs the skills of one robot.
         """
         known = self.of(owl_class, model)
         if known:

@@ -19,7 +19,7 @@ _MOST_NAMED = 3
 
 @dataclass(frozen=True)
 class Step:
-    """A parameter is found from another by a pre-condition."""
+    """A pre-condition from which a parameter is found, given another parameter."""
 
     parameter: str
     source: str
@@ -27,7 +27,7 @@ class Step:
 
 
 def chains(skill: SkillInterface) -> dict[str, Step]:
-    """For each inferred parameter that something leads to, its last step.
+    """The last step to each inferred parameter that can be found.
 
     A relation that has to hold leads from one of its ends to the other (Paper IV, section 5).
     """
@@ -54,10 +54,10 @@ def check_inference(
     individuals: Individuals,
     implemented_with: Set[str],
 ) -> Iterator[Diagnostic]:
-    """Inferred parameters that nothing leads to and that may be one of several individuals, and
-    parameters that no condition is about.
+    """Report inferred parameters that no step leads to and that may be one of several individuals,
+    and parameters that no condition uses.
 
-    Parameters whose names are in `implemented_with` are left out: implementations use them.
+    Parameters whose names are in `implemented_with` are left out, because implementations use them.
     """
     reached = chains(skill)
     clauses = (*skill.pre, *skill.hold, *skill.post)
@@ -76,7 +76,7 @@ def check_inference(
 def _not_inferable(parameter: Parameter, model: Model, individuals: Individuals) -> Diagnostic:
     assert parameter.iri is not None
     known = [model.short(each) for each in individuals.of(parameter.iri, model)[:_MOST_NAMED]]
-    any_of = model.short(parameter.iri).replace(":", ".") + " of the world"
+    any_of = model.short(parameter.iri).replace(":", ".") + " in the world"
     found = errors.NotInferable(
         parameter=parameter.name, candidates=f"of {', '.join(known)}" if known else any_of
     )
@@ -84,7 +84,7 @@ def _not_inferable(parameter: Parameter, model: Model, individuals: Individuals)
 
 
 def names(statement: Statement) -> tuple[str, ...]:
-    """The parameters that a statement is about."""
+    """The parameters in a statement."""
     if isinstance(statement, AnyOf):
         return tuple(name for part in statement.parts for name in names(part))
     if isinstance(statement, Relation):

@@ -1,4 +1,4 @@
-"""The limits on the number of values, or related things, of a property."""
+"""The maximum numbers of values of a property, or of related individuals."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ class Limit(NamedTuple):
     is_of_class: bool = False
 
     def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
-        """The clash of a thing that has more values than the limit."""
+        """The clash of an individual that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
         return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
 
 
 def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Limit]:
-    """The limits of a property, for a thing of some classes."""
+    """The limits of a property, for an individual of some classes."""
     declared = model.property(iri)
     if declared is not None and declared.is_functional:
         is_relation = iri in model.relations
         one = "relates to at most one other" if is_relation else "has at most one value"
-        yield Limit(1, Axiom(f"{{}} is functional: a thing {one}", (iri,)))
+        yield Limit(1, Axiom(f"{{}} is functional: an individual {one}", (iri,)))
     for owl_class, reason in classes.items() if iri in model.limited else ():
         most = model.most(owl_class, iri)
         if most is not None:
@@ -45,5 +45,5 @@ def limit_of_subjects(iri: str, model: Model) -> Limit | None:
     declared = model.relations.get(iri)
     if declared is None or not declared.is_inverse_functional:
         return None
-    text = "{} is inverse functional: at most one other relates to a thing"
+    text = "{} is inverse functional: at most one individual relates to another"
     return Limit(1, Axiom(text, (iri,)))

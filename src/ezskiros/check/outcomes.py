@@ -22,7 +22,7 @@ _OTHER = {State.SUCCESS: State.FAILURE, State.FAILURE: State.SUCCESS}
 
 
 class Outcomes:
-    """The results of the nodes of some trees, which may call each other."""
+    """The results of the nodes of trees that may call each other."""
 
     def __init__(self, trees: Iterable[Tree], library: Library) -> None:
         self._library = library
@@ -35,7 +35,9 @@ class Outcomes:
             pass
 
     def _grow(self) -> bool:
-        """One more step to the least solution: who calls itself succeeds only if it need not."""
+        """Make one more step to the least fixed point: a recursive tree succeeds only if a path
+        avoids the recursion.
+        """
         before = len(self._succeeding) + len(self._long)
         for owner, roots in self._trees.items():
             if any(State.SUCCESS in self.results(root) for root in roots):
@@ -45,7 +47,7 @@ class Outcomes:
         return len(self._succeeding) + len(self._long) > before
 
     def results(self, node: Node) -> Results:
-        """The results that a node can end with."""
+        """The possible results of a node."""
         match node:
             case SkillCall():
                 return _FAILURE | (_SUCCESS if self._can_succeed(node) else _NONE)
@@ -61,7 +63,7 @@ class Outcomes:
                 return _joined(flow, [self.results(child) for child in below])
 
     def is_long(self, node: Node) -> bool:
-        """Say whether an implementation shows that it may take more than one tick."""
+        """Say whether an implementation may take more than one tick."""
         if not isinstance(node, SkillCall):
             return any(self.is_long(child) for child in children(node))
         return any(
@@ -81,7 +83,7 @@ class Outcomes:
 
 
 def _joined(flow: Flow, results: Sequence[Results]) -> Results:
-    """The results of a processor whose children can end so."""
+    """The results of a processor, given the possible results of its children."""
     match flow:
         case Flow.SERIAL | Flow.SERIAL_STAR | Flow.PARALLEL_FF:
             all_can = all(State.SUCCESS in each for each in results)
@@ -100,7 +102,9 @@ def _joined(flow: Flow, results: Sequence[Results]) -> Results:
 
 
 def _reached(results: Sequence[Results], wanted: State) -> int:
-    """The number of children that are started, if each needs that all before it can end so."""
+    """The number of children that can start, if each child needs this result of all children before
+    it.
+    """
     for index, each in enumerate(results):
         if wanted not in each:
             return index + 1
@@ -108,7 +112,7 @@ def _reached(results: Sequence[Results], wanted: State) -> int:
 
 
 def goes_on_with(flow: Flow) -> State | None:
-    """The result of a child with which a processor goes on to the next one."""
+    """The result of a child after which a processor starts the next child."""
     match flow:
         case Flow.SERIAL | Flow.SERIAL_STAR:
             return State.SUCCESS

@@ -15,7 +15,9 @@ from ezskiros.skills.parameter_errors import WrongOutput
 
 
 def check_outputs(skill: SkillInterface, _ontology: Ontology) -> Iterator[Diagnostic]:
-    """Pre- and hold-conditions about outputs, save that there is none yet."""
+    """Report pre- and hold-conditions that use outputs. They may only require that an output has no
+    value yet.
+    """
     outputs = {each.name: each for each in skill.parameters if each.is_output}
     if not outputs:
         return

@@ -17,7 +17,7 @@ from ezskiros.trees.library import Library
 def check_own_conditions(
     implementation: type[SkillImplementation], library: Library
 ) -> Iterator[Diagnostic]:
-    """Find mistakes that the skill has with these pre-conditions, and does not have without."""
+    """Report mistakes that the skill has with these pre-conditions, but not without them."""
     skill, ontology = library.skill(implementation.description), library.ontology()
     refined = library.as_done_by(implementation)
     if skill is None or refined is None or refined is skill or ontology is None:
@@ -25,7 +25,7 @@ def check_own_conditions(
     for check in (check_relations, check_consistency):
         reported = {(each.code, each.primary.span) for each in check(skill, ontology)}
         for found in check(refined, ontology):
-            # That only some things of the class can fulfil a condition is why it is asked.
+            # Such a condition may exclude some individuals of the class: this is its purpose.
             is_choice = found.code == MayNotFit.code
             if not is_choice and (found.code, found.primary.span) not in reported:
                 yield found

@@ -14,8 +14,8 @@ from ezskiros.skills.syntax import used_in
 def check_parameters(
     implementation: type[SkillImplementation], skill: SkillInterface
 ) -> Iterator[Diagnostic]:
-    """Parameters in `self.params.Name` that the skill does not have; those of `expandBT` are found
-    when it is run.
+    """Report parameters in `self.params.Name` that the skill does not have. The run of `expandBT`
+    finds those in `expandBT`.
     """
     for name, place in used_in(implementation):
         if not name.startswith("__") and not skill.parameter(name) and name not in skill.unclear:

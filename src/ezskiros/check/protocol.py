@@ -1,7 +1,8 @@
-"""Check that methods of implementations are called, and return the values that SkiROS2 expects.
+"""Check that the methods of implementations are called, and that they return the values that
+SkiROS2 expects.
 
 `execute` returns the result of `self.success`, `self.step` or `self.fail`; `onStart` and `onEnd`
-return True on success. Other methods are called by these.
+return True on success. These methods call the other ones.
 """
 
 from __future__ import annotations
@@ -24,13 +25,13 @@ from ezskiros.skills.syntax import attributes_in, class_span, definition
 STATE, TRUTH = "execute", ("onStart", "onEnd")
 TASKS = ("expandBT", STATE)
 METHODS = (*TASKS, "onInit", *TRUTH, "onPreempt", METHOD)
-"""The methods of an implementation that are called by others than itself."""
+"""The methods of an implementation that a host calls."""
 _OF_SKIROS2: Mapping[str, Remark] = {
     "createDescription": errors.NeverCalled.SkillBase(),
     "modifyDescription": errors.NeverCalled.OwnConditions(method=METHOD),
     "expand": errors.NeverCalled.Tree(),
 }
-"""Methods of SkiROS2's own classes, and what to do instead."""
+"""The methods of SkiROS2's own classes, each with its replacement."""
 _NO_STATE = (
     ast.Constant, ast.Compare, ast.JoinedStr, ast.List, ast.Tuple, ast.Dict, ast.Set, ast.Lambda,
 )  # fmt: skip
@@ -38,7 +39,7 @@ _PROGRESS = ((str, "a text"), (int, "a whole number"))
 
 
 def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """Report what the methods return that nobody waits for, in the order of the protocol."""
+    """Report wrong return values of the methods, in the order of the protocol."""
     if not any(own_method(implementation, name) for name in TASKS):
         yield _nothing_to_do(implementation)
     else:
@@ -55,7 +56,9 @@ def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagno
 
 
 def _given_at_once(method: FunctionType) -> str | None:
-    """Name what a method gives before anything in it is done, if it gives something."""
+    """Name the object that a call returns before the body of the method runs; None if the body runs
+    at once.
+    """
     if inspect.iscoroutinefunction(method):
         return "a coroutine, because it is `async`"
     if inspect.isgeneratorfunction(method) or inspect.isasyncgenfunction(method):
@@ -64,7 +67,9 @@ def _given_at_once(method: FunctionType) -> str | None:
 
 
 def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
-    """The finding for an implementation that does nothing, with the method that may be meant."""
+    """The finding for an implementation without a method of the protocol, with the method that may
+    be meant.
+    """
     found = errors.NothingToDo(implementation=implementation.__name__)
     for name, method in vars(implementation).items():
         near = difflib.get_close_matches(name, TASKS, n=1, cutoff=0.7)
@@ -76,8 +81,8 @@ def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
 
 
 def _never_called(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """The methods that are called like those of the protocol, or are SkiROS2's, and that nothing in
-    the class speaks of.
+    """Report methods whose names resemble those of the protocol, or are names of SkiROS2, and that
+    the class never uses.
     """
     spoken_of = attributes_in(implementation)
     lower = {each.lower(): each for each in METHODS}
@@ -110,7 +115,9 @@ def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator
 
 
 def _wrong_progress(found: Written, value: ast.expr) -> Iterator[Diagnostic]:
-    """Report what `self.success(5)` says that is no text, or no number where one is expected."""
+    """Report an argument in a call such as `self.success(5)` that is not a text, or not a number
+    where a number is expected.
+    """
     name = reported_state(value)
     arguments = value.args if isinstance(value, ast.Call) and name else []
     for argument, (wanted, called) in zip(arguments, _PROGRESS, strict=False):

@@ -16,7 +16,7 @@ _RESULT = {State.SUCCESS: "succeeds", State.FAILURE: "fails"}
 
 
 def check_reach(trees: Sequence[Tree], outcomes: Outcomes) -> Iterator[Diagnostic]:
-    """Report what is wrong with the ways through some trees, tree by tree."""
+    """Report trees that cannot succeed and children that cannot start, tree by tree."""
     for tree in trees:
         found = [*_never_reached(tree.root, outcomes), *_started_again(tree.root, outcomes)]
         cycle = _cycle(tree, trees)
@@ -42,7 +42,7 @@ def _never_reached(node: Node, outcomes: Outcomes) -> Iterator[Diagnostic]:
 
 
 def _started_again(node: Node, outcomes: Outcomes) -> Iterator[Diagnostic]:
-    """Children of a Serial that take time, before others that do."""
+    """Report children of a Serial that take time and come before other children that take time."""
     if isinstance(node, Processor) and node.flow is Flow.SERIAL:
         long = [child for child in node.children if outcomes.is_long(child)]
         for child in long[1:]:
@@ -53,7 +53,7 @@ def _started_again(node: Node, outcomes: Outcomes) -> Iterator[Diagnostic]:
 
 
 def _cycle(tree: Tree, trees: Sequence[Tree]) -> list[SkillCall] | None:
-    """The calls that lead from a tree to itself; None if none do."""
+    """The calls that lead from a tree to itself; None if there is no recursion."""
     by_skill: dict[type, list[Tree]] = {}
     for each in trees:
         by_skill.setdefault(each.owner.description, []).append(each)

@@ -30,7 +30,7 @@ from ezskiros.skills.syntax import compared_value, names_in
 
 
 def check_relations(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """Report what does not fit, in the order of the conditions."""
+    """Report mismatches, in the order of the conditions."""
     checker = _Checker(skill, ontology)
     for clause in (*skill.pre, *skill.hold, *skill.post):
         for statement in simple(clause.statement):
@@ -47,8 +47,8 @@ def simple(statement: Statement) -> Iterator[Statement]:
 
 
 def wanted(skill: SkillInterface, model: Model, subject: str, iri: str) -> tuple[Union, ...]:
-    """The classes that a parameter has to be of to stand in a relation, by its range and by the
-    class.
+    """The classes that a parameter must have to stand in a relation, by the range of the relation
+    and by the class of the subject.
     """
     return (*model.range(iri), *model.only(skill.class_of(subject), iri))
 
@@ -57,9 +57,7 @@ Misfit: TypeAlias = type[errors.DoesNotFit] | type[errors.MayNotFit]
 
 
 def misfit(model: Model, owl_class: str, union: Union) -> Misfit | None:
-    """The reason why things of a class do not fit where one of some classes is needed; None if they
-    fit.
-    """
+    """The reason why individuals of a class do not fit a union of classes; None if they fit."""
     if any(model.is_a(owl_class, each) for each in union):
         return None
     is_wider = any(model.is_a(each, owl_class) for each in union)
@@ -73,7 +71,7 @@ class _Checker:
         self._skill, self._ontology, self._model = skill, ontology, ontology.model
 
     def check(self, statement: Statement, clause: Clause) -> Iterator[Diagnostic]:
-        """Report what is wrong with one statement."""
+        """Report the mistakes in one statement."""
         match statement:
             case Relation(subject=subject, relation=iri, object=other):
                 wrong = [*self._related(subject, iri, other, clause)]
@@ -97,7 +95,7 @@ class _Checker:
     def _fits(
         self, name: str, iri: str, wanted: tuple[Union, ...], clause: Clause
     ) -> Iterator[Diagnostic]:
-        """Check that a parameter can be what a property asks for."""
+        """Check that the class of a parameter fits a property."""
         parameter = self._skill.parameter(name)
         if parameter is None or parameter.iri is None:
             return
@@ -162,7 +160,7 @@ class _Checker:
     def _at_value(
         self, found: Template, declared: DataProperty, clause: Clause, help: Remark | None = None
     ) -> Diagnostic:
-        """The finding at the value that is compared with."""
+        """The finding at the compared value."""
         label = self._ontology.label(declared.iri, DeclaredHere())
         span = compared_value(clause.span) or clause.span
         return found.at(span, *([label] if label else []), help=help)

@@ -8,7 +8,7 @@ from ezskiros.skills import errors
 
 
 def repeated(found: type, place: Span, other: type, other_place: Span) -> Diagnostic:
-    """The finding at the later one."""
+    """The finding at the later definition."""
     libraries = {each.__module__.partition(".")[0] for each in (found, other)}
     is_packaged = all("." in each.__module__ for each in (found, other))
     twice = errors.DuplicateSkill(skill=found.__name__)

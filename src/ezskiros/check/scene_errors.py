@@ -20,7 +20,7 @@ class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
 
 
 class UnknownSceneClass(Error, code="EZS601", name="unknown-class-in-scene"):
-    """A thing of a class that the ontology does not have."""
+    """An individual of a class that the ontology does not have."""
 
     title = "{thing} is a {owl_class}, but the ontology has no such class"
     thing: str
@@ -37,7 +37,7 @@ class UnknownSceneProperty(Error, code="EZS602", name="unknown-property-in-scene
 
 
 class UnknownThing(Error, code="EZS603", name="unknown-thing"):
-    """A relation to a thing that the scene does not describe."""
+    """A relation to an individual that the scene does not describe."""
 
     title = "{property} relates {thing} to {other}, which the scene does not describe"
     help = "add {other} to the scene, or correct its name"
@@ -47,7 +47,7 @@ class UnknownThing(Error, code="EZS603", name="unknown-thing"):
 
 
 class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
-    """A relation of a thing outside its domain or range."""
+    """A relation of an individual outside its domain or range."""
 
     title = "{thing} is a {found}, but {property} needs a {wanted}"
     label = "{property} is used here"
@@ -71,7 +71,7 @@ class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
 
 
 class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
-    """A relation with a value, or a data property with a thing."""
+    """A relation with a value, or a data property with an individual."""
 
     title = "{property} is a {kind}, but {thing} gives it {found}"
     property: str
@@ -81,7 +81,7 @@ class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
 
 
 class MissingRelation(Warning, code="EZS607", name="missing-relation"):
-    """A thing without a relation that the ontology requires of its class."""
+    """An individual without a relation that the ontology requires of its class."""
 
     title = "{thing} has no relation {property} to a {wanted}"
     note = "the ontology requires one for every {owl_class}"
@@ -92,16 +92,16 @@ class MissingRelation(Warning, code="EZS607", name="missing-relation"):
 
 
 class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
-    """Two things with the same number, which SkiROS2 uses as their identifier."""
+    """Two individuals with the same number, which SkiROS2 uses as their identifier."""
 
     title = "{thing} and {other} have the same number"
-    label = "SkiROS2 identifies things by their numbers"
+    label = "SkiROS2 identifies individuals by their numbers"
     help = "give one of them an unused number"
     thing: str
     other: str
 
     class Other(Remark):
-        says = "the other thing"
+        says = "the other individual"
 
 
 class TwoObjects(Error, code="EZS609", name="two-objects"):

@@ -28,7 +28,7 @@ _NUMBERED = re.compile(r"-(\d+)$")
 
 
 def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
-    """Find what is wrong with a scene. Raises `OSError` if it cannot be read."""
+    """Report the mistakes in a scene. Raises `OSError` if the scene cannot be read."""
     document, wrong = read(path)
     if document is None:
         return wrong
@@ -37,7 +37,7 @@ def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
 
 @dataclass
 class _Thing:
-    """The description of one thing in a scene."""
+    """The description of one individual in a scene."""
 
     iri: str
     types: list[str] = field(default_factory=list)
@@ -67,7 +67,7 @@ class _Scene:
         yield from self._functional()
         yield from find_locations(self._document, self._model).diagnostics
 
-    # --- one thing
+    # --- one individual ---------------------------------------------------------------------------
 
     def _types(self, thing: _Thing) -> Iterator[Diagnostic]:
         for kind in thing.types:
@@ -110,7 +110,7 @@ class _Scene:
                 property=self._spelled(iri),
                 kind="data property",
                 thing=self._spelled(thing.iri),
-                found=f"the thing {self._spelled(other)}",
+                found=f"the individual {self._spelled(other)}",
             ).at(place)
         found = errors.UnknownSceneProperty(
             property=self._spelled(iri), thing=self._spelled(thing.iri)
@@ -134,7 +134,7 @@ class _Scene:
                 return
 
     def _classes_of(self, iri: str) -> list[str]:
-        """The known classes of a thing of the scene, or of the ontology."""
+        """The known classes of an individual of the scene or of the ontology."""
         if iri in self._things:
             return [each for each in self._things[iri].types if each in self._model.classes]
         found = self._model.individuals.get(iri)
@@ -203,7 +203,7 @@ class _Scene:
             for wanted in union
         )
 
-    # --- all things
+    # --- all individuals --------------------------------------------------------------------------
 
     def _numbers(self) -> Iterator[Diagnostic]:
         seen: dict[str, str] = {}
@@ -234,13 +234,13 @@ class _Scene:
                         kind="functional" if found is objects else "inverse functional",
                     ).at(self._place(one if found is objects else second))
 
-    # --- words and places
+    # --- words and places -------------------------------------------------------------------------
 
     def _spelled(self, iri: str) -> str:
         return spelled_in(self._document, iri, self._model)
 
     def _meant(self, iri: str, known: object) -> Remark | None:
-        """The known one that is spelt most alike."""
+        """The help with the known name that is most similar."""
         names = {split(each)[1]: each for each in known} if hasattr(known, "__iter__") else {}
         near = difflib.get_close_matches(split(iri)[1], names, n=1, cutoff=0.7)
         return errors.Near(near=self._spelled(names[near[0]])) if near else None
@@ -250,7 +250,7 @@ class _Scene:
 
 
 def _things(document: Document) -> dict[str, _Thing]:
-    """The things that a scene describes, in the order of the file."""
+    """The individuals that a scene describes, in the order of the file."""
     found: dict[str, _Thing] = {}
     for triple in document.triples:
         if not isinstance(triple.subject, pyoxigraph.NamedNode):
@@ -263,7 +263,7 @@ def _things(document: Document) -> dict[str, _Thing]:
                 thing.relations.append((triple.predicate.value, value))
             case pyoxigraph.Literal():
                 thing.values.append((triple.predicate.value, triple.object))
-            case _:  # open: what has no name
+            case _:  # open: a blank node
                 pass
     return found
 
@@ -275,7 +275,7 @@ def _note(
     subject: str,
     other: str,
 ) -> None:
-    """Keep what is related by a relation that allows one."""
+    """Record a statement with a relation that allows only one."""
     if declared.is_functional:
         objects[subject, declared.iri].append(other)
     if declared.is_inverse_functional:
@@ -283,7 +283,7 @@ def _note(
 
 
 def _is_of(value: pyoxigraph.Literal, names: frozenset[str]) -> bool:
-    """Say whether a literal is of one of these types, by its own type and by its text."""
+    """Say whether a literal is of one of these types, both by its declared type and by its text."""
     kind = value.datatype.value.removeprefix(XSD)
     try:
         if kind in {"float", "double", "decimal"}:

@@ -1,4 +1,6 @@
-"""Checks of names that the children of a behavior tree share: clashes, and the same thing twice."""
+"""Checks of names that the children of a behavior tree share: clashes, and one individual for two
+parameters.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,9 @@ from ezskiros.trees.tree import Tree
 
 
 def check_sharing(tree: Tree, library: Library) -> Iterator[Diagnostic]:
-    """Children that cannot share a name, and those that get the same thing twice."""
+    """Report children that cannot share a name, and children with the same individual for two
+    parameters.
+    """
     yield from _clashes(tree, library)
     for call in calls(tree.root):
         skill = library.skill(call.skill)
@@ -28,7 +32,9 @@ def check_sharing(tree: Tree, library: Library) -> Iterator[Diagnostic]:
 
 
 def _clashes(tree: Tree, library: Library) -> Iterator[Diagnostic]:
-    """Names that are none of the compound, and of other types for two children."""
+    """Report names that the compound does not declare and that have different types in two
+    children.
+    """
     own = {each.name for each in tree.skill.parameters}
     first: dict[str, Parameter] = {}
     reported: set[tuple[Span, Span]] = set()
@@ -48,7 +54,7 @@ def _clashes(tree: Tree, library: Library) -> Iterator[Diagnostic]:
 
 
 def _can_share(one: Parameter, other: Parameter, library: Library) -> bool:
-    """Say whether one thing, or one value, can be both."""
+    """Say whether one individual or value can fit both parameters."""
     if one.iri is None or other.iri is None:
         return one.type is other.type
     ontology = library.ontology()
@@ -57,7 +63,7 @@ def _can_share(one: Parameter, other: Parameter, library: Library) -> bool:
 
 
 def _aliases(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
-    """Two parameters of a child that stand for the same thing."""
+    """Report two parameters of a child that stand for the same individual."""
     seen: dict[str, str] = {}
     for shared in shared_names(call, skill):
         name = shared.parameter.name
@@ -75,8 +81,8 @@ def _aliases(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
 def _dropped(
     call: SkillCall, skill: SkillInterface, tree: Tree, library: Library
 ) -> Iterator[Diagnostic]:
-    """Report what is passed under a name that the child has itself, for something else. What does
-    not fit at all is reported elsewhere.
+    """Report an argument under a name that the child itself declares for another parameter.
+    Arguments that fit no parameter are reported elsewhere.
     """
     for shared in shared_names(call, skill):
         name, other = shared.parameter.name, skill.parameter(shared.shared)
@@ -89,7 +95,7 @@ def _dropped(
 
 
 def _written_twice(node: Node, library: Library) -> Iterator[Diagnostic]:
-    """Values that two children of a parallel find out at the same time."""
+    """Report outputs that two children of a parallel set at the same time."""
     if isinstance(node, Processor) and node.flow in (Flow.PARALLEL_FF, Flow.PARALLEL_FS):
         writers: dict[str, tuple[Node, SkillCall]] = {}
         for child in node.children:

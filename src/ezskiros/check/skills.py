@@ -29,7 +29,7 @@ CHECKS = (check_relations, check_consistency, check_outputs)
 def check_skills(
     skills: Iterable[SkillClass], scenes: Sequence[Path] = ()
 ) -> dict[SkillClass, Described]:
-    """The interfaces of skills; mistakes are reported. The `scenes` say which things there are."""
+    """The interfaces of skills. Mistakes are reported. `scenes` provide the individuals."""
     individuals = Individuals(scenes)
     found: dict[SkillClass, Described] = {}
     names: dict[str, SkillClass] = {}
@@ -52,7 +52,7 @@ def check_skills(
 
 
 def _report_directions(described: Iterable[Described]) -> None:
-    """Tell of relations that are swapped in a few conditions, among the skills of one ontology."""
+    """Report relations that are reversed in a few conditions, among the skills of one ontology."""
     skills: dict[Ontology, list[SkillInterface]] = {}
     for each in described:
         if each.ontology is not None:
@@ -63,7 +63,7 @@ def _report_directions(described: Iterable[Described]) -> None:
 
 
 def _report_implementing(skill: SkillClass) -> None:
-    """Tell of a description that is written like an implementation."""
+    """Report a description that is written like an implementation."""
     for method in ("expandBT", "execute"):
         above = skill.__mro__[1]
         if method in vars(skill) and above is not SkillDescription:
@@ -81,14 +81,14 @@ def _findings(
 ) -> Iterator[Diagnostic]:
     for check in CHECKS:
         yield from check(described.interface, ontology)
-    # A condition that was not understood may be the one that leads to a parameter.
+    # A condition that was not understood may be the one that determines a parameter.
     if described.is_whole:
         used = frozenset[str]().union(*map(attributes_in, implementations(skill).values()))
         yield from check_inference(described.interface, ontology, individuals, used)
 
 
 def _with_keys(found: Diagnostic, skill: SkillInterface) -> Diagnostic:
-    """A finding that also says what SkiROS2 calls the parameters at which it points."""
+    """A finding with the SkiROS2 names of the parameters at which it points."""
     places = {found.primary.span, *(label.span for label in found.labels)}
     notes = (
         HasKey(parameter=each.name, key=repr(each.key))

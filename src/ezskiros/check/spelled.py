@@ -1,4 +1,4 @@
-"""Statements in the spelling of a description."""
+"""Statements as text in the syntax of a description."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from ezskiros.ontology.statements import (
 
 
 def spelled_iri(iri: str, model: Model) -> str:
-    """`skiros.Product`."""
+    """The IRI of an entity as `skiros.Product`."""
     return model.short(iri).replace(":", ".")
 
 
 def spelled(statement: Statement, model: Model) -> str:
-    """`~Gripper.contain(Object)`."""
+    """The statement as `~Gripper.contain(Object)`."""
     opposite = None if statement.is_true else negated(statement)
     if opposite is not None:
         return _denied(opposite, spelled(opposite, model))

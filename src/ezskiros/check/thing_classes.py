@@ -1,6 +1,4 @@
-"""The classes that a thing must belong to by all conditions about it, and the disjoint ones among
-them.
-"""
+"""The classes that the conditions require of an individual, and the disjoint classes among them."""
 
 from __future__ import annotations
 
@@ -19,8 +17,8 @@ IsReported: TypeAlias = Callable[[str, Union], bool]
 
 
 class Need(NamedTuple):
-    """The reason why a thing must belong to one of some classes, also by the declaration of a
-    relation.
+    """The reason why an individual must belong to one of some classes, for example the declaration
+    of a relation.
     """
 
     reasons: tuple[Reason, ...]
@@ -30,10 +28,10 @@ class Need(NamedTuple):
 def class_clashes(
     facts: Facts, classes: KnownClasses, model: Model, is_reported: IsReported | None = None
 ) -> Iterator[Clash]:
-    """Things of which nothing can be of all classes that they have to be of.
+    """Individuals for which no individual can have all required classes.
 
     Classes that are empty by themselves are a fault of the ontology. `is_reported` knows the needs
-    that the class of a parameter does not fit, which `check_relations` tells.
+    that the class of a parameter does not fit, because `check_relations` reports them.
     """
     if not model.has_disjoint_classes:
         return
@@ -50,7 +48,7 @@ def class_clashes(
 
 
 def _needs(facts: Facts, classes: KnownClasses, model: Model) -> Mapping[str, Mapping[Union, Need]]:
-    """The needs by thing. The class of the parameter comes first."""
+    """The needs of each individual. The class of the parameter comes first."""
     found: dict[str, dict[Union, Need]] = defaultdict(dict)
     for thing, known in classes.items():
         for owl_class, reason in known.items():

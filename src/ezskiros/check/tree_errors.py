@@ -75,7 +75,7 @@ class WrongArgument(Error, code="EZS524", name="wrong-argument"):
 
 
 class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
-    """A value for a parameter that stands for a thing."""
+    """A value for a parameter that stands for an individual."""
 
     title = "`{parameter}` stands for a {wanted} but gets {found}"
     help = "pass a parameter of this skill: `{parameter}=params.Name`"
@@ -134,7 +134,7 @@ class NameClash(Error, code="EZS528", name="name-clash"):
 
 
 class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
-    """Two parameters of a child that get the same thing."""
+    """Two parameters of a child with the same individual."""
 
     title = "`{one}` and `{other}` of `{skill}` are both `{shared}`"
     note = "SkiROS2 passes only the first of them"
@@ -148,7 +148,7 @@ class MissingArgument(Error, code="EZS530", name="missing-argument"):
     """A required parameter without a value."""
 
     title = "`{skill}` needs a value for `{parameter}`, but nothing provides one"
-    note = "in SkiROS2 the skill runs without a value, or takes the first thing of the class"
+    note = "in SkiROS2 the skill runs without a value, or takes the first individual of the class"
     help = "write `{parameter}=...`"
     skill: str
     parameter: str

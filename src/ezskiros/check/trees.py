@@ -34,11 +34,11 @@ def check_implementations(
     library: Library,
     known: LaunchValues = NOTHING,
 ) -> list[Tree]:
-    """The trees of compound skills; what is wrong with these and with primitives is reported."""
+    """The trees of compound skills. Mistakes in the trees and in primitives are reported."""
     found: list[Tree] = []
     implementations = list(implementations)
     _report_repeated([*library.descriptions(), *implementations])
-    # All skills are read first: trees call implementations of other files.
+    # All skills are read first, because trees call implementations of other files.
     skills = {each: _implemented(each, library) for each in _leaves(implementations)}
     for implementation, skill in skills.items():
         for diagnostic in check_protocol(implementation):
@@ -62,7 +62,7 @@ def check_implementations(
 def _leaves(
     implementations: Iterable[type[SkillImplementation]],
 ) -> list[type[SkillImplementation]]:
-    """Those that no other one is derived from: as in SkiROS2 only these are run."""
+    """Implementations without derived classes. Like SkiROS2, the engine runs only these."""
     found = list(implementations)
     bases = {base for each in found for base in each.__mro__[1:]}
     return [each for each in found if each not in bases]
@@ -71,7 +71,7 @@ def _leaves(
 def _implemented(
     implementation: type[SkillImplementation], library: Library
 ) -> SkillInterface | None:
-    """The skill that something implements; None, after a finding, if there is none."""
+    """The skill of an implementation; None, after a finding, if there is none."""
     description = getattr(implementation, "description", None)
     if not isinstance(description, SkillClass):
         found = tree_errors.NoSkillImplemented(implementation=implementation.__name__)
@@ -81,7 +81,7 @@ def _implemented(
 
 
 def _report_repeated(classes: Iterable[type]) -> None:
-    """Implementations that have the name of another one, or of a description."""
+    """Report implementations that have the name of another implementation or of a description."""
     seen: dict[str, type] = {}
     for each in classes:
         other = seen.setdefault(each.__name__, each)

@@ -1,7 +1,7 @@
 """Conditions on data properties that no value satisfies.
 
-As in SkiROS2, a thing has a list of values. `==` tests whether a value is in the list, `!=` whether
-it is not. `<` and the like test the first value, which must exist.
+As in SkiROS2, an individual has a list of values. `==` tests whether a value is in the list, and
+`!=` whether it is not in the list. Operators such as `<` test the first value, which must exist.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> 
 
 
 class _Values:
-    """The values that a thing can have of a property."""
+    """The possible values of a property of an individual."""
 
     def __init__(self, thing: str, iri: str, classes: KnownClasses, model: Model) -> None:
         self._thing, self._iri, self._name = thing, iri, spelled_iri(iri, model)
@@ -57,7 +57,7 @@ class _Values:
         self._is_truth = any(names == {"boolean"} for names in types)
 
     def clash(self, accepted: Sequence[Said], said: Said) -> Clash | None:
-        """The clash of a further condition with others: as few as are seen to exclude it."""
+        """The clash of a new condition with the smallest group of the others that excludes it."""
         for others in ([], *([other] for other in accepted), accepted):
             if found := self._excluded([*others, said]):
                 return found
@@ -93,7 +93,7 @@ class _Values:
         return Clash(said, world_errors.NoCommonValue, (), why, (self._iri,))
 
     def _has_first(self, asked: _Asked) -> bool:
-        """Say whether a value can be the first one."""
+        """Say whether a value can be the first value."""
         if self._listed is not None and asked.named() <= self._listed:
             return any(map(asked.takes_text, self._listed))
         if self._is_truth:
@@ -105,7 +105,7 @@ class _Values:
 
 
 class _Asked:
-    """The demands of some conditions on the values of a thing."""
+    """The demands of some conditions on the values of an individual."""
 
     def __init__(self, said: Iterable[Said]) -> None:
         compared = [each for each in said if isinstance(each, Comparison)]
@@ -125,28 +125,28 @@ class _Asked:
         self.none = False in asked
 
     def leaves_no_number(self) -> bool:
-        """Say whether no number is as the comparisons by order ask."""
+        """Say whether no number satisfies the comparisons by order."""
         if self.lowest == self.highest:
             return not self._is_within(self.lowest)
         return self.lowest > self.highest
 
     def takes(self, value: float) -> bool:
-        """Say whether the first value can be this one."""
+        """Say whether the first value can be this number."""
         return value not in self.unequal and self._is_within(value)
 
     def takes_text(self, text: str) -> bool:
-        """Say whether the first value can be what is written so."""
+        """Say whether the first value can be the number with this text."""
         if text in set(map(str, self.unequal)):
             return False
         return not self.bounds or (_is_number(text) and self._is_within(float(text)))
 
     def needs_several(self) -> bool:
-        """Say whether one value cannot be all that is asked for."""
+        """Say whether one value cannot meet all demands."""
         numbers = [each for each in self.equal if not isinstance(each, (str, bool))]
         return len(self.equal) > 1 or not all(map(self._is_within, numbers))
 
     def named(self) -> set[str]:
-        """The values that are compared with, as texts."""
+        """The compared values, as texts."""
         return {
             str(each) for each in (*self.equal, *self.unequal, *(each for _, each in self.bounds))
         }

@@ -26,7 +26,7 @@ _KNOWN = {"boolean"} | _NUMBERS | WHOLE | _TEXTS
 
 
 def spelled_types(union: Union) -> frozenset[str]:
-    """The data types of a range without their namespace; none if one of them is not known."""
+    """The data types of a range, without their namespace; none if one of them is unknown."""
     names = frozenset(iri.removeprefix(XSD) for iri in union)
     return names if names <= _KNOWN else frozenset()
 

@@ -19,13 +19,13 @@ class AtOneTime(Remark):
 
 
 class OfOneThing(Remark):
-    """The label of a condition that no thing satisfies together with the reported one."""
+    """The label of a condition that no individual satisfies together with the reported one."""
 
-    says = "this cannot hold for the same thing"
+    says = "this cannot hold for the same individual"
 
 
 class DeclaredAs(Remark):
-    """The label of the parameter that stands for a thing."""
+    """The label of the parameter that stands for an individual."""
 
     says = "declared as a {owl_class}"
     owl_class: str
@@ -60,22 +60,22 @@ class BothWays(Clashing, code="EZS316", name="both-ways"):
 
 
 class ToItself(Clashing, code="EZS317", name="to-itself"):
-    """An irreflexive relation of a thing to itself."""
+    """An irreflexive relation of an individual to itself."""
 
-    title = "{together} would relate a thing to itself"
+    title = "{together} would relate an individual to itself"
 
 
 class HasNone(Clashing, code="EZS318", name="has-none"):
-    """A relation or value that things of a class cannot have."""
+    """A relation or value that individuals of a class cannot have."""
 
     title = "{together} cannot hold {when}"
 
 
 class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
-    """A thing of two disjoint classes."""
+    """An individual of two disjoint classes."""
 
-    title = "{together} would make a thing a member of disjoint classes"
-    help = "use a thing of only one of these classes"
+    title = "{together} would make an individual a member of disjoint classes"
+    help = "use an individual of only one of these classes"
 
 
 class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
@@ -85,9 +85,9 @@ class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
 
 
 class TwoValues(Together, Warning, code="EZS321", name="two-values"):
-    """Comparisons that only a thing with several values of a property satisfies."""
+    """Comparisons that only an individual with several values of a property satisfies."""
 
-    title = "{together} hold together only for a thing with two values"
+    title = "{together} hold together only for an individual with two values"
     note = "{why}"
     help = "delete the wrong condition; declare a single-valued property as owl:FunctionalProperty"
 

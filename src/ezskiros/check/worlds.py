@@ -1,7 +1,7 @@
 """Sets of conditions that hold together at one moment, with one alternative of each `or`.
 
-The things are those that parameters stand for. A parameter that a condition declares as unset is
-left out.
+The individuals are those of the parameters. A parameter that a condition declares as unset is left
+out.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from ezskiros.ontology.statements import (
 )
 
 Literals = tuple[Statement, ...]
-"""Statements none of which is an `or`."""
+"""Statements without an `or`."""
 
 
 def alternatives(statement: Statement) -> tuple[Literals, ...]:
-    """The ways in which a statement can hold."""
+    """The alternatives under which a statement holds."""
     if not isinstance(statement, AnyOf):
         return ((statement,),)
     if statement.is_true:
@@ -43,7 +43,7 @@ def alternatives(statement: Statement) -> tuple[Literals, ...]:
 
 
 def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
-    """Give what holds in each alternative, as far as it is said by one of the statements."""
+    """The statements that hold in each alternative of one of some statements."""
     for each in statements:
         ways = alternatives(each)
         if len(ways) == 1:
@@ -51,7 +51,7 @@ def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
 
 
 def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownClasses:
-    """The classes of things: the declared ones, and those that conditions require."""
+    """The classes of individuals: the declared classes, and those that conditions require."""
     found = dict(declared)
     for each in said:
         if isinstance(each, OfType):
@@ -62,7 +62,7 @@ def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownCla
 
 
 class World:
-    """Statements that hold together, about things with declared classes."""
+    """Statements that hold together, about individuals with declared classes."""
 
     def __init__(self, declared: KnownClasses, model: Model, said: Iterable[Statement]) -> None:
         self._model, self._said = model, dict.fromkeys(said)
@@ -89,7 +89,9 @@ class World:
 
 
 def _present(said: Iterable[Statement]) -> Iterator[Statement]:
-    """Without what is said of parameters that stand for nothing: it is about any such thing."""
+    """Leave out statements about parameters without a value, because these are about any
+    individual.
+    """
     said = list(said)
     absent = {
         each.subject

@@ -13,7 +13,7 @@ _SKILLS = {"", ".py", ".pyi", ".turtle", ".ttl", ".owl", ".rdf"}
 
 
 def of_skills(paths: list[Path] | None) -> list[Path] | None:
-    """The paths, if they can be those of skills; a file of another kind ends the run."""
+    """The paths, if they can contain skills. A file of another kind ends the run."""
     for path in paths or ():
         suffix = path.suffix.lower()
         if suffix in _SKILLS or not path.is_file():
@@ -21,14 +21,14 @@ def of_skills(paths: list[Path] | None) -> list[Path] | None:
         kind, checker = _CHECKERS.get(suffix, ("", ""))
         if kind:
             raise typer.BadParameter(f"{path} is {kind}: `{checker} {path}` checks it")
-        raise typer.BadParameter(f"{path} is no Python file, and no folder with Python files")
+        raise typer.BadParameter(f"{path} is neither a Python file nor a folder with Python files")
     return paths
 
 
 def of_rules(path: Path | None) -> Path | None:
-    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    """The path, if it can be a rules file. A file of another kind ends the run."""
     if path is not None and path.suffix.lower() != ".ross":
-        raise typer.BadParameter(f"{path} is no rules file: its name does not end in .ross")
+        raise typer.BadParameter(f"{path} is not a rules file: its name does not end in .ross")
     return path
 
 
@@ -67,7 +67,7 @@ OutFile = Annotated[
 
 
 def name_ontology(paths: list[Path] | None) -> None:
-    """Name the ontology that `load()` loads without a path."""
+    """Select the ontology that `load()` loads without a path."""
     from ezskiros.ontology.load import VARIABLE
 
     if paths:

@@ -12,7 +12,7 @@ from dslkit.options import Format
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # users wait for what is imported
+if TYPE_CHECKING:  # imported late, because users wait for imports
     from ezskiros.confinement import Report
     from ezskiros.learning.lessons import Lessons
 
@@ -20,10 +20,11 @@ Work = Callable[[Collector], Any]
 
 
 def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Report:
-    """Have work done that runs users' code; ends the run if what was asked for is not there.
+    """Run work that executes users' code, and return its report. The run ends if the work refuses
+    its task.
 
-    `seconds` is what a step of it may take longer than the steps of a check. What it finds is not
-    printed.
+    `seconds` is the additional time that a step may take compared with a step of a check. The
+    findings are not printed.
     """
     from ezskiros import confinement
     from ezskiros.confinement.report import PATIENCE_S
@@ -50,7 +51,7 @@ def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Repo
 
 
 def asked(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> tuple[Any, Report]:
-    """Give the result of the work; end the run with what was found if it came to no end."""
+    """The result of the work. If the work did not complete, print the findings and end the run."""
     report = reported(work, seconds, may_act=may_act)
     if report.value is None:
         output.reject(report.diagnostics)
@@ -60,10 +61,12 @@ def asked(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> tuple[A
 def checked(
     paths: Sequence[Path], values: Path | None = None, lessons: Lessons | None = None
 ) -> Report:
-    """Check files; the value is the number of them. What lessons say of skills is found, too."""
+    """Check files, and return the report, whose value is the number of files. Findings of `lessons`
+    about skills are included.
+    """
     from ezskiros.driver import check_paths
 
-    if values is not None:  # before the child starts, which seals what has been imported
+    if values is not None:  # before the child starts, which seals the imported modules
         import ezskiros.trees.launch
     if lessons is not None:
         import ezskiros.learning.findings  # noqa: F401
@@ -80,7 +83,9 @@ def checked(
 
 
 def lessons_of(knowledge: Path | None) -> tuple[Lessons | None, Sequence[Diagnostic]]:
-    """The lessons in a file, and why there are none; ends the run if it cannot be read."""
+    """The lessons in a file, and the reason why there are none. The run ends if the file cannot be
+    read.
+    """
     if knowledge is None:
         return None, ()
     from ezskiros.learning.knowledge import read_knowledge
@@ -100,9 +105,11 @@ def print_check(
     knowledge: Path | None = None,
     study: Path | None = None,
 ) -> int:
-    """Check, print what is found, and give the exit code. With `rules`, what only these and the
-    skills together can tell is found as well; with `knowledge`, what runs say of the skills. With
-    `study`, a study log gets the findings.
+    """Check, print the findings, and return the exit code.
+
+    With `rules`, the findings of rules and skills together are included; with `knowledge`, the
+    findings of recorded runs about the skills. With `study`, the findings are also appended to a
+    study log.
     """
     with output.answering(form, "check", files=len(paths)):
         together = None if rules is None else _looking_at_both()
@@ -122,7 +129,7 @@ def print_check(
 
 
 def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
-    """The check of rules and skills together, which is another package's."""
+    """The joint check of rules and skills, from the package crosscheck."""
     found = extension("ezskiros.check", "rules")
     if found is None:
         advice = output.extras().advice("rules")

@@ -11,7 +11,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # loaded only where it is needed
+if TYPE_CHECKING:  # loaded only when needed
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.context.voice import Publish, Voice
     from ezskiros.engine.interruption import InterruptibleTask
@@ -20,7 +20,9 @@ if TYPE_CHECKING:  # loaded only where it is needed
 
 
 def export_for(path: Path, ready: Ready) -> Export:
-    """The export of what runs; ends the run if it is none, is stale, or is of other skills."""
+    """The export of the running skills. The run ends if the file is not an export, is stale, or has
+    other skills.
+    """
     from ezskiros.export import changed_sources, not_exported, read_export
 
     try:
@@ -37,12 +39,12 @@ def export_for(path: Path, ready: Ready) -> Export:
 
 def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
     output.print_findings(found)
-    output.fail("nothing is run: rules could not know which skills run", exit_code=2)
+    output.fail("nothing was run, because rules could not know which skills run", exit_code=2)
 
 
 class Context:
-    """Publisher of the skills of a task that run and that can start next: to a voice, and to
-    listeners of each change.
+    """Publisher of the skills of a task that run or can start next: to a `Voice`, and to listeners
+    of each change.
     """
 
     def __init__(
@@ -69,10 +71,10 @@ class Context:
             self.tell()
             yield
         if self._voice is not None and self._voice.problem is not None:
-            output.complain(f"the context was published no more: {self._voice.problem!r}")
+            output.complain(f"the context is no longer published: {self._voice.problem!r}")
 
     def tell(self) -> None:
-        """Publish the running skills. Called by the ticking thread."""
+        """Publish the running skills. The ticking thread calls this."""
         snapshot = self._snapshots.of(self._task.execution.running, self._task.ahead)
         if self._voice is not None:
             self._voice.tell(snapshot)
@@ -91,7 +93,7 @@ class Context:
 
 
 def _publish(clock: Callable[[], float]) -> Publish | None:
-    """The way to publish on ROS; None if there is no ROS, which is reported."""
+    """The function that publishes on ROS; None if ROS is missing, which is reported."""
     from ezskiros.context.ros import NoRosError, connect
 
     try:

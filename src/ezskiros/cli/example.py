@@ -12,12 +12,12 @@ from dslkit.options import Force
 from ezskiros.cli.output import output
 
 _SUMMARIES = {
-    "pick_place": "an arm picks things and places them: skills, their ontology, a scene",
-    "whiteboard": "an arm erases whiteboards: skills beside rules, for `crosscheck` as well",
+    "pick_place": "an arm picks and places objects: skills, an ontology, a scene",
+    "whiteboard": "an arm erases whiteboards: skills and rules, also for `crosscheck`",
 }
 _PACKAGE = Path(__file__).parents[1]
 _HOMES = (_PACKAGE / "examples", _PACKAGE.parents[1] / "examples")
-"""The folder of the examples in a wheel, and the one in the repository."""
+"""The folder of the examples in a wheel, and the folder in the repository."""
 
 
 def example(

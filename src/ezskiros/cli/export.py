@@ -27,7 +27,9 @@ def export(
 ) -> None:
     """Write the description of skills for rules: `skills.json`. Errors prevent the export."""
     output.permit(force)
-    if out.suffix != ".json":  # rules read no other, and no module may be lost
+    if (
+        out.suffix != ".json"
+    ):  # rules read no other ending, and the export must not replace a Python module
         output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
     output.try_file(out)
     name_ontology(ontology)
@@ -40,13 +42,13 @@ def export(
 
 @dataclass(frozen=True)
 class _Exporting:
-    """The work on an export, in the process that runs users' code."""
+    """An export, run in the process that executes users' code."""
 
     paths: list[Path]
     out: Path
 
     def run(self, collector: Collector) -> dict[str, str | None]:
-        """The text, None if there are errors."""
+        """The text of the file; None if there are errors."""
         from ezskiros.confinement import RefusedError
         from ezskiros.driver import export_paths
 

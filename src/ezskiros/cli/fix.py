@@ -13,13 +13,13 @@ from dslkit.writing import write_whole
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # what checks skills is loaded when it is needed
+if TYPE_CHECKING:  # the modules of the check are loaded when needed
     from ezskiros.contracts import Missing
 
 
 @dataclass(frozen=True)
 class Repair:
-    """Pre-conditions for a skill, and where it is written."""
+    """The missing pre-conditions of a skill, and the place of the skill."""
 
     path: Path
     skill: str
@@ -27,7 +27,7 @@ class Repair:
 
 
 def fix(paths: Sequence[Path]) -> None:
-    """Repair what pre-conditions repair, and say so; ends the run if a file cannot be written."""
+    """Add missing pre-conditions and report this. The run ends if a file cannot be written."""
     from ezskiros.driver import missing_conditions
 
     found, _ = asked(lambda collector: _repairs(missing_conditions(paths, collector)))
@@ -55,12 +55,12 @@ def _write(repair: Repair) -> None:
         encoding, text = read_python(repair.path)
         changed = with_pre_conditions(text, repair.skill, repair.conditions)
         if changed is None:
-            typer.echo(f"{repair.path}: `{repair.skill}` has to be completed by hand:", err=True)
+            typer.echo(f"{repair.path}: complete `{repair.skill}` by hand:", err=True)
         else:
             write_whole(repair.path, changed.encode(encoding))
             typer.echo(f"{repair.path}: added to `{repair.skill}`:", err=True)
     except (OSError, UnicodeError, SyntaxError) as problem:
-        reason = getattr(problem, "strerror", None) or "it is no text of Python"
+        reason = getattr(problem, "strerror", None) or "it is not a Python text file"
         output.fail(f"cannot write {repair.path}: {reason.lower()}", exit_code=2)
     for each in repair.conditions:
         typer.echo(f"    {each}", err=True)

@@ -11,15 +11,15 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # loaded only where it is needed
+if TYPE_CHECKING:  # loaded only when needed
     from ezskiros.context.guards import Guards
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.export import Export
 
 
 def guards_for(path: Path | None, export: Export | None, *, simulate: bool) -> Guards | None:
-    """The guards of a file, None without one; ends the run if the file has none, or those of other
-    skills than an export has.
+    """The guards in a file; None without a file. The run ends if the file has no guards, or guards
+    of other skills than the export.
     """
     if path is None:
         return None
@@ -41,12 +41,14 @@ def guards_for(path: Path | None, export: Export | None, *, simulate: bool) -> G
 
 def _refuse(found: Diagnostic) -> NoReturn:
     output.print_findings([found])
-    output.fail("nothing is run: skills could not wait for rules", exit_code=2)
+    output.fail("nothing was run, because skills could not wait for rules", exit_code=2)
 
 
 @contextmanager
 def guarded(guards: Guards, execution: ExecutionContext) -> Iterator[None]:
-    """Within, primitives of a task wait for rules; the run ends if nobody can hear of these."""
+    """While the context is active, primitives of a task wait for rules. The run ends if the state
+    of the rules cannot be received.
+    """
     from ezskiros.context.guards import ActiveRules
     from ezskiros.context.guards_ros import listen
     from ezskiros.context.ros import NoRosError
@@ -55,7 +57,7 @@ def guarded(guards: Guards, execution: ExecutionContext) -> Iterator[None]:
     try:
         stop = listen(guards, rules)
     except NoRosError as problem:
-        output.fail(f"nothing is run: no rule can be heard: {problem}", exit_code=2)
+        output.fail(f"nothing was run, because no rule can be received: {problem}", exit_code=2)
     execution.guard = rules.reason_to_wait
     try:
         yield

@@ -14,7 +14,7 @@ from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # every command waits for what is imported here
+if TYPE_CHECKING:  # imported late, because every command would wait for these imports
     from ezskiros.learning.runs import Run
     from ezskiros.learning.scene import Map
 
@@ -48,7 +48,7 @@ def learn(
     output.permit(force)
     with output.answering(form, "learn", files=len(files)) as answer:
         if out is not None:
-            if out.suffix != ".json":  # none of the records may be lost
+            if out.suffix != ".json":  # the output must not replace a record
                 output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
             output.try_file(out)
         name_ontology(ontology)
@@ -75,7 +75,7 @@ def learn(
 
 
 def _places(scene: Path | None) -> Map:
-    """The locations of a scene; ends the run if something is wrong with it."""
+    """The locations in a scene. The run ends if the scene has errors."""
     from ezskiros.learning.scene import Map, read_map
 
     if scene is None:
@@ -90,7 +90,7 @@ def _places(scene: Path | None) -> Map:
 
 
 def _runs(files: Sequence[Path]) -> Sequence[Run]:
-    """The runs of some files; ends the run of the command if something is wrong with them."""
+    """The runs in some files. The command ends if a file has errors."""
     from ezskiros.learning.runs import read_runs
 
     try:

@@ -1,7 +1,7 @@
 """The `ezskiros` command: one function per subcommand.
 
-Exit codes: 0 no errors (warnings may have been printed), 1 errors were found, 2 the arguments were
-wrong or a file could not be read, 70 an internal error.
+Exit codes: 0 for no errors (there may be warnings), 1 for errors, 2 for wrong arguments or an
+unreadable file, 70 for an internal error.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from ezskiros.cli.plan import plan
 from ezskiros.cli.run import run
 from ezskiros.cli.show import show
 
-if TYPE_CHECKING:  # libcst is loaded only where it is needed
+if TYPE_CHECKING:  # libcst is loaded only when needed
     from ezskiros.migrate.files import MigratedFile
 
 app = typer.Typer(
@@ -91,7 +91,7 @@ def check(
     name_ontology(ontology)
     if watched:
         if fixed:
-            output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
+            output.fail("give `--fix` or `--watch`, not both", exit_code=2)
         output.try_study(study)
         _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
@@ -167,11 +167,11 @@ def migrate(
         from ezskiros.migrate.imports import is_module
 
         if write and diff:
-            output.fail(
-                "`--write` changes files and `--diff` does not: name one of them", exit_code=2
-            )
+            output.fail("give `--write` or `--diff`, not both", exit_code=2)
         if not is_module(world):
-            output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
+            output.fail(
+                f"`{world}` is not the name of a Python module, such as `.world`", exit_code=2
+            )
         found = migrate_paths(paths, world, _ambiguous(ontology))
         if write:
             _write([file for file in found.files if file.is_changed])
@@ -189,9 +189,10 @@ def migrate(
 
 
 def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
-    """The names that several namespaces of an ontology have; ends the run if it cannot be read.
+    """The names that are in several namespaces of an ontology. The run ends if the ontology cannot
+    be read.
 
-    Warnings about the ontology are for `check`.
+    Warnings about the ontology are left to `check`.
     """
     if not ontology:
         return frozenset()
@@ -205,7 +206,7 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
 
 
 def _write(files: Sequence[MigratedFile]) -> None:
-    """Write what has become of files; ends the run if that fails."""
+    """Write the migrated files. The run ends if this fails."""
     for file in files:
         output.try_change(file.path)
     for file in files:
@@ -252,7 +253,7 @@ def stubs(
 
 
 def _is_stale(stub: Path, text: str) -> bool:
-    """Say whether a stub says anything else; end the run if it cannot be read."""
+    """Say whether a stub differs from a text. The run ends if the stub cannot be read."""
     try:
         return not stub.exists() or stub.read_bytes().replace(b"\r", b"") != text.encode()
     except OSError as problem:
@@ -268,7 +269,7 @@ def _check_again_and_again(
     knowledge: Path | None,
     study: Path | None,
 ) -> None:
-    """Each time from the start: what has been imported is forgotten with the process."""
+    """Repeat the check in a new process after each change, so that no imported module stays."""
     from ezskiros.cli.watch import watch
     from ezskiros.ontology.read import find
     from ezskiros.skills.load import module_files

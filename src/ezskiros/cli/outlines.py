@@ -13,7 +13,7 @@ _WIDE = 10_000
 
 
 def console_for_outlines() -> Console:
-    """Lines are broken only where a terminal says how wide it is."""
+    """The console for trees. It breaks lines only if the width of a terminal is known."""
     console = Console(highlight=False)
     if not console.is_terminal:
         return plain_console()
@@ -21,12 +21,12 @@ def console_for_outlines() -> Console:
 
 
 def plain_console() -> Console:
-    """The console for text in a file, where no line is broken."""
+    """The console for text in a file, which breaks no line."""
     return Console(highlight=False, width=_WIDE)
 
 
 def outlines_text(outlines: Sequence[Outline], console: Console) -> str:
-    """Some trees as the text that a console prints, its colours included."""
+    """Some trees as the text that a console prints, including colours."""
     with console.capture() as captured:
         for number, found in enumerate(outlines):
             if number:

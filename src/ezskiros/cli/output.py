@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.command_line import CommandLine
 
-if TYPE_CHECKING:  # for `explain` and SARIF only
+if TYPE_CHECKING:  # only for `explain` and SARIF
     from dslkit.catalog import Catalog
     from dslkit.extras import Extras
 

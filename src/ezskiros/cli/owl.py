@@ -47,7 +47,7 @@ def owl(
 
 
 def _tell_left(folder: Path, written: Iterable[Path]) -> None:
-    """Tell of files of earlier runs, which SkiROS2 would load beside those of this one."""
+    """Report files of earlier runs, which SkiROS2 would load together with the new files."""
     from ezskiros.hosts.owl_files import START
 
     for path in sorted({*folder.glob(f"{START}*.owl")} - {*written}):

@@ -15,7 +15,7 @@ from ezskiros.cli.arguments import Folders, Knowledge, OptionalSkills, name_onto
 from ezskiros.cli.checking import asked, checked, lessons_of, print_check
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # every command waits for what is imported here
+if TYPE_CHECKING:  # imported late, because every command would wait for these imports
     from rich.console import Console
 
     from ezskiros.learning.lessons import Lessons
@@ -51,7 +51,9 @@ def plan(
     """Find a plan from a scene to a goal: a behavior tree, checked and simulated."""
     output.permit(force)
     if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
-        output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)
+        output.fail(
+            f"`{out}` is not the file name of a Python module, such as plan.py", exit_code=2
+        )
     output.try_file(out)
     lessons, wrong = lessons_of(knowledge)
     if wrong:
@@ -64,7 +66,7 @@ def plan(
     from ezskiros.cli.outlines import console_for_outlines
 
     console = console_for_outlines()
-    # The search for what is out of reach, and that for a plan, may take this long each.
+    # The search for unreachable facts, and the search for a plan, may take this long each.
     search = _Search(paths, scene, goal, timeout, out, console, lessons)
     found, report = asked(search.run, 2 * timeout, may_act=True)
     output.print_findings(report.diagnostics)
@@ -75,13 +77,13 @@ def plan(
         return
     if found["folder"]:
         folder = found["folder"]
-        output.fail(f"from {out} the skills cannot be imported: write to {folder}", exit_code=2)
+        output.fail(f"a plan in {out} cannot import the skills: write it to {folder}", exit_code=2)
     _write(out, found["source"], paths)
 
 
 @dataclass(frozen=True)
 class _Search:
-    """The search for a plan. The process that runs this starts the planner, so that it may act."""
+    """The search for a plan. It starts the planner as a process, so it is allowed to act."""
 
     paths: list[Path]
     scene: Path
@@ -92,7 +94,7 @@ class _Search:
     lessons: Lessons | None
 
     def run(self, collector: Collector) -> dict[str, Any]:
-        """The plan as text, and as source if that is to be written."""
+        """The plan as text, and as source code if a file is to be written."""
         from ezskiros.cli.outlines import outlines_text
         from ezskiros.confinement import RefusedError
         from ezskiros.driver import check_paths
@@ -121,12 +123,12 @@ class _Search:
 
 
 def _expected(plan: Plan, lessons: Lessons) -> str:
-    """The seconds that a plan is expected to lose, and the number of runs that say so."""
+    """The expected loss of a plan in seconds, and the number of runs behind this number."""
     runs = f"{lessons.runs} run{'s' if lessons.runs != 1 else ''}"
     return f"expected to lose {plan.expected_s:.1f} s to rules, after {runs}"
 
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
-    """Write a plan as a skill, and check it with the skills that it is made of."""
+    """Write a plan as a skill, and check the skill together with the skills of its steps."""
     output.save(path, text, Comment.HASH)
     raise typer.Exit(print_check([path, *paths], None, Format.TEXT))

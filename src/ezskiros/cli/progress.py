@@ -31,7 +31,7 @@ _MARKS = {
 
 
 def line(event: Event) -> str:
-    """An event as SkiROS2 prints skills and their progress: `--->Wait-wait(Running)[1] waiting`."""
+    """An event as SkiROS2 prints progress: `--->Wait-wait(Running)[1] waiting`."""
     indent = "-" * (2 * (len(event.path) - 1))
     state = _STATES[event.happened]
     return f"{indent}->{event.skill}-{event.implementation}({state})[{event.code}] {event.text}"
@@ -46,19 +46,19 @@ class LiveTree:
         self._live = Live(console=console, auto_refresh=False, vertical_overflow="ellipsis")
 
     def start(self) -> None:
-        """Begin to draw."""
+        """Start to draw."""
         self._live.start()
 
     def stop(self) -> None:
-        """Leave the drawing as it is."""
+        """Stop to draw, and keep the last drawing."""
         self._live.stop()
 
     def tell(self, event: Event) -> None:
-        """Note the message of a skill."""
+        """Record the message of a skill."""
         self._texts[event.path] = f"[{event.code}] {event.text}"
 
     def draw(self, task: Task) -> None:
-        """Draw the tree as it is now: no more of it than fits on the terminal."""
+        """Draw the current tree, as far as it fits on the terminal."""
         shown = Text()
         for count, row in enumerate(self._rows(task.root, 0)):
             if count >= self._console.height - 1:

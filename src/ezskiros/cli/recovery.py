@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING
 
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # loaded only where it is needed
+if TYPE_CHECKING:  # loaded only when needed
     from ezskiros.engine.interruption import InterruptibleTask
     from ezskiros.export import Export
 
 
 @contextmanager
 def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
-    """Within, rules can ask for trees over ROS; if they cannot, the reason is reported."""
+    """While the context is active, rules can request trees over ROS. If they cannot, the reason is
+    reported.
+    """
     from ezskiros.context.recovery_ros import serve
     from ezskiros.context.ros import NoRosError
     from ezskiros.engine.recovery_goals import RecoveryGoals, TaskHost
@@ -23,7 +25,7 @@ def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
     try:
         stop = serve(RecoveryGoals(export.digest, TaskHost(task)))
     except NoRosError as problem:
-        output.complain(f"rules can ask for no tree: {problem}")
+        output.complain(f"rules cannot request trees: {problem}")
         yield
         return
     try:

@@ -24,7 +24,7 @@ from ezskiros.cli.guards import guarded, guards_for
 from ezskiros.cli.output import output
 from ezskiros.cli.recovery import recoveries
 
-if TYPE_CHECKING:  # the engine is loaded only where it is needed
+if TYPE_CHECKING:  # the engine is loaded only when needed
     from ezskiros.context.guards import Guards
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.engine.events import Event
@@ -144,7 +144,7 @@ def run(
 
 
 def _check(paths: list[Path]) -> None:
-    """End the run if the files have errors: users' code is trusted after that, and not before."""
+    """End the run if the files have errors. Users' code is trusted only after this check."""
     report = checked(paths)
     if output.exit_code(report.diagnostics):
         _give_up(report.diagnostics, file_count(report, paths))
@@ -152,12 +152,12 @@ def _check(paths: list[Path]) -> None:
 
 def _give_up(found: Sequence[Diagnostic], count: int) -> NoReturn:
     output.print_diagnostics(found, Format.TEXT, file_count=count)
-    output.complain("nothing is run: there are errors")
+    output.complain("nothing was run, because there are errors")
     raise typer.Exit(2)
 
 
 def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) -> Ready:
-    """Make a task ready to run; else end the run with the reason."""
+    """Prepare a task to run; otherwise end the run with the reason."""
     from ezskiros.driver import UnknownSkillError
     from ezskiros.engine.arguments import WrongArgumentError
     from ezskiros.runner import FaultyError, prepare
@@ -173,13 +173,13 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
     if ready.warnings:
         count = len(ready.warnings)
         plural = "s" if count > 1 else ""
-        output.complain(f"{count} warning{plural}: `ezskiros check` shows what")
+        output.complain(f"{count} warning{plural}: run `ezskiros check` to see the details")
     return ready
 
 
 def _refuse_half_modules(ready: Ready) -> None:
-    """End the run if modules were not run whole, or on stand-ins: primitives would work with mocks,
-    and succeed with what they did not do.
+    """End the run if modules were not fully executed, or executed with stand-ins. Otherwise
+    primitives would use mocks, and report success without any effect.
     """
     from ezskiros.skills.load_errors import ClientStandIn, ImportSideEffect, StandIn
 
@@ -189,14 +189,15 @@ def _refuse_half_modules(ready: Ready) -> None:
     if lacking:
         output.print_findings(lacking)
         output.fail(
-            "nothing is run: primitives need what is missing here, or not done; install it, or "
-            "import it in the methods that use it; `--simulate` runs without",
+            "nothing was run: modules above were missing or not fully executed, so primitives "
+            "would have no effect; install them, import them in the methods that use them, or add "
+            "`--simulate`",
             exit_code=2,
         )
 
 
 class _Run:
-    """One run of a task, and what is shown of it."""
+    """One run of a task, and its display."""
 
     def __init__(
         self,
@@ -226,8 +227,8 @@ class _Run:
         self._is_interrupted = False
 
     def to_the_end(self, *, is_asked: bool, trace: Path | None) -> TaskOutcome:
-        """Run the task until it has a result or is stopped. With an export its context is reported,
-        and rules can ask for trees.
+        """Run the task until it has a result or is stopped. With an export, the context is
+        published, and rules can request trees.
         """
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
@@ -263,7 +264,7 @@ class _Run:
                 after_tick=self._after_tick,
             )
 
-    # --- what is shown ----------------------------------------------------------------------------
+    # --- display ----------------------------------------------------------------------------------
 
     def _tell(self, event: Event) -> None:
         if self._trace is not None:
@@ -276,7 +277,7 @@ class _Run:
             typer.echo(line(event))
 
     def _note(self, snapshot: Snapshot) -> None:
-        """Write what runs into the trace, by times from its start on."""
+        """Record the running skills in the trace, with times since its start."""
         if self._trace is not None:
             from ezskiros.context.snapshot import plain
 
@@ -289,7 +290,7 @@ class _Run:
         if self._live is not None:
             self._live.draw(self.task)
 
-    # --- what stops it ----------------------------------------------------------------------------
+    # --- stops ------------------------------------------------------------------------------------
 
     def _why_stop(self) -> str | None:
         if self._is_interrupted:
@@ -300,7 +301,9 @@ class _Run:
 
     @contextmanager
     def _interruptible(self) -> Iterator[None]:
-        """Within, the first Ctrl-C stops the task after its tick; the next one ends what hangs."""
+        """While the context is active, the first Ctrl-C stops the task after its tick; the second
+        one ends a blocked process.
+        """
 
         def note(_signal: int, _frame: FrameType | None) -> None:
             if self._is_interrupted:
@@ -313,10 +316,10 @@ class _Run:
         finally:
             signal.signal(signal.SIGINT, before)
 
-    # --- what is asked ----------------------------------------------------------------------------
+    # --- questions to the user --------------------------------------------------------------------
 
     def _choose(self, skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
-        """One of several solutions, by its number."""
+        """The solution that the user chooses by its number."""
         if self._live is not None:
             self._live.stop()
         spelled = self._execution.world.spelled
@@ -333,10 +336,10 @@ class _Run:
 
 
 def _tell(name: str, outcome: TaskOutcome) -> None:
-    """Tell how the task ended."""
+    """Report how the task ended."""
     took = f"{outcome.ticks} tick{'s' if outcome.ticks != 1 else ''}, {outcome.seconds:.1f} s"
     if outcome.is_success:
         typer.echo(f"{name} has succeeded ({took})")
     else:
-        reason = outcome.reason.text if outcome.reason else "it does not say why"
+        reason = outcome.reason.text if outcome.reason else "no reason reported"
         output.complain(f"{name} has failed ({took}): {reason}")

@@ -19,7 +19,7 @@ from ezskiros.cli.arguments import Folders, OptionalSkills, OutFile, name_ontolo
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
-if TYPE_CHECKING:  # every command waits for what is imported here
+if TYPE_CHECKING:  # imported late, because every command would wait for these imports
     from rich.console import Console
 
 
@@ -64,13 +64,13 @@ def show(
     else:
         typer.echo(drawn, nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):
-        output.complain("there are errors in these files: run `ezskiros check`, then look again")
+        output.complain("these files have errors: run `ezskiros check` to see them")
     raise typer.Exit(output.exit_code(report.diagnostics))
 
 
 @dataclass(frozen=True)
 class _Picture:
-    """The drawing in one format; text is laid out for a console."""
+    """The drawing in one format. Text is laid out for a console."""
 
     skill: str
     paths: list[Path]
@@ -80,7 +80,7 @@ class _Picture:
     form: PictureFormat
 
     def drawn(self, collector: Collector) -> str:
-        """The text of the drawing; empty if errors keep the trees from BehaviorTree.CPP."""
+        """The text of the drawing; empty if errors prevent the export to BehaviorTree.CPP."""
         from ezskiros.cli.outlines import outlines_text
         from ezskiros.drawing.btcpp import export
         from ezskiros.drawing.outline import outline

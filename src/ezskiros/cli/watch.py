@@ -1,4 +1,4 @@
-"""Repetition of an action whenever one of some files has changed."""
+"""Repetition of an action after each change of some files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ PERIOD_S = 0.5
 
 
 def watch(files: Callable[[], Iterable[Path]], do: Callable[[], None]) -> None:
-    """Do it now, and each time that a file comes, goes or changes; ends when it is interrupted."""
+    """Run the action now, and again after each creation, deletion or change of a file, until an
+    interrupt.
+    """
     seen: object = None
     while True:
         now = state(files())
@@ -21,12 +23,12 @@ def watch(files: Callable[[], Iterable[Path]], do: Callable[[], None]) -> None:
 
 
 def state(files: Iterable[Path]) -> dict[Path, tuple[int, int]]:
-    """The marks that tell a file from what it was: when it changed, and its size."""
+    """The modification time and size of each file, which show a change."""
     found = {}
     for file in files:
         try:
             known = file.stat()
         except OSError:
-            continue  # it is gone
+            continue  # the file was deleted
         found[file] = (known.st_mtime_ns, known.st_size)
     return found

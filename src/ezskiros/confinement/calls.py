@@ -35,10 +35,10 @@ _ALLOWED = """
 """
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 _THREAD = 0x10000
-"""`CLONE_THREAD`: what begins is a thread of this process."""
+"""`CLONE_THREAD`: the call starts a thread of this process."""
 _OF_TERMINALS = (0x5401, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
-"""`TCGETS`, `TIOCGWINSZ`, `FIONREAD`, `FIONBIO`, `FIONCLEX`, `FIOCLEX`: they change
-nothing outside of this process.
+"""`TCGETS`, `TIOCGWINSZ`, `FIONREAD`, `FIONBIO`, `FIONCLEX`, `FIOCLEX`: these change nothing
+outside this process.
 """
 _OF_FILES = (0, 1, 2, 3, 4, 5, 6, 7, 1030)
 """`F_DUPFD` up to `F_SETLKW`, and `F_DUPFD_CLOEXEC`: commands that send no signals to others."""
@@ -51,7 +51,7 @@ _EQUAL, _MASKED_EQUAL = 4, 7
 
 
 class _Comparison(ctypes.Structure):
-    """`struct scmp_arg_cmp`: what an argument of a call has to be."""
+    """`struct scmp_arg_cmp`: the required value of an argument of a call."""
 
     _fields_ = (
         ("argument", ctypes.c_uint),
@@ -70,9 +70,10 @@ def confine_calls() -> None:
     rules.allow("open", _Comparison(1, _MASKED_EQUAL, _WRITING, 0))
     rules.allow("openat", _Comparison(2, _MASKED_EQUAL, _WRITING, 0))
     rules.allow("clone", _Comparison(0, _MASKED_EQUAL, _THREAD, _THREAD))
-    # The flags of `clone3` are in memory, where no filter looks: without it, `clone` is called.
+    # The flags of `clone3` are in memory, where no filter can read them. Without `clone3`, programs
+    # call `clone`.
     rules.add(_MISSING, "clone3")
-    rules.allow("prlimit64", _Comparison(2, _EQUAL, 0, 0))  # tells limits, and sets none
+    rules.allow("prlimit64", _Comparison(2, _EQUAL, 0, 0))  # reads limits, and sets none
     rules.allow("sched_setaffinity", _Comparison(0, _EQUAL, 0, 0))
     rules.allow("kill", _Comparison(0, _EQUAL, process, 0))
     rules.allow("tgkill", _Comparison(0, _EQUAL, process, 0))
@@ -99,10 +100,10 @@ class _Filter:
         self.add(_ALLOW, name, *needed)
 
     def add(self, action: int, name: str, *needed: _Comparison) -> None:
-        """Set the answer to a call, if its arguments are as they need to be."""
+        """Set the answer to a call whose arguments have the required values."""
         number = self._library.seccomp_syscall_resolve_name(name.encode())
         if number < 0:
-            return  # not of this processor, or newer than the library: it stays refused
+            return  # not on this processor, or newer than the library: the call stays refused
         comparisons = (_Comparison * len(needed))(*needed)
         self._demand(
             self._library.seccomp_rule_add_array(
@@ -111,10 +112,10 @@ class _Filter:
         )
 
     def load(self) -> None:
-        """Have the kernel use it."""
+        """Load the filter into the kernel."""
         self._demand(self._library.seccomp_load(self._context))
         self._library.seccomp_release(self._context)
 
     def _demand(self, result: int) -> None:
         if result:
-            raise UnconfinedError(f"the kernel takes no filter: {os.strerror(-result).lower()}")
+            raise UnconfinedError(f"the kernel rejects the filter: {os.strerror(-result).lower()}")

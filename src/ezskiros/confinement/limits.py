@@ -19,12 +19,12 @@ _LIMITS = {
 
 
 def confine() -> None:
-    """Confine this process for as long as it lives. Raises `UnconfinedError` if the system can only
-    limit what it takes.
+    """Confine this process for its whole life. Raises `UnconfinedError` if the system can only
+    limit its resources.
     """
     limits = dict(_LIMITS)
     if sys.platform != "linux":
-        limits[resource.RLIMIT_NPROC] = 0  # on Linux this counts threads, too
+        limits[resource.RLIMIT_NPROC] = 0  # Linux counts threads, too
     for limit, most in limits.items():
         _, hard = resource.getrlimit(limit)
         allowed = most if hard == resource.RLIM_INFINITY else min(most, hard)

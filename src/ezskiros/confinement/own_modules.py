@@ -14,7 +14,7 @@ from ezskiros.session import OURS
 
 @dataclass(frozen=True)
 class _Names:
-    """The names in a module or class, and what they stood for."""
+    """The names in a module or class, and their values at the start."""
 
     owner: str
     now: Mapping[str, object]
@@ -22,7 +22,7 @@ class _Names:
     is_class: bool
 
     def changed(self) -> str | None:
-        """A name that stands for something else, or that hides what others mean by it."""
+        """A name with another value, or a new name that hides a builtin one."""
         now, before = self.now, self.before
         if len(now) == len(before) and all(map(operator.is_, now.values(), before.values())):
             return None
@@ -77,7 +77,7 @@ def _modules() -> Iterator[tuple[str, ModuleType]]:
 
 
 def _functions(part: object) -> Iterator[FunctionType]:
-    """The functions that an attribute of a class, or of a module, is made of."""
+    """The functions behind an attribute of a class or of a module."""
     if isinstance(part, FunctionType):
         yield part
     elif isinstance(part, (classmethod, staticmethod)):

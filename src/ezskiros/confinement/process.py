@@ -18,23 +18,22 @@ from typing import Any, NoReturn
 Send = Callable[[list[Any]], None]
 
 _LONGEST = 1 << 26
-"""Bytes of a message: more than this comes from no check."""
+"""The most bytes of a message. No check sends more."""
 _LOOK_S = 0.1
-"""The time after which a silent child is looked after, again and again."""
+"""The seconds between two checks of a silent child."""
 _END_S = 1.0
 _SET_DEATH_SIGNAL, _SET_SUBREAPER = 1, 36
 
 
 class BrokenOffError(Exception):
-    """The child cannot be asked any further; the text says why."""
+    """The child can no longer answer. The text gives the reason."""
 
 
 def messages(work: Callable[[Send], None], patience: float) -> Generator[list[Any], None, None]:
-    """Give the messages that `work` sends from a child process.
+    """Yield the messages that `work` sends from a child process.
 
-    Raises `BrokenOffError` when the child has ended, when it is silent for `patience` seconds, and
-    when it sends what is no message. Whoever has heard enough closes the iterator: then the child
-    and all processes that it has started are killed.
+    Raises `BrokenOffError` if the child has ended, is silent for `patience` seconds, or sends an
+    invalid message. Closing the iterator kills the child and all processes that it has started.
     """
     known = _descendants()
     with _adopting():
@@ -79,7 +78,7 @@ def _message(line: bytearray) -> list[Any]:
 
 
 class _Process:
-    """A child of this process; `os.waitid` would keep its status, but macOS has none."""
+    """A child of this process. `os.waitid` would keep its status, but macOS does not have it."""
 
     def __init__(self, number: int) -> None:
         self.number = number
@@ -92,7 +91,7 @@ class _Process:
         return self._status is not None
 
     def end(self) -> None:
-        """Kill it, and what has stayed in its group."""
+        """Kill the process and the remaining processes of its group."""
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.number, signal.SIGKILL)
         if not self.has_ended():
@@ -100,9 +99,7 @@ class _Process:
             self.has_ended(0)
 
     def cause(self) -> str:
-        """The reason why the process, whose files close shortly before its end, has nothing more to
-        read.
-        """
+        """The reason why the process sends no more data. Its files close shortly before it ends."""
         limit = time.monotonic() + _END_S
         while not self.has_ended():
             if time.monotonic() > limit:
@@ -120,7 +117,7 @@ class _Process:
 
 
 def _started(work: Callable[[Send], None]) -> tuple[_Process, int]:
-    """A child that works, and where its messages can be read."""
+    """A child that runs the work, and the file descriptor of its messages."""
     for stream in filter(None, (sys.stdout, sys.stderr)):
         stream.flush()
     reading, writing = os.pipe()
@@ -133,10 +130,12 @@ def _started(work: Callable[[Send], None]) -> tuple[_Process, int]:
 
 
 def _work(work: Callable[[Send], None], writing: int, parent: int) -> NoReturn:
-    """Work in a session without a terminal, with no file open but for messages."""
+    """Run the work in a session without a terminal. The only open file is the one for messages."""
     try:
         os.setsid()
-        writing = fcntl.fcntl(writing, fcntl.F_DUPFD, 3)  # who calls us may have closed the first
+        writing = fcntl.fcntl(
+            writing, fcntl.F_DUPFD, 3
+        )  # the caller may have closed the first files
         nowhere = os.open(os.devnull, os.O_RDWR)
         for number in range(3):
             os.dup2(nowhere, number)
@@ -145,11 +144,11 @@ def _work(work: Callable[[Send], None], writing: int, parent: int) -> NoReturn:
         if os.getppid() == parent:
             work(lambda message: _write(writing, message))
     finally:
-        os._exit(0)  # at once: nothing that users' code has left for the end is done
+        os._exit(0)  # immediately: no exit handler of users' code runs
 
 
 def _close_all_but(kept: int) -> None:
-    """Close all files but this one, and the first three."""
+    """Close all files except this one and the first three."""
     for number in map(int, os.listdir("/dev/fd")):  # noqa: PTH208
         if number > 2 and number != kept:
             with suppress(OSError):
@@ -167,7 +166,9 @@ def _write(file: int, message: list[Any]) -> None:
 
 @contextmanager
 def _adopting() -> Iterator[None]:
-    """Within, processes that lose their parent become children of this one."""
+    """While the context is active, processes that lose their parent become children of this
+    process.
+    """
     _system_call(_SET_SUBREAPER, 1)
     try:
         yield
@@ -176,15 +177,15 @@ def _adopting() -> Iterator[None]:
 
 
 def _system_call(option: int, value: int) -> None:
-    """`prctl`, where there is one."""
+    """Call `prctl`, if the system has it."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
 
 
 def _kill_orphans(known: frozenset[int]) -> None:
-    """Kill all children but those that are known; theirs become children of this process then."""
+    """Kill all unknown children. Their own children then become children of this process."""
     while left := _descendants() - known:
-        known |= left  # each once: what cannot be killed is another user's
+        known |= left  # each only once: a process that survives belongs to another user
         for process in left:
             with suppress(ProcessLookupError, PermissionError, ChildProcessError):
                 os.kill(process, signal.SIGKILL)
@@ -192,7 +193,7 @@ def _kill_orphans(known: frozenset[int]) -> None:
 
 
 def _descendants() -> frozenset[int]:
-    """The children of this process, as far as the system tells."""
+    """The children of this process, as far as the system reports them."""
     found: set[int] = set()
     for file in Path("/proc/self/task").glob("*/children"):
         with suppress(OSError):

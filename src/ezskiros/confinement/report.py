@@ -25,10 +25,12 @@ from ezskiros.confinement.process import BrokenOffError, Send, messages
 from ezskiros.confinement.unconfined import UnconfinedError
 
 PATIENCE_S = 60.0
-"""For one step: one module, or one way through one method, may take a third of that."""
+"""The time for one step, in seconds. One module, or one path through a method, may take a third of
+this time.
+"""
 
 Work = Callable[[Collector], Any]
-"""Puts what it finds into the collector, and gives what JSON can say."""
+"""Work that puts its findings into the collector, and returns JSON data."""
 
 
 class RefusedError(Exception):
@@ -36,14 +38,15 @@ class RefusedError(Exception):
 
 
 class DefectError(Exception):
-    """A defect of ours in the child; the text is its traceback."""
+    """A defect of EzSkiROS in the child. The text is the traceback."""
 
 
 @dataclass(frozen=True)
 class Report:
-    """The findings, and the result of the work: None if it was broken off, or `refused` to go on.
+    """The findings, and the result of the work; None if the work did not complete. `refused` has
+    the reason if the work refused its task.
 
-    `unconfined` says why the system does not confine the work, if it should.
+    `unconfined` says why the system cannot confine the work, if it should be confined.
     """
 
     diagnostics: Sequence[Diagnostic]
@@ -53,10 +56,10 @@ class Report:
 
 
 def confined(work: Work, patience: float = PATIENCE_S, *, may_act: bool = False) -> Report:
-    """Have `work` done in a child process, which cannot do anything to the world unless it may.
+    """Run `work` in a child process, which can have no effect on the world unless it may act.
 
-    Whatever users' code does to the child, the report has the findings until then, and an error if
-    something is missing. A child that does not go on for `patience` seconds is ended.
+    If users' code breaks the child, the report still has the earlier findings, and an error if
+    something is missing. A child without progress for `patience` seconds is killed.
     """
     mark = os.urandom(16).hex()
     listener = _Listener(mark)
@@ -72,7 +75,7 @@ def confined(work: Work, patience: float = PATIENCE_S, *, may_act: bool = False)
 
 
 class _Listener:
-    """Keeps what the child says: nothing can take it back."""
+    """Keeps the messages of the child, so that the child cannot change them later."""
 
     def __init__(self, mark: str) -> None:
         self._mark = mark
@@ -85,7 +88,7 @@ class _Listener:
         self._value: Any = None
 
     def hears_the_end(self, message: list[Any]) -> bool:
-        """Take in a message; true if the report is whole."""
+        """Process a message. Returns True if the report is complete."""
         try:
             return self._hear(*message)
         except (ValueError, TypeError):
@@ -123,7 +126,7 @@ class _Listener:
         self._collector.add(found)
 
     def place(self) -> Span:
-        """The beginning of the file that the child has come to."""
+        """The beginning of the file that the child was processing."""
         return session.NOWHERE if self._at is None else Span(_file(self._at), 0, 0)
 
     def report(self) -> Report:
@@ -131,7 +134,7 @@ class _Listener:
 
 
 def _file(path: str) -> SourceFile:
-    """A file of the user; no more than its name if it cannot be read."""
+    """A file of the user; an empty text with the name if the file cannot be read."""
     try:
         text = Path(path).read_bytes().decode("utf-8", "replace")
     except (OSError, ValueError):
@@ -141,14 +144,14 @@ def _file(path: str) -> SourceFile:
 
 @dataclass(frozen=True)
 class _Child:
-    """The other side, in the child process."""
+    """The other end, in the child process."""
 
     work: Work
     mark: str
     may_act: bool
 
     def do(self, send: Send) -> None:
-        """Work, and say how that ended."""
+        """Run the work, and report how it ended."""
         try:
             if not self.may_act:
                 sys.dont_write_bytecode = True
@@ -166,16 +169,16 @@ class _Child:
             end = ["raised", f"the code needed more than {MEMORY >> 30} GiB of memory"]
         except (
             Exception
-        ):  # users' code is called where its errors are findings, so this one is ours
+        ):  # exceptions of users' code are findings elsewhere, so this one is a defect of EzSkiROS
             end = ["defect", traceback.format_exc()]
-        except BaseException as problem:  # nothing that users' code raises ends a report early
+        except BaseException as problem:  # no exception of users' code ends a report early
             end = ["raised", f"`{type(problem).__name__}` was raised"]
         changed = seal.broken()
         send(end if changed is None else ["changed", changed[0], *_place(changed[1])])
 
 
 def _place(part: object) -> tuple[str, int]:
-    """File and line of a function; of other things Python does not tell who made them."""
+    """The file and the line of a function. Python does not record them for other objects."""
     code = getattr(part, "__code__", None)
     if not isinstance(code, CodeType):
         return session.NOWHERE.file.path, 1
@@ -183,7 +186,7 @@ def _place(part: object) -> tuple[str, int]:
 
 
 class _Sent(Collector):
-    """Sends each finding when it is found."""
+    """Sends each finding immediately."""
 
     def __init__(self, send: Send) -> None:
         super().__init__()
@@ -191,7 +194,7 @@ class _Sent(Collector):
         self.count = 0
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """Keep a finding, and send it if it is a new one."""
+        """Keep a finding, and send it if it is new."""
         if diagnostic not in self._found:
             super().add(diagnostic)
             self.count += 1

@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class UnconfinedError(Exception):
-    """The system offers no confinement; the text says why."""
+    """The system offers no confinement. The text gives the reason."""

@@ -1,1 +1,1 @@
-"""The context: the running skills and their things, for rules that monitor the robot."""
+"""The context: the running skills and their individuals, for rules that monitor the robot."""

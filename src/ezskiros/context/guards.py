@@ -22,9 +22,7 @@ from ezskiros.export.read import Export, NotJsonError, place_of_key, read_json, 
 FORMAT = "crosscheck/guards"
 VERSION = 1
 PATIENCE = 3.0
-"""Seconds after which a node that says nothing is not trusted: it says once a second that it is
-there.
-"""
+"""The seconds after which a silent node is not trusted. The node reports once a second."""
 _SHAPES = {
     "digest": re.compile(r"[0-9a-f]{64}"),
     "node": re.compile(r"[A-Za-z]\w*", re.ASCII),
@@ -32,14 +30,14 @@ _SHAPES = {
     "type": re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII),
 }
 _MOST_RULES = 10_000
-"""Rules in a message that are read."""
+"""The most rules that are read from a message."""
 _LONGEST_NAME = 120
 
 
 @dataclass(frozen=True)
 class Guards:
-    """The rules that each skill waits for, by its name; all `rules` that the node of the rules has;
-    and the topic on which it tells which of them are active.
+    """The rules that each skill waits for, by skill name; all `rules` of the node; and the topic on
+    which the node reports the active rules.
     """
 
     file: SourceFile
@@ -52,7 +50,9 @@ class Guards:
 
 
 def read_guards(path: Path) -> Guards | Diagnostic:
-    """The guards in a file, or why it has none. Raises `OSError` if it cannot be read."""
+    """The guards in a file, or the finding that explains why there are none. Raises `OSError` if
+    the file cannot be read.
+    """
     try:
         file, found = read_json(path)
     except NotJsonError as problem:
@@ -70,17 +70,17 @@ def read_guards(path: Path) -> Guards | Diagnostic:
 
 
 def _fault(found: Any) -> tuple[str, str] | None:
-    """The key that is wrong, and why; None if all is right."""
+    """The wrong key and the reason; None if the content is valid."""
     wrong = wrong_format(found, FORMAT, VERSION)
     if wrong is not None:
         return wrong
     for key, shape in _SHAPES.items():
         value = found.get(key)
         if not isinstance(value, str) or shape.fullmatch(value) is None:
-            return key, f"its `{key}` is not one that `crosscheck weave` writes"
+            return key, f"its `{key}` is not a value that `crosscheck weave` writes"
     rules, guards = found.get("rules"), found.get("guards")
     if not _is_names(rules):
-        return "rules", "its `rules` are not names"
+        return "rules", "its `rules` are not a list of names"
     assert isinstance(rules, list)
     if not isinstance(guards, dict):
         return "guards", "its `guards` is not an object"
@@ -91,7 +91,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
         unknown = next((each for each in names if each not in known), None)
         if unknown is not None:
             name = visible(unknown[:_LONGEST_NAME])
-            return skill, f"`{visible(skill)}` waits for `{name}`, which is none of the `rules`"
+            return skill, f"`{visible(skill)}` waits for `{name}`, which is not in `rules`"
     return None
 
 
@@ -100,7 +100,7 @@ def _is_names(found: Any) -> bool:
 
 
 def of_other_skills(guards: Guards, export: Export) -> Diagnostic | None:
-    """The finding that guards are not those of the skills that are run, if that is so."""
+    """The finding that guards belong to other skills than the running ones; None if they fit."""
     if guards.digest == export.digest:
         return None
     found = OtherGuards(path=guards.file.path, export=export.file.path, digest=export.digest)
@@ -112,8 +112,8 @@ def of_other_skills(guards: Guards, export: Export) -> Diagnostic | None:
 
 @dataclass(frozen=True)
 class _State:
-    """The last news of the node: the rules that are active and that nobody exempts, `is_open` if
-    commands pass at all, and the time at which that was heard.
+    """The last reported state of the node: the active rules without an operator's exemption,
+    `is_open` if the node passes commands, and the time of the report.
     """
 
     heard: float
@@ -122,8 +122,8 @@ class _State:
 
 
 class ActiveRules:
-    """The rules that are active, as far as the messages of their node tell. Messages may come from
-    any thread. Times are those of `clock`, in seconds.
+    """The active rules, according to the messages of their node. Messages may arrive in any thread.
+    Times are those of `clock`, in seconds.
     """
 
     def __init__(self, guards: Guards, clock: Callable[[], float] = time.monotonic) -> None:
@@ -140,7 +140,7 @@ class ActiveRules:
         self._state = _State(self.clock(), bool(message.open), active)
 
     def hear_sign(self) -> None:
-        """A sign that the node is there."""
+        """Record a heartbeat of the node."""
         self._sign = self.clock()
 
     def lose(self, at: float) -> None:
@@ -148,19 +148,19 @@ class ActiveRules:
         self._stale = at
 
     def reason_to_wait(self, skill: str) -> str | None:
-        """The reason for which a skill waits; None if it may start."""
+        """The reason why a skill waits; None if it may start."""
         rules = self._guards.guards.get(skill)
         if not rules:
             return None
         state = self._state
         if state is None or not self._is_valid(state):
-            return "nobody knows which rules are active"
+            return "the active rules are unknown"
         unknown = sorted(state.active - self._guards.rules)
         if unknown:
             name = visible(unknown[0][:_LONGEST_NAME])
             return f"`{self._guards.node}` has other rules than the guards, such as `{name}`"
         if not state.is_open:
-            return f"`{self._guards.node}` lets no command pass yet"
+            return f"`{self._guards.node}` does not pass commands yet"
         active = [f"`{each}`" for each in rules if each in state.active]
         if not active:
             return None

@@ -13,20 +13,20 @@ from ezskiros.context.ros import NoRosError, ros2_node, ros2_spun, ros_library
 
 _NODE = "ezskiros_guards"
 _LOOK = 0.05
-"""Seconds after which somebody looks again whether the node of the rules is there."""
+"""The seconds between two checks for the node of the rules."""
 _DIAGNOSTICS = "/diagnostics"
 
 Stop = Callable[[], object]
-"""Ends the listening."""
+"""Ends the subscription."""
 
 
 def listen(guards: Guards, rules: ActiveRules) -> Stop:
-    """Listen to the node of the rules from now on. Raises `NoRosError`."""
+    """Subscribe to the node of the rules. Raises `NoRosError`."""
     name, library = ros_library()
     package, _, kind = guards.type.partition("/")
     state = getattr(_messages(package), kind, None)
     if state is None:
-        raise NoRosError(f"the messages `{package}` have no `{kind}`")
+        raise NoRosError(f"the package `{package}` has no message type `{kind}`")
     diagnostics = _messages("diagnostic_msgs").DiagnosticArray
     heard = _in_ros1 if name == "rospy" else _in_ros2
     return heard(library, guards, rules, state, diagnostics)
@@ -36,11 +36,11 @@ def _messages(package: str) -> Any:
     try:
         return importlib.import_module(f"{package}.msg")
     except ImportError:
-        raise NoRosError(f"the messages `{package}` are not installed") from None
+        raise NoRosError(f"the package `{package}` is not installed") from None
 
 
 def signs(rules: ActiveRules, node: str) -> Callable[[Any], None]:
-    """Hears diagnostics: those of a node, by its full name, are a sign of it."""
+    """A subscriber to diagnostics. A status from the node with this full name is a heartbeat."""
     name = node.removeprefix("/")
 
     def hear(message: Any) -> None:
@@ -79,8 +79,8 @@ def _in_ros1(
 
 
 def is_connected(subscriber: Any) -> bool:
-    """Say whether somebody publishes to a subscriber of ROS 1. It keeps a connection that was
-    reset, without a socket, and tries again: `get_num_connections` counts that one as well.
+    """Say whether a ROS 1 subscriber has a publisher. ROS 1 keeps a connection without a socket
+    after a reset and tries to reconnect; `get_num_connections` counts such a connection as well.
     """
     connections = subscriber.impl.connections if subscriber.impl else ()
     return any(getattr(each, "socket", each) is not None for each in connections)

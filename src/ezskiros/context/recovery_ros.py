@@ -22,7 +22,7 @@ Stop = Callable[[], object]
 
 
 def serve(goals: RecoveryGoals) -> Stop:
-    """Take goals from now on. Raises `NoRosError`."""
+    """Accept goals from now on. Raises `NoRosError`."""
     name, library = ros_library()
     served = _in_ros1 if name == "rospy" else _in_ros2
     return served(library, goals)
@@ -33,13 +33,13 @@ def _imported(name: str) -> Any:
         return importlib.import_module(name)
     except ImportError:
         raise NoRosError(
-            f"`{name.partition('.')[0]}` is not installed, or is an older one"
+            f"`{name.partition('.')[0]}` is not installed, or its version is too old"
         ) from None
 
 
 def _require_without(kind: Any) -> None:
     if not hasattr(kind(), "without"):
-        raise NoRosError("`skill_context_msgs` is an older one, without the field `without`")
+        raise NoRosError("the installed `skill_context_msgs` is too old: it has no field `without`")
 
 
 # --- ROS 1 ---------------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ def _require_without(kind: Any) -> None:
 def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
     actionlib, messages = _imported("actionlib"), _imported("skill_context_msgs.msg")
     if not hasattr(messages, "RecoverAction"):
-        raise NoRosError("`skill_context_msgs` is an older one, without Recover.action")
+        raise NoRosError("the installed `skill_context_msgs` is too old: it has no Recover.action")
     _require_without(messages.RecoverGoal)
     if not importlib.import_module("rosgraph").is_master_online():
         raise NoRosError("no ROS master answers")
@@ -69,7 +69,7 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
                 handle.set_canceled(result, why)
             else:
                 handle.set_aborted(result, why)
-            # `begin` has returned: the server lets both in one after the other.
+            # `begin` has returned: the server handles the two calls one after the other.
             asked.pop(name, None)
 
         recovery = _begin(goals, goal, done)
@@ -83,7 +83,7 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
 
     server = actionlib.ActionServer(NAME, messages.RecoverAction, begin, cancel, auto_start=False)
     server.start()
-    return lambda: None  # it ends with the node
+    return lambda: None  # ends with the node
 
 
 _PREEMPTING = 6
@@ -91,7 +91,7 @@ _PREEMPTING = 6
 
 
 def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -> Recovery | None:
-    """The tree that a goal asks for; None if that is refused."""
+    """Start the tree of a goal; None if the goal is rejected."""
     given = list(goal.arguments), goal.afterwards, list(goal.without)
     try:
         return goals.begin(goal.digest, goal.skill, *given, done)
@@ -122,7 +122,7 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
         while not ended.wait(_SOON_S) and not stopped.is_set():
             if recovery is not None and handle.is_cancel_requested:
                 recovery.release()
-        is_success, why = end[0] if end else (False, "no task runs any more")
+        is_success, why = end[0] if end else (False, "no task is running")
         if is_success:
             handle.succeed()
         elif handle.is_cancel_requested:
@@ -139,7 +139,7 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
     threading.Thread(target=executor.spin, daemon=True).start()
 
     def stop() -> None:
-        stopped.set()  # what is asked for after the last tick would be waited for without end
+        stopped.set()  # a request after the last tick would never be answered
         executor.shutdown()
         server.destroy()
         node.destroy_node()
@@ -149,4 +149,4 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
 
 _SOON_S = 0.005
 _THREADS = 4
-"""A goal has one until it ends; another one takes its place, and has one as well."""
+"""A goal has a thread until it ends. Another goal that replaces it has a thread as well."""

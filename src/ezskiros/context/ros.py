@@ -19,19 +19,19 @@ from ezskiros.export.write import TOPIC
 
 _NODE = "ezskiros_context"
 _NAME = TOPIC.removeprefix("/")
-"""In the namespace of the node: each robot has its own."""
+"""The topic name in the namespace of the node, because each robot has its own topic."""
 
 
 class NoRosError(Exception):
-    """The context cannot be published; the text says why."""
+    """The context cannot be published. The text gives the reason."""
 
 
 def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
-    """The way to publish snapshots, whose times are those of `clock`. Raises `NoRosError`."""
+    """The function that publishes snapshots, with times of `clock`. Raises `NoRosError`."""
     try:
         messages = importlib.import_module("skill_context_msgs.msg")
     except ImportError:
-        raise NoRosError("the messages `skill_context_msgs` are not installed") from None
+        raise NoRosError("the package `skill_context_msgs` is not installed") from None
     name, library = ros_library()
     connected = _ros1 if name == "rospy" else _ros2
     publish, now = connected(library, messages)
@@ -39,7 +39,7 @@ def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
 
 
 def ros_library() -> tuple[str, ModuleType]:
-    """The library of the ROS that this process speaks, `rospy` or `rclpy`, by its name. Raises
+    """The name and the module of the ROS library of this process, `rospy` or `rclpy`. Raises
     `NoRosError` if there is none.
     """
     for name in ros_libraries():
@@ -49,7 +49,7 @@ def ros_library() -> tuple[str, ModuleType]:
 
 
 def ros_libraries() -> tuple[str, str]:
-    """The names of both, that of the ROS that is sourced first."""
+    """The names of both libraries. The library of the sourced ROS comes first."""
     is_ros2 = os.environ.get("ROS_VERSION") == "2"
     return ("rclpy", "rospy") if is_ros2 else ("rospy", "rclpy")
 
@@ -71,7 +71,7 @@ def _ros2(rclpy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Ca
 
 
 def ros2_node(rclpy: ModuleType, name: str) -> Any:
-    """A node of ROS 2, in the namespace that `ROS_NAMESPACE` has, as in ROS 1."""
+    """A ROS 2 node, in the namespace `ROS_NAMESPACE`, as in ROS 1."""
     _begin_ros2(rclpy)
     return rclpy.create_node(name, namespace=os.environ.get("ROS_NAMESPACE", ""))
 
@@ -79,8 +79,8 @@ def ros2_node(rclpy: ModuleType, name: str) -> Any:
 def ros2_spun(
     node: Any, seconds: float, look: Callable[[], object] = lambda: None
 ) -> Callable[[], object]:
-    """Spin a node of ROS 2 in a thread, which looks at something at least once in some seconds;
-    gives what ends both.
+    """Spin a ROS 2 node in a thread, which calls `look` at least once in some seconds. Returns the
+    function that ends both.
     """
     executor = importlib.import_module("rclpy.executors").SingleThreadedExecutor()
     executor.add_node(node)
@@ -95,7 +95,7 @@ def ros2_spun(
     thread.start()
 
     def end() -> None:
-        """Nothing may be torn down under a thread that still waits: rclpy aborts the process."""
+        """Wait for the thread before the node is destroyed: otherwise rclpy aborts the process."""
         has_ended.set()
         thread.join()
         executor.shutdown()
@@ -105,8 +105,9 @@ def ros2_spun(
 
 
 def _begin_ros2(rclpy: ModuleType) -> None:
-    """Begin ROS 2 in this process, unless it has begun. Signals stay what they are: ROS 2 would end
-    itself at Ctrl-C, before the task has stopped, and would let nobody end the process by SIGTERM.
+    """Initialize ROS 2 in this process, unless this has been done. Signal handlers stay unchanged.
+    The handlers of ROS 2 would end ROS at Ctrl-C before the task has stopped, and would ignore
+    SIGTERM.
     """
     if not rclpy.ok():
         nothing = importlib.import_module("rclpy.signals").SignalHandlerOptions.NO
@@ -114,7 +115,7 @@ def _begin_ros2(rclpy: ModuleType) -> None:
 
 
 class Messages:
-    """Snapshots as messages: `now` gives the time of ROS as the messages have it."""
+    """Snapshots as messages. `now` returns the ROS time in the format of the messages."""
 
     def __init__(
         self,
@@ -171,7 +172,7 @@ class Messages:
 
 
 def earlier(now: Any, seconds: float) -> Any:
-    """A time of ROS that was some seconds before another one; never before 0."""
+    """The ROS time some seconds before another one, at least 0."""
     is_ros1 = hasattr(now, "nsecs")
     whole, rest = (now.secs, now.nsecs) if is_ros1 else (now.sec, now.nanosec)
     nanoseconds = max(0, whole * 10**9 + rest - round(max(0.0, seconds) * 1e9))

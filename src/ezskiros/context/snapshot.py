@@ -21,12 +21,12 @@ from ezskiros.skills.permits import Permission, PermittedThing
 from ezskiros.skills.quantities import UNITS
 
 MOST_AHEAD = 64
-"""A message with more skills than these is not read: the sender says that it does not know them."""
+"""The most skills in a message. If there are more, the sender reports them as unknown."""
 
 
 @dataclass(frozen=True)
 class SkillProperty:
-    """A number that a thing has: of a data property with a unit, in SI."""
+    """A number of an individual: the value of a data property with a unit, in SI."""
 
     property: str
     number: float
@@ -34,8 +34,8 @@ class SkillProperty:
 
 @dataclass(frozen=True)
 class SkillArgument:
-    """The value of a parameter. A thing has a `type`; a thing of several unrelated classes has an
-    argument for each.
+    """The value of a parameter. An individual has a `type`; an individual of several unrelated
+    classes has an argument for each.
     """
 
     parameter: str
@@ -47,8 +47,8 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class SkillPermission:
-    """A permission for one class of things, the `type`, which is empty of a speed. The `limit` is
-    in SI, and not a number without one.
+    """A permission for one class of individuals, the `type`, which is empty for a speed. The
+    `limit` is in SI, and NaN if there is no limit.
     """
 
     kind: str
@@ -69,7 +69,7 @@ class RunningSkill:
 
 @dataclass(frozen=True)
 class SkillAhead:
-    """A skill that can start next, with the arguments that are known already."""
+    """A skill that can start next, with the arguments that are already known."""
 
     skill: str
     arguments: tuple[SkillArgument, ...]
@@ -87,8 +87,8 @@ class Snapshot:
 
 
 def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
-    """A snapshot as JSON has it, by the names of the message; what is not a number is null. Times
-    are seconds since `start`.
+    """A snapshot as JSON data, with the field names of the message. NaN becomes null. Times are
+    seconds since `start`.
     """
     return {
         "digest": snapshot.digest,
@@ -130,7 +130,7 @@ def _finite(number: float) -> float | None:
 
 
 class Snapshots:
-    """Makes snapshots. What the ontology says is found out once for each class."""
+    """Makes snapshots. The properties of each class are read from the ontology once."""
 
     def __init__(self, digest: str) -> None:
         self._digest = digest
@@ -178,7 +178,7 @@ class Snapshots:
             yield SkillArgument(name, _text(value), each, properties=properties)
 
     def properties(self, world: World, thing: str) -> Iterator[SkillProperty]:
-        """The numbers that a thing has, by its IRI. One that it has several of is not a number."""
+        """The numbers of an individual, by its IRI. A property with several values is NaN."""
         classes = _classes(world, thing)
         key = id(world.ontology), tuple(classes)
         known = self._numbers.get(key)
@@ -192,7 +192,9 @@ class Snapshots:
 
 
 def _classes(world: World, thing: str) -> list[str]:
-    """The classes of a thing, those of which another is a subclass left out; none if it is gone."""
+    """The classes of an individual, without superclasses of its other classes; none if the
+    individual no longer exists.
+    """
     if not world.exists(thing):
         return []
     known, model = world.classes(thing), world.ontology.model
@@ -200,14 +202,16 @@ def _classes(world: World, thing: str) -> list[str]:
 
 
 def _is_above_another(iri: str, known: Iterable[str], model: Model) -> bool:
-    """Say whether a class is above another one; of two that mean the same, the first is not."""
+    """Say whether a class is a superclass of another one. Of two equivalent classes, the first one
+    is not.
+    """
     below = (each for each in known if each != iri and model.is_a(each, iri))
     return any(not model.is_a(iri, each) or each < iri for each in below)
 
 
 def _numbers_of(ontology: Ontology, classes: Sequence[str]) -> Iterator[tuple[str, str, float]]:
-    """The data properties that are numbers and that things of some classes can have: the IRI, the
-    name, and what one of its unit is in SI.
+    """The numeric data properties that individuals of some classes can have: the IRI, the name, and
+    the SI value of one unit.
     """
     model = ontology.model
     above = frozenset().union(*map(model.above, classes)) if classes else frozenset()
@@ -219,7 +223,7 @@ def _numbers_of(ontology: Ontology, classes: Sequence[str]) -> Iterator[tuple[st
 
 
 def _permitted(found: Permission, values: Mapping[str, Any]) -> Iterator[SkillPermission]:
-    """A permission for each thing; none for a parameter that stands for nothing."""
+    """A permission for each individual; none for a parameter without a value."""
     limit = found.limit.si if found.limit else math.nan
     if not found.things:
         yield SkillPermission(found.kind.value, "", limit)
@@ -230,8 +234,8 @@ def _permitted(found: Permission, values: Mapping[str, Any]) -> Iterator[SkillPe
 
 
 def _permitted_class(found: PermittedThing, values: Mapping[str, Any]) -> str | None:
-    """The class of a thing that is permitted something. Of several classes it is one alone: the
-    permission is for things that are of all of them.
+    """The class for which an individual has a permission. If the individual has several classes,
+    one is enough: the permission is for individuals of all of them.
     """
     if found.parameter is None:
         return name_of(found.owl_class)
@@ -244,12 +248,12 @@ def _permitted_class(found: PermittedThing, values: Mapping[str, Any]) -> str | 
 
 
 def _declared(parameter: Parameter) -> str:
-    """The class of a parameter, for a thing that is gone from the world."""
+    """The class of a parameter, for an individual that no longer exists."""
     return name_of(parameter.type) if parameter.iri is not None else ""  # type: ignore[arg-type]
 
 
 def _text(value: object) -> str:
-    """A value as text that is valid in any encoding of Unicode; empty if there is none."""
+    """A value as valid Unicode text; empty if there is no value."""
     if value is None:
         return ""
     if isinstance(value, enum.Enum):
@@ -259,7 +263,7 @@ def _text(value: object) -> str:
 
 
 def _number(value: Value | object) -> float:
-    """A number, or a boolean as 0 or 1; else not a number."""
+    """A number, or a boolean as 0 or 1; NaN for any other value."""
     if not isinstance(value, (bool, int, float)) or isinstance(value, enum.Enum):
         return math.nan
     try:

@@ -1,8 +1,8 @@
 """The thread that publishes snapshots while the ticking thread is alive.
 
 A monitor treats silence as a stale context, and then the stricter of two rules holds. So this
-thread must not continue alone: without a sign of life from the ticking thread it stops publishing.
-It does not publish while the process is stopped, and afterwards only when the ticking thread
+thread must not continue alone: without a heartbeat of the ticking thread it stops publishing. It
+does not publish while the process is stopped, and afterwards only when the ticking thread
 continues.
 """
 
@@ -17,14 +17,16 @@ from ezskiros.context.snapshot import Snapshot
 from ezskiros.export.write import PERIOD
 
 PATIENCE = 5
-"""Periods without a sign of life after which it is silent."""
+"""The number of periods without a heartbeat after which the thread stops publishing."""
 
 Publish = Callable[[Snapshot], object]
-"""Sends a snapshot. It must not wait for anybody."""
+"""Sends a snapshot. The function must not block."""
 
 
 class Voice:
-    """Publishes the last snapshot once a period, and each new one at once. Used in `with`."""
+    """Publishes the last snapshot once per period, and each new snapshot immediately. Use it in a
+    `with` statement.
+    """
 
     def __init__(
         self,
@@ -35,28 +37,28 @@ class Voice:
     ) -> None:
         self._publish, self._period, self._clock = publish, period, clock
         self._last: tuple[Snapshot, float] | None = None
-        """The last snapshot with the time of the last sign of life: replaced as one."""
+        """The last snapshot with the time of the last heartbeat. Both are replaced at once."""
         self._is_new, self._has_ended = threading.Event(), threading.Event()
         self._thread = threading.Thread(target=self._run, name="skill context", daemon=True)
         self.problem: BaseException | None = None
-        """The reason for which it publishes no more; None if all is well."""
+        """The reason why nothing is published any more; None without a problem."""
 
-    # --- for the thread that ticks ----------------------------------------------------------------
+    # --- for the ticking thread -------------------------------------------------------------------
 
     def tell(self, snapshot: Snapshot, alive: float | None = None) -> None:
-        """Give it a snapshot, which is a sign of life of now, or of the time `alive`."""
+        """Set the snapshot. This is a heartbeat at the current time, or at the time `alive`."""
         is_new = self._last is None or self._last[0] != snapshot
         self._last = snapshot, self._clock() if alive is None else alive
         if is_new:
             self._is_new.set()
 
     def live(self, alive: float | None = None) -> None:
-        """Give a sign of life: the last reported skills still run."""
+        """Record a heartbeat: the last reported skills still run."""
         if self._last is not None:
             self._last = self._last[0], self._clock() if alive is None else alive
 
     def wait(self, seconds: float, sleep: Callable[[float], object] = time.sleep) -> None:
-        """Sleep between two ticks, and go on living."""
+        """Sleep between two ticks, with heartbeats."""
         end = self._clock() + seconds
         while (left := end - self._clock()) > 0:
             sleep(min(left, self._period))
@@ -71,11 +73,14 @@ class Voice:
                 self._is_new.clear()
                 self.speak()
         except Exception as problem:
-            # Silence is what the context has for a fault; who runs the skills can tell of it.
+            # Silence reports the fault of the context; the program that runs the skills can log the
+            # problem.
             self.problem = problem
 
     def speak(self) -> bool:
-        """Publish, if there is anything to tell and the thread that ticks is alive; say so."""
+        """Publish if there is a snapshot and the ticking thread is alive. Returns whether it
+        published.
+        """
         last = self._last
         if last is None or self._has_ended.is_set():
             return False
@@ -85,10 +90,10 @@ class Voice:
         self._publish(snapshot)
         return True
 
-    # --- its life ---------------------------------------------------------------------------------
+    # --- start and end ----------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Begin to publish."""
+        """Start to publish."""
         self._thread.start()
 
     def __enter__(self) -> Voice:
@@ -104,7 +109,7 @@ class Voice:
         self.end()
 
     def end(self) -> None:
-        """Fall silent for good. Who publishes at this moment is not waited for for long."""
+        """Stop publishing for good. A publication in progress is only awaited for a short time."""
         self._has_ended.set()
         self._is_new.set()
         if self._thread.is_alive():

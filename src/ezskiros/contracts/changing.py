@@ -11,7 +11,7 @@ from ezskiros.ontology.statements import Specified, Statement
 
 
 def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
-    """The knowledge when changes have been made, together."""
+    """The knowledge after some changes have been made together."""
     said: dict[Statement, Origin] = {
         each.made: each.origin
         for each in changes
@@ -26,7 +26,7 @@ def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
 
 
 def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
-    """The knowledge when some of the changes may have been made, in any order, or none."""
+    """The knowledge after any subset of some changes may have been made, in any order."""
     if not changes:
         return known
     after = _forgetting(known, changes, judge, ())
@@ -36,7 +36,7 @@ def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
 def _forgetting(
     known: Known, changes: Sequence[Change], judge: Judge, kept: Collection[Statement]
 ) -> Known:
-    """Without the facts that may end by changes, alone or together with others that hold."""
+    """The knowledge without the facts that changes may end, alone or together with known facts."""
     for change in changes:
         if isinstance(change.made, Renewed):
             known = known.unbinding(change.made.subject)
@@ -45,7 +45,9 @@ def _forgetting(
 
 
 def join(ways: Sequence[Known], judge: Judge) -> Known:
-    """The knowledge where several ways meet: all that is known on each that is not dead."""
+    """The knowledge where several paths meet: the facts that hold on every path that is not
+    dead.
+    """
     alive = [each for each in ways if not each.is_dead] or list(ways)
     first, *others = alive
     if not others:
@@ -74,7 +76,7 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
 
 
 def _common(ways: Sequence[Known]) -> tuple[str, ...]:
-    """The part that the descriptions of ways begin with alike."""
+    """The common beginning of the descriptions of some paths."""
     found = []
     for steps in zip(*(each.trail for each in ways), strict=False):
         if len(set(steps)) > 1:

@@ -1,4 +1,4 @@
-"""A child of a tree: its conditions and changes, in the names of the tree."""
+"""A child of a tree: its conditions and changes, with the names of the tree."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SkillOf = Callable[[SkillCall], SkillInterface]
 
 @dataclass(frozen=True)
 class Child:
-    """A child where some names stand for the things of others."""
+    """A child, at a point where some names stand for the individuals of other names."""
 
     call: SkillCall
     skill: SkillInterface
@@ -33,7 +33,7 @@ class Child:
         return self.skill.name
 
     def asked(self, known: Known) -> list[Asked]:
-        """The conditions that have to hold when it starts, of things that there are."""
+        """The conditions that must hold at the start, about names that have a value."""
         optional = (self.names[each.name] for each in self._of_kind(Kind.OPTIONAL))
         absent = {name for name in optional if known.is_free(name)}
         return [each for each in self._conditions if absent.isdisjoint(names_of(each.statement))]
@@ -46,12 +46,12 @@ class Child:
         ]
 
     def inferred(self, known: Known) -> list[str]:
-        """Names for which something is looked for in the world when it starts."""
+        """The names for which the child infers an individual at its start."""
         names = (self.names[each.name] for each in self._of_kind(Kind.INFERRED))
         return [name for name in dict.fromkeys(names) if known.is_free(name)]
 
     def bound(self) -> Iterable[str]:
-        """Names that stand for something once it has started."""
+        """The names that have a value after the start of the child."""
         return (
             self.names[each.name]
             for kind in (Kind.REQUIRED, Kind.INFERRED)
@@ -59,11 +59,11 @@ class Child:
         )
 
     def outputs(self) -> Iterator[str]:
-        """Names that stand for something else when it has succeeded."""
+        """The names that have a new value after the child has succeeded."""
         return (self.names[each.name] for each in self._things() if each.is_output)
 
     def changes(self, how: How) -> list[Change]:
-        """The changes that it makes when it succeeds, in order."""
+        """The changes by a success of the child, in order."""
         return [Change(made, origin, how) for made, origin in self._made]
 
     @cached_property
@@ -91,8 +91,8 @@ class Child:
 
 
 class Children:
-    """Those of one tree. Each is kept for the names that stand for the things of others: it is
-    asked for in every tick.
+    """The children of one tree. Each child is kept for the names that stand for the individuals of
+    other names, because each tick needs it.
     """
 
     def __init__(self, skill_of: SkillOf) -> None:
@@ -100,7 +100,7 @@ class Children:
         self._known: dict[tuple[SkillCall, frozenset[tuple[str, str]]], Child] = {}
 
     def of(self, call: SkillCall, known: Known) -> Child:
-        """A child as it is called at a point of the tree."""
+        """The child of a call at a point of the tree."""
         key = call, frozenset(known.same.items())
         if key not in self._known:
             skill = self._skill_of(call)
@@ -113,7 +113,7 @@ class Children:
 def names_of_tree(
     compound: SkillInterface, calls: Iterable[SkillCall], skill_of: SkillOf
 ) -> dict[str, Name]:
-    """All names of things in a tree."""
+    """All names of individuals in a tree."""
     found = {
         each.name: Name(frozenset({each.iri}), is_own=True)
         for each in compound.parameters

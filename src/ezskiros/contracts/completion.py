@@ -1,4 +1,6 @@
-"""The missing pre-conditions of compound skills, with those that other skills then need."""
+"""The missing pre-conditions of compound skills, including those that other skills need as a
+consequence.
+"""
 
 from __future__ import annotations
 
@@ -16,8 +18,8 @@ from ezskiros.trees.tree import Tree
 
 
 def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[Missing]:
-    """All of them, in the order in which they are found; what would exclude what a skill asks for
-    already is none.
+    """All missing pre-conditions, in the order of discovery. A pre-condition that contradicts the
+    other conditions of the skill is left out.
     """
     added: dict[str, Sequence[Clause]] = {}
     found: dict[tuple[str, Statement], Missing] = {}
@@ -38,6 +40,6 @@ def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[Miss
 
 def _is_possible(skill: SkillInterface, library: Library) -> bool:
     ontology = library.ontology()
-    assert ontology is not None  # something has been found in a tree
+    assert ontology is not None  # a new finding in a tree
     judge = Judge(ontology.model, names_of_tree(skill, (), lambda _: skill))
     return not judge.is_impossible(each.statement for each in (*skill.pre, *skill.hold))

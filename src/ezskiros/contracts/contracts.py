@@ -38,10 +38,10 @@ class Contracts:
 
 
 def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTHING) -> Contracts:
-    """The conditions of compound skills against those of their children.
+    """Check the conditions of compound skills against those of their children.
 
-    Trees with calls that are wrong are left out. `added` are pre-conditions besides those of the
-    library, by the names of their skills.
+    Trees with invalid calls are left out. `added` are pre-conditions besides those of the library,
+    by the names of their skills.
     """
     found: dict[tuple[object, ...], Diagnostic] = {}
     missing: dict[tuple[str, object], Missing] = {}
@@ -58,7 +58,7 @@ def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTH
 
 
 def is_sound(tree: Tree, library: Library) -> bool:
-    """Say whether all that a tree calls is understood, and gets what it needs."""
+    """Say whether all calls of a tree are valid and have their values."""
     skills = [library.called(call) for call in calls(tree.root)]
     given = (value for call in calls(tree.root) for value in call.arguments.values())
     if any(isinstance(each, Unknown) for each in given):
@@ -72,8 +72,8 @@ def is_sound(tree: Tree, library: Library) -> bool:
 def check_tree(
     tree: Tree, library: Library, added: Added = NOTHING, *, branch: Branch | None = None
 ) -> Findings | None:
-    """Find what is wrong in one tree; None if nothing can be found. `branch` says which of several
-    it is.
+    """Check one tree; None if the tree cannot be checked. `branch` says which of several trees it
+    is.
     """
     ontology = library.ontology()
     if ontology is None:
@@ -106,7 +106,7 @@ def _branch(tree: Tree, trees: Sequence[Tree]) -> Branch | None:
 
 
 def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Findings) -> None:
-    """A post-condition of the compound where its tree may have succeeded."""
+    """Check a post-condition of the compound at the points where its tree may have succeeded."""
     clashes = {
         index: judge.clash(ending, said.statement)
         for index, ending in enumerate(endings)
@@ -118,7 +118,7 @@ def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Fi
 
 
 def known_at_start(skill: SkillInterface) -> Known:
-    """The knowledge when a compound starts."""
+    """The knowledge at the start of a compound."""
     said = (*asked(skill.pre, "pre", {}), *asked(skill.hold, "hold", {}))
     facts = {each.statement: Origin(each.clause.span, each.kind) for each in reversed(said)}
     bound = (each.name for each in skill.parameters if each.is_thing and not each.is_output)
@@ -146,7 +146,7 @@ def _skill_of(library: Library, added: Added) -> SkillOf:
 
 
 def _is_odd(skill: SkillInterface, judge: Judge) -> bool:
-    """Say whether the conditions of a skill exclude each other, which is told of the skill."""
+    """Say whether the conditions of a skill contradict each other, which another check reports."""
     names = names_of_tree(skill, (), lambda _: skill)
     own = Judge(judge.model, names)
     before = own.is_impossible(known_at_start(skill).facts)

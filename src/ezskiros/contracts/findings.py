@@ -44,7 +44,7 @@ _MOST_KNOWN = 4
 
 @dataclass(frozen=True)
 class Missing:
-    """A pre-condition that a compound skill lacks, and that would repair a finding."""
+    """A missing pre-condition of a compound skill, which would repair a finding."""
 
     skill: SkillInterface
     statement: Statement
@@ -70,7 +70,7 @@ class Findings:
     def false_at_start(
         self, call: SkillCall, asked: Asked, known: Known, clash: Clash, *, is_fatal: bool
     ) -> None:
-        """A condition of a child is false."""
+        """Report a condition of a child that is false."""
         kind = errors.CannotStart if is_fatal else errors.NeverStarts
         found = kind(child=call.skill.__name__, condition=self._spelled(asked.statement))
         labels = [*self._declared(call, asked), *self._reasons(clash, known)]
@@ -82,7 +82,7 @@ class Findings:
     def unknown_at_start(
         self, call: SkillCall, asked: Asked, known: Known, *, is_fatal: bool
     ) -> None:
-        """Nothing says that a condition of a child holds."""
+        """Report a condition of a child that no known fact implies."""
         change = self.last_touching(known, asked.statement)
         child, condition = call.skill.__name__, self._spelled(asked.statement)
         labels = list(self._declared(call, asked))
@@ -118,7 +118,7 @@ class Findings:
     # --- the compound itself ----------------------------------------------------------------------
 
     def hold(self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None) -> None:
-        """Report that a condition which the compound holds has ended, or may have, when a child
+        """Report that a hold-condition of the compound has ended, or may have ended, when a child
         starts.
         """
         child, condition = call.skill.__name__, self._spelled(asked.statement)
@@ -138,11 +138,11 @@ class Findings:
             self._add(may_end, call, asked, labels, known, None, key=key)
 
     def at_end(self, asked: Asked, known: Known, clash: Clash | None, *, is_false: bool) -> None:
-        """A post-condition of the compound does not follow where its tree has succeeded; with
-        `is_false` on no way.
+        """Report a post-condition of the compound that does not follow after its tree has
+        succeeded. With `is_false`, it is false on every path.
 
-        It is an error if a child has made it false. What was false before may be changed by a child
-        that does not say so, as SkiROS2's skills often do.
+        It is an error only if a child has made the post-condition false. Otherwise a child without
+        this post-condition may still change the fact, which is common in SkiROS2's skills.
         """
         is_made_false = is_false and clash is not None and _has_child(clash, known)
         kind = errors.NeverAchieved if is_made_false else errors.NotAchieved
@@ -160,7 +160,7 @@ class Findings:
     def restart(
         self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None, again: str
     ) -> None:
-        """A condition of a child that is started again has ended."""
+        """Report a condition that has ended when the child restarts."""
         found = errors.CannotRestart(
             child=call.skill.__name__,
             condition=self._spelled(asked.statement),
@@ -172,7 +172,7 @@ class Findings:
         labels = [*self._declared(call, asked), *reasons]
         self._add(found, call, asked, labels, known, None, key=call.span)
 
-    # --- what is known ----------------------------------------------------------------------------
+    # --- knowledge --------------------------------------------------------------------------------
 
     def last_touching(self, known: Known, said: Statement) -> Change | None:
         """The last change that may have ended a statement."""
@@ -180,14 +180,14 @@ class Findings:
         return next(iter([*touching][::-1]), None)
 
     def _excludes(self, change: Change, asked: Asked) -> bool:
-        """Say whether a change is certain to end what is asked."""
+        """Say whether a change certainly ends a condition."""
         if isinstance(change.made, Renewed):
             return False
         after = Known({change.made: change.origin}, frozenset())
         return self.judge.clash(after, asked.statement) is not None
 
     def _notes(self, asked: Asked, known: Known) -> Sequence[Remark]:
-        """Tell what is known there, and on which way that is."""
+        """The notes with the known facts, and with the path to this point."""
         about = set(names_of(asked.statement))
         related = [each for each in known.facts if about & set(names_of(each))]
         related.sort(key=lambda each: -len(about & set(names_of(each))))
@@ -201,9 +201,7 @@ class Findings:
         yield condition.at(asked.clause.span)
 
     def _reasons(self, clash: Clash, known: Known) -> list[Label]:
-        """Label the places of the conditions that exclude the statement, and the children that have
-        them.
-        """
+        """The labels of the conditions that exclude the statement, and of their children."""
         labels: dict[Label, None] = {}
         for said in known.facts:
             if said in clash.said:
@@ -246,11 +244,11 @@ class Findings:
         self._keep(found, key or (call.span, asked.statement))
 
     def _keep(self, found: Diagnostic, key: object) -> None:
-        """Each finding once, however many ways lead there."""
+        """Keep each finding once, however many paths lead to it."""
         self.found.setdefault((found.code, key), found)
 
 
 def _has_child(clash: Clash, known: Known) -> bool:
-    """Say whether a child has brought about something of what excludes each other."""
+    """Say whether a child has caused a part of a contradiction."""
     origins = (known.facts.get(said) for said in clash.said)
     return any(origin is not None and origin.call is not None for origin in origins)

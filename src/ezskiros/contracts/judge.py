@@ -32,18 +32,18 @@ from ezskiros.ontology.statements import (
 )
 
 Said: TypeAlias = tuple[Statement, ...]
-"""Facts in their order, which decides which of several reasons is found."""
+"""Facts in order. The order decides which of several reasons is reported."""
 
 _ANYTHING = Name(frozenset(), is_own=False)
 MOST_CHOICES = 1000
-"""The maximum number of things that are tried for inferred parameters."""
+"""The most individuals that are tried for inferred parameters."""
 
 
 class Judge:
-    """For the names of one tree.
+    """The judge for the names of one tree.
 
-    What has been found out is kept as long as the judge is: a tree is walked again for each tick,
-    and the same is asked of the same facts most of the time.
+    The judge keeps its results, because a tree is walked again for each tick, mostly with the same
+    queries about the same facts.
     """
 
     def __init__(self, model: Model, names: Mapping[str, Name]) -> None:
@@ -61,8 +61,8 @@ class Judge:
         self._world = cache(self._made_world)
 
     def may_be_same(self, one: str, other: str) -> bool:
-        """Say whether two names may stand for one thing: not if both are the compound's own, nor if
-        nothing is of the classes of both.
+        """Say whether two names may stand for one individual. They cannot if both are parameters of
+        the compound, or if their classes have no individual in common.
         """
         if one == other:
             return True
@@ -78,10 +78,10 @@ class Judge:
     def _known(self, name: str) -> Name:
         return self._names.get(name, _ANYTHING)
 
-    # --- what follows -----------------------------------------------------------------------------
+    # --- consequences -----------------------------------------------------------------------------
 
     def entails(self, known: Known, said: Statement) -> bool:
-        """Say whether a statement holds for certain."""
+        """Say whether a statement certainly holds."""
         if said in known.facts:
             return True
         ors = tuple(each for each in known.said if isinstance(each, AnyOf))
@@ -90,7 +90,7 @@ class Judge:
     def _found_entailed(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Say whether a statement follows; `ors` are the facts that are taken apart for it."""
+        """Say whether a statement follows. `ors` are the facts whose alternatives are examined."""
         if said in facts:
             return True
         match said:
@@ -113,7 +113,9 @@ class Judge:
         return self._follows_from_each(facts, ors, bound, said)
 
     def _follows(self, facts: Said, said: Statement) -> bool:
-        """Say whether the ontology says so, or excludes the opposite."""
+        """Say whether a statement follows by the ontology, directly or because its negation is
+        impossible.
+        """
         if (
             isinstance(said, Relation)
             and said.is_true
@@ -126,8 +128,8 @@ class Judge:
     def _follows_from_each(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Say whether a statement follows from each alternative of an `or` that holds. Of several
-        only those further on are taken apart then: so each selection of them is looked at once.
+        """Say whether a statement follows from each alternative of a known `or`. Only later `or`
+        facts are examined inside an alternative, so that each combination is examined once.
         """
         for index, one in enumerate(ors):
             rest = [each for each in facts if each != one]
@@ -136,10 +138,10 @@ class Judge:
                 return True
         return False
 
-    # --- what cannot be ---------------------------------------------------------------------------
+    # --- contradictions ---------------------------------------------------------------------------
 
     def clash(self, known: Known, said: Statement) -> Clash | None:
-        """The reason why a statement cannot hold, for any identification of names with things; None
+        """The reason why a statement cannot hold, for any assignment of names to individuals; None
         if it can hold.
         """
         return self._clash(known.said, said)
@@ -171,11 +173,11 @@ class Judge:
         return World(self._declared, self.model, said)
 
     def _is_certain(self, clash: Clash) -> bool:
-        """Say whether a clash stays one if two names stand for one thing."""
+        """Say whether a clash remains if two names stand for one individual."""
         return not any(True for _ in self._ways_out(clash))
 
     def _ways_out(self, clash: Clash) -> Iterator[tuple[str, str]]:
-        """Names that would have to stand for one thing so that all is well."""
+        """Pairs of names that would resolve the clash if they stood for one individual."""
         about = dict.fromkeys(name for each in clash.said for name in names_of(each))
         for one, other in combinations(sorted(about), 2):
             if self.may_be_same(one, other):
@@ -183,14 +185,14 @@ class Judge:
                 if not self.is_impossible(merged):
                     yield one, other
 
-    # --- what ends --------------------------------------------------------------------------------
+    # --- ended facts ------------------------------------------------------------------------------
 
     def touches(self, made: Made, fact: Statement) -> bool:
         """Say whether a change may end a fact."""
         return self._touches(made, fact)
 
     def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
-        """Facts that changes may end, alone or together with known facts."""
+        """The facts that changes may end, alone or together with known facts."""
         return self._ended(known.said, tuple(each.made for each in changes))
 
     def _found_ended(self, facts: Said, made: tuple[Made, ...]) -> frozenset[Statement]:
@@ -203,7 +205,9 @@ class Judge:
     # --- names ------------------------------------------------------------------------------------
 
     def merged(self, known: Known) -> Known:
-        """With names taken for one that have to stand for one thing, as by functional relations."""
+        """The knowledge with merged names, if they must stand for one individual, for example by
+        functional relations.
+        """
         for clash in self._clashes(known.said):
             if clash.kind is errors.TwoPlaces and len(clash.said) == 2:
                 ways = list(self._ways_out(clash))
@@ -222,7 +226,7 @@ class Judge:
     def choice(
         self, known: Known, asked: Sequence[Statement], free: Iterable[str]
     ) -> Mapping[str, str]:
-        """Known things that inferred parameters can stand for, so that most conditions hold."""
+        """Known individuals for the inferred parameters that satisfy most conditions."""
         free = list(free)
         options = [[*self._candidates(known, asked, name), name] for name in free]
         best, most = dict[str, str](), 0
@@ -236,8 +240,8 @@ class Judge:
         return best
 
     def _candidates(self, known: Known, asked: Sequence[Statement], free: str) -> Iterator[str]:
-        """Names that fit, and of which is known what is asked of this one, as far as one can tell
-        before the others are chosen.
+        """Names that fit a parameter and satisfy its conditions, as far as this is known before the
+        other parameters are chosen.
         """
         facts = self._world(known.said).facts
         related: list[set[str]] = []
@@ -252,6 +256,6 @@ class Judge:
                 yield name
 
     def _fits(self, name: str, free: str) -> bool:
-        """Say whether the thing of one name is of the class of the other."""
+        """Say whether the individual of one name has the class of the other name."""
         here, there = self._known(name).classes, self._known(free).classes
         return all(any(self.model.is_a(iri, wanted) for wanted in there) for iri in here)

@@ -27,18 +27,18 @@ class Origin:
 
 
 class How(enum.Enum):
-    """The certainty of a change: it has happened, or it may have."""
+    """The certainty of a change: certain or possible."""
 
     DONE = "done"
     FAILED = "failed"
-    """Its child has failed: it may have happened."""
+    """The child has failed: the change may have happened."""
     BESIDE = "beside"
-    """Its child runs at the same time: it happens before or after."""
+    """The child runs at the same time: the change happens before or after."""
 
 
 @dataclass(frozen=True)
 class Renewed:
-    """A name stands for another thing than before."""
+    """A name that stands for another individual than before."""
 
     subject: str
 
@@ -58,9 +58,9 @@ class Change:
 
 @dataclass(frozen=True)
 class Name:
-    """The knowledge of a name of the tree: the class of its thing, one of these.
+    """The knowledge of a name of the tree: the possible classes of its individual.
 
-    Those of the compound's own parameters stand for different things.
+    The compound's own parameters stand for different individuals.
     """
 
     classes: frozenset[str]
@@ -71,10 +71,10 @@ class Name:
 class Known:
     """The knowledge at one point.
 
-    Names that are `bound` stand for something, those that are `perhaps` may: what children would
-    find that have failed, or that may not have run. `same` names names that stand for the thing of
-    another; `changes` are all that have been on the way here, in order; `trail` says which way that
-    is. What is `dead` is never reached.
+    `bound` are names with a value, and `perhaps` are names that may have one, because a child that
+    finds it may have failed or not have run. `same` maps names to other names of the same
+    individual. `changes` are all changes on the path to this point, in order, and `trail` describes
+    the path. A `dead` point is never reached.
     """
 
     facts: Mapping[Statement, Origin]
@@ -97,42 +97,42 @@ class Known:
         return facts, self.bound, self.perhaps, same, self.is_dead
 
     def after(self, before: Known) -> Known:
-        """The same where more has been on the way here."""
+        """The same knowledge, with more changes on the path so far."""
         changes = later(before.changes, self.changes)
         return replace(self, changes=changes, trail=(*before.trail, *self.trail))
 
     def one(self, name: str) -> str:
-        """A name, or the representative of its thing."""
+        """The representative of all names of an individual."""
         return self.same.get(name, name)
 
     def assuming(self, said: Mapping[Statement, Origin]) -> Known:
-        """With more that holds."""
+        """The knowledge with more facts."""
         return replace(self, facts={**said, **self.facts})
 
     def without(self, lost: Iterable[Statement]) -> Known:
-        """With less that is known."""
+        """The knowledge without some facts."""
         gone = set(lost)
         if not gone:
             return self
         return replace(self, facts={k: v for k, v in self.facts.items() if k not in gone})
 
     def binding(self, names: Iterable[str]) -> Known:
-        """With names that stand for something."""
+        """The knowledge with more names that have a value."""
         bound = self.bound.union(names)
         return self if bound == self.bound else replace(self, bound=bound)
 
     def is_free(self, name: str) -> bool:
-        """Say whether a name stands for nothing yet, for certain."""
+        """Say whether a name certainly has no value yet."""
         return name not in self.bound and name not in self.perhaps
 
     def is_as_much_as(self, other: Known) -> bool:
-        """Say whether the same is known of facts and names."""
+        """Say whether the facts and the names are equal."""
         names, other_names = self.bound | self.perhaps, other.bound | other.perhaps
         is_same = self.facts.keys() == other.facts.keys() and self.bound == other.bound
         return is_same and names == other_names
 
     def perhaps_binding(self, names: Iterable[str]) -> Known:
-        """With names that may stand for something."""
+        """The knowledge with more names that may have a value."""
         perhaps = self.perhaps.union(names)
         return self if perhaps == self.perhaps else replace(self, perhaps=perhaps)
 
@@ -148,12 +148,12 @@ class Known:
         )
 
     def by(self, *steps: str) -> Known:
-        """On a way that is described further."""
+        """The knowledge with a longer description of the path."""
         return replace(self, trail=(*self.trail, *steps))
 
 
 def later(before: Mapping[Change, None], changes: Iterable[Change]) -> Mapping[Change, None]:
-    """Changes and those that come after them, each where it comes last."""
+    """Changes followed by later ones. A repeated change is only at its last position."""
     found = dict(before)
     for each in changes:
         found.pop(each, None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Remark
 
-# --- places
+# --- places ---------------------------------------------------------------------------------------
 
 
 class ConditionOf(Remark):
@@ -18,7 +18,7 @@ class ConditionOf(Remark):
 class ByWhich(Remark):
     """The label of a condition from which another one follows."""
 
-    says = "{kind}-condition of `{skill}`, by which `{condition}`"
+    says = "{kind}-condition of `{skill}`, which implies `{condition}`"
     kind: str
     skill: str
     condition: str
@@ -27,7 +27,7 @@ class ByWhich(Remark):
 class ComesHere(Remark):
     """The label of the child whose condition excludes another one."""
 
-    says = "`{skill}` comes here"
+    says = "`{skill}` runs here"
     skill: str
 
 
@@ -51,7 +51,7 @@ class BeforeItFailed(Remark):
 
 
 class Meanwhile(Remark):
-    """The label of a post-condition of a child that runs beside."""
+    """The label of a post-condition of a child that runs at the same time."""
 
     says = "this may happen before, or at the same time"
 
@@ -62,7 +62,7 @@ class ItsTree(Remark):
     says = "its tree"
 
 
-# --- what is known there
+# --- knowledge ------------------------------------------------------------------------------------
 
 
 class Why(Remark):
@@ -82,7 +82,7 @@ class KnownThere(Remark):
 class NothingKnown(Remark):
     """The note without known conditions."""
 
-    says = "nothing is known about these things at this point"
+    says = "nothing is known about these individuals at this point"
 
 
 class OnTheWay(Remark):
@@ -99,7 +99,7 @@ class Branch(Remark):
     children: str
 
 
-# --- repairs
+# --- repairs --------------------------------------------------------------------------------------
 
 
 class AddPreCondition(Remark):
@@ -123,7 +123,7 @@ class AddElseInsert(Remark):
 
 
 class PassWithPreCondition(Remark):
-    """A condition is about a thing that is not a parameter of the compound skill."""
+    """A condition is about an individual that is not a parameter of the compound skill."""
 
     says = "pass a parameter of `{skill}` for `{name}`, and add this as a pre-condition"
     skill: str
@@ -165,7 +165,7 @@ class Move(Remark):
 
 
 class PassParameter(Remark):
-    """A child changes a thing that no other child has."""
+    """A child changes an individual that no other child has."""
 
     says = "pass `{child}` a parameter of `{skill}` for `{name}`"
     child: str

@@ -47,7 +47,9 @@ from ezskiros.skills.interface import SkillInterface
 
 @dataclass(frozen=True)
 class Repairs:
-    """For the tree of one compound skill; `others` are the skills that could be children."""
+    """The repairs for the tree of one compound skill. `others` are the skills that could be
+    children.
+    """
 
     skill: SkillInterface
     judge: Judge
@@ -71,7 +73,7 @@ class Repairs:
         return SayInPreConditions(skill=own)
 
     def of_lost(self, call: SkillCall, said: Statement, known: Known, change: Change) -> Remark:
-        """For a condition that another child may have ended."""
+        """The repair for a condition that another child may have ended."""
         other = change.origin.call
         if change.how is How.BESIDE:
             return OneAfterTheOther()
@@ -86,7 +88,7 @@ class Repairs:
         return _one_of(*options) if options else Restore(child=call.skill.__name__)
 
     def _passing(self, call: SkillCall, said: Statement, known: Known) -> Iterator[Remark]:
-        """Parameters of the compound for names that an earlier child has found things for."""
+        """Parameters of the compound to pass for names that an earlier child has inferred."""
         free = [name for name in names_of(said) if self.skill.parameter(name) is None]
         chosen = self.judge.choice(known, [said], free) if free else {}
         given = [f"{name}=params.{one}" for name, one in chosen.items() if name != one]
@@ -97,7 +99,7 @@ class Repairs:
     def of_false(
         self, call: SkillCall, said: Statement, known: Known, clash: Clash
     ) -> Remark | None:
-        """For a condition that is false."""
+        """The repair for a condition that is false."""
         options: list[Remark] = []
         if inserted := self._giving(said):
             options.append(Insert(child=inserted))
@@ -108,7 +110,7 @@ class Repairs:
         return _one_of(*options) if options else None
 
     def at_end(self, said: Statement, change: Change | None) -> Remark:
-        """For a post-condition that is not achieved."""
+        """The repair for a post-condition that is not achieved."""
         other = change.origin.call if change else None
         fresh = self._fresh_in(change) if change else None
         if fresh and other is not None:
@@ -120,22 +122,24 @@ class Repairs:
         return PassParameter(child=other.skill.__name__, skill=self.skill.name, name=name)
 
     def pre_condition(self, said: Statement) -> str | None:
-        """The text to add to the compound; None if it has no words for it."""
+        """The pre-condition to add to the compound; None if its parameters cannot express the
+        condition.
+        """
         if any(self.skill.parameter(name) is None for name in names_of(said)):
             return None
         if any(identifier(split(iri)[1]) in self.ambiguous for iri in _properties(said)):
             return None
         return f"self.pre_conditions += {spelled(said, self.judge.model)}"
 
-    # --- children that would do -------------------------------------------------------------------
+    # --- possible children ------------------------------------------------------------------------
 
     def _fresh_in(self, change: Change) -> str | None:
-        """A name in a change that nobody but its child knows."""
+        """A name in a change that only its child uses."""
         about = () if isinstance(change.made, Renewed) else names_of(change.made)
         return next((name for name in about if self.skill.parameter(name) is None), None)
 
     def _giving(self, said: Statement) -> str | None:
-        """The call of a skill of which a post-condition makes a statement hold."""
+        """The call of a skill whose post-condition makes a statement true."""
         for skill in self.others:
             for clause in skill.post:
                 for made in conjuncts(clause.statement):
@@ -145,7 +149,7 @@ class Repairs:
         return None
 
     def _can_be(self, skill: SkillInterface, names: Mapping[str, str]) -> bool:
-        """Say whether the things are of the right classes, and have a name in the compound."""
+        """Say whether the individuals have the right classes and names in the compound."""
         if skill.name == self.skill.name:
             return False
         for parameter, name in names.items():
@@ -169,7 +173,9 @@ def _one_of(*repairs: Remark) -> Remark:
 
 
 def _unified(made: Statement, said: Statement) -> Mapping[str, str] | None:
-    """Names for the parameters of a post-condition by which it says the same; None if none do."""
+    """Names for the parameters of a post-condition that make it equal to a statement; None if there
+    are none.
+    """
     match made:
         case Relation():
             return _unified_relations(made, said) if isinstance(said, Relation) else None
@@ -213,5 +219,5 @@ def _properties(said: Statement) -> Iterator[str]:
 
 
 def in_order(skills: Iterable[SkillInterface]) -> tuple[SkillInterface, ...]:
-    """The simplest first: those that need least."""
+    """The skills in order, those with the fewest needs first."""
     return tuple(sorted(skills, key=lambda each: (len(each.pre), each.name)))

@@ -1,4 +1,4 @@
-"""Conditions of a child, in the names of its tree."""
+"""Conditions of a child, with the names of its tree."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ezskiros.skills.interface import Clause
 
 @dataclass(frozen=True)
 class Asked:
-    """A statement of a condition about the names of a tree; `kind` is pre, hold or post."""
+    """A statement of a condition with the names of a tree. `kind` is pre, hold or post."""
 
     statement: Statement
     clause: Clause
@@ -20,20 +20,22 @@ class Asked:
 
 
 def asked(clauses: Iterable[Clause], kind: str, names: Mapping[str, str]) -> Iterator[Asked]:
-    """The statements of conditions; those that say several things at once are taken apart."""
+    """The statements of conditions. A conjunction is split into its parts."""
     for clause in clauses:
         for each in conjuncts(clause.statement):
             yield Asked(renamed(each, names), clause, kind)
 
 
 def conjuncts(statement: Statement) -> tuple[Statement, ...]:
-    """The statements that hold if one does: several if it denies an `or`, else itself."""
+    """The statements that a statement implies: several for a negated `or`, otherwise the statement
+    itself.
+    """
     ways = alternatives(statement)
     return ways[0] if len(ways) == 1 else (statement,)
 
 
 def renamed(statement: Statement, names: Mapping[str, str]) -> Statement:
-    """The same of other names."""
+    """The same statement with other names."""
     if isinstance(statement, AnyOf):
         return replace(statement, parts=tuple(renamed(part, names) for part in statement.parts))
     subject = names.get(statement.subject, statement.subject)

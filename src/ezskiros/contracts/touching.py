@@ -1,7 +1,7 @@
-"""The facts that a change may undo.
+"""The facts that a change may end.
 
-Names that may stand for one thing are treated as one thing. Forgetting a fact too many only causes
-a warning; forgetting one too few would be unsafe.
+Names that may stand for one individual are treated as one individual. A fact that is forgotten
+without need only causes a warning; a fact that is kept in error would be unsafe.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ Classes = Callable[[str], frozenset[str]]
 
 
 class Touching:
-    """The effect of changes by an ontology. `may_be_same` tests whether two names may stand for one
-    thing, `classes` gives the classes of each name.
+    """The effect of changes, given an ontology. `may_be_same` tests whether two names may stand for
+    one individual, and `classes` gives the classes of each name.
     """
 
     def __init__(self, model: Model, may_be_same: MayBeSame, classes: Classes) -> None:
@@ -40,7 +40,7 @@ class Touching:
         self._known_supports: dict[Fact, tuple[Fact, ...]] = {}
 
     def touches(self, made: Made, fact: Statement) -> bool:
-        """Say whether a fact may end by a change."""
+        """Say whether a change may end a fact."""
         if made == fact:
             return False
         if isinstance(made, (AnyOf, Renewed)) or isinstance(fact, AnyOf):
@@ -68,7 +68,9 @@ class Touching:
         return any(self.touches(made, part) for part in fact.parts)
 
     def _sets(self, made: Comparison | HasProperty, fact: Comparison | HasProperty) -> bool:
-        """A value is changed: also that of a special case, and that of which it is one."""
+        """Say whether a changed value ends a fact. This includes facts with a special case or a
+        generalization of the property.
+        """
         above = self._model.properties_above
         is_related = made.property in above(fact.property) or fact.property in above(made.property)
         return is_related and self._may_be_same(made.subject, fact.subject)
@@ -92,7 +94,7 @@ class Touching:
         return any(self._meets(old, ended) for old in held)
 
     def _supports(self, said: Relation) -> tuple[Fact, ...]:
-        """The relations by one of which it may be that another one holds."""
+        """The relations from which another relation may follow."""
         wanted = Fact(said.subject, said.relation, said.object)
         if wanted not in self._known_supports:
             turned = Fact(said.object, said.relation, said.subject)
@@ -106,7 +108,7 @@ class Touching:
         return self._known_supports[wanted]
 
     def _breaking(self, made: Relation) -> Iterator[Fact]:
-        """The facts that may break a chain: those that end, or those that are pushed out."""
+        """The facts that may break a chain, because they end or replace a relation."""
         if not made.is_true:
             yield from self._supports(Relation(made.subject, made.relation, made.object))
         else:
@@ -126,7 +128,7 @@ class Touching:
         )
 
     def _following(self, said: Relation) -> Iterator[Fact]:
-        """A relation that is said to hold, and what follows from it."""
+        """A relation that holds, and its consequences."""
         yield from self._closed(Fact(said.subject, said.relation, said.object))
 
     def _closed(self, fact: Fact) -> Facts:
@@ -135,7 +137,7 @@ class Touching:
         return self._known_closed[fact]
 
     def _meets(self, fact: Fact, denied: Fact) -> bool:
-        """Say whether one may be what the other denies, or a step of a chain that leads to it."""
+        """Say whether a relation may be the denied one, or a step of a chain to it."""
         if fact.relation != denied.relation:
             return False
         declared = self._model.relations.get(fact.relation)
@@ -145,7 +147,7 @@ class Touching:
         return same(fact.subject, denied.subject) and same(fact.object, denied.object)
 
     def _excludes(self, new: Fact, old: Fact) -> bool:
-        """Say whether a relation may be pushed out by another one."""
+        """Say whether another relation may replace a relation."""
         if new == old or new.relation != old.relation:
             return False
         same, iri = self._may_be_same, new.relation

@@ -21,12 +21,16 @@ MOST_TRIES = 5
 conditions.
 """
 MOST_TICKS = 10
-"""In which a child goes on, until no further one leaves less to rely on; else nothing is known."""
+"""The maximum number of ticks of a running child that are examined, until a further tick has no
+fewer known conditions. Beyond this, nothing is known.
+"""
 
 
 @dataclass(frozen=True)
 class NodeOutcome:
-    """The knowledge when a node has succeeded, on all ways and on each, and when it has failed."""
+    """The knowledge after the success of a node, on all paths together and on each path, and after
+    its failure.
+    """
 
     success: Known
     endings: tuple[Known, ...]
@@ -49,7 +53,7 @@ class Place:
     again: str | None = None
 
     def at_next_tick(self, known: Known, *, is_reported: bool) -> Known:
-        """The knowledge when the next tick gets there."""
+        """The knowledge when the next tick reaches the node."""
         return self.tick(known, is_reported) if self.tick else known
 
 
@@ -112,7 +116,7 @@ class Walk:
     def _step(
         self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
     ) -> NodeOutcome:
-        """Follow what is known through a child of which some conditions need not hold."""
+        """Follow the knowledge through a child with some conditions that may be false."""
         asked, free = child.asked(known), child.inferred(known)
         ready = known.binding(child.bound())
         about_free = [each for each in asked if not set(free).isdisjoint(names_of(each.statement))]
@@ -135,7 +139,7 @@ class Walk:
         return NodeOutcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
     def _judged(self, child: Child, known: Known, place: Place) -> dict[Asked, bool]:
-        """The conditions of a child that need not hold; whether they are certain not to."""
+        """The conditions of a child that may be false, each with whether it is certainly false."""
         asked, free = child.asked(known), child.inferred(known)
         about = [
             each.statement for each in asked if not set(free).isdisjoint(names_of(each.statement))
@@ -161,8 +165,8 @@ class Walk:
         return wrong
 
     def _assuming(self, known: Known, asked: Iterable[Asked], child: Child) -> Known:
-        """The knowledge when a child has started: what it asks for holds, what that excludes does
-        not.
+        """The knowledge after the start of a child: its conditions hold, and facts that they
+        exclude do not.
         """
         for each in asked:
             while clash := self.judge.clash(known, each.statement):
@@ -251,10 +255,10 @@ class Walk:
             others = (*below[:index], *below[index + 1 :])
             beside = self._beside(others, known)
             own_place = self._with_others(beside, place)
-            # in a race all else may never start: another child may be done before
+            # In a race, any other child may never start, because a child may end the race before.
             is_certain = not is_race or (index == 0 and isinstance(node, SkillCall))
             own_place = replace(own_place, is_fatal=place.is_fatal and is_certain)
-            # All begin in the tick in which the parallel does: nothing is started again before.
+            # All children start in the first tick of the parallel. No child restarts before that.
             outcome = self.through(node, beside(known), own_place)
             if len(below) > 1 and not is_race and place.is_reported:
                 again = "SkiROS2 restarts it in each tick until the others are done"
@@ -276,7 +280,7 @@ class Walk:
         return NodeOutcome(merged, (merged,), (stopped,))
 
     def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
-        """The effect on what is known of others that run at the same time."""
+        """The effect of other nodes that run at the same time on the knowledge."""
         changes = [each for node in others for each in self._changes(node, known, How.BESIDE)]
         names = {name for node in others for name in self._found(node, known)}
         return lambda known: failed(known, changes, self.judge).perhaps_binding(names)
@@ -294,14 +298,14 @@ class Walk:
     def _partly(
         self, below: Sequence[Node], known: Known, place: Place, how: How = How.FAILED
     ) -> Known:
-        """The knowledge when nodes may have done some of their work, in any number of ticks."""
+        """The knowledge after nodes may have done some of their work, in any number of ticks."""
         changes = [each for node in below for each in self._changes(node, known, how)]
         names = [name for node in below for name in self._found(node, known)]
         return self._running(known.perhaps_binding(names), place, changes)
 
     def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
-        """The knowledge while a skill runs, in any number of ticks; or, with nothing reported,
-        while changes may be made.
+        """The knowledge while a skill runs, in any number of ticks; or while changes may be made,
+        without findings.
         """
         known = failed(known, changes, self.judge)
         if place.tick is None:
@@ -315,12 +319,12 @@ class Walk:
         return known.without(known.facts)
 
     def _changes(self, node: Node, known: Known, how: How) -> Iterator[Change]:
-        """All that may be changed below a node."""
+        """All changes that nodes below a node may make."""
         for call in calls(node):
             yield from self.children.of(call, known).changes(how)
 
     def _found(self, node: Node, known: Known) -> Iterator[str]:
-        """Names for which a node may find things."""
+        """The names for which a node may find individuals."""
         for call in calls(node):
             yield from self.children.of(call, known).bound()
 
@@ -340,7 +344,7 @@ class Walk:
         return self._retried(child, tries, outcome, place)
 
     def _retried(self, child: Node, tries: int, outcome: NodeOutcome, place: Place) -> NodeOutcome:
-        """Further tries start where one has failed; they may fail in turn."""
+        """The outcome of further tries. Each try starts after a failed one and may fail, too."""
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
             for each in failures:
@@ -354,12 +358,12 @@ class Walk:
                 break
         return NodeOutcome(join(endings, self.judge), endings, failures)
 
-    # --- children that are started again ----------------------------------------------------------
+    # --- restarted children -----------------------------------------------------------------------
 
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
     ) -> None:
-        """Check that children can start again; with `is_certain` only that they cannot is
+        """Check that children can restart. With `is_certain`, only certain failures are
         reported.
         """
         for call in (first for node in below for first in _first_calls(node)):
@@ -373,7 +377,7 @@ class Walk:
 
 
 def _first_calls(node: Node) -> Iterator[SkillCall]:
-    """The skills that a node may start with."""
+    """The skills that can start first in a node."""
     if isinstance(node, SkillCall):
         yield node
         return

@@ -37,20 +37,19 @@ _CONTROLS: Mapping[Flow, tuple[str, Mapping[str, str]]] = {
     Flow.PARALLEL_FS: ("Parallel", {"success_count": "1", "failure_count": "1"}),
     Flow.NO_FAIL: ("Sequence", {}),
 }
-"""`SequenceWithMemory` is none of them: it goes on after a failure where it was."""
+"""`SequenceWithMemory` is not used: after a failure it continues at the failed child."""
 _Below = tuple[Tree, tuple[str, ...]]
-"""A tree, and the implementations that it is in, itself included."""
+"""A tree, and the implementations around it, including its own."""
 _MOST_TRIES, _MOST_MILLISECONDS = 2**31 - 1, 2**32 - 1
 
 
 def export(
     trees: Sequence[Tree], known: Sequence[Tree], library: Library, *, depth: int
 ) -> tuple[str, Sequence[Diagnostic]]:
-    """The XML of some trees of one skill, and what is wrong with it: if there are errors among
-    that, it must not be used.
+    """The XML of some trees of one skill, and the findings. After an error, the XML must not be
+    used.
 
-    Of compound skills among the `known` trees the insides are written as well, as many levels deep
-    as `depth` says.
+    Compound skills among the `known` trees are written with their content, down to `depth` levels.
     """
     writer = _Writer(Nested(known, library), library)
     writer.choose(trees, depth)
@@ -77,14 +76,16 @@ class _Writer:
     nested: Nested
     library: Library
     inside: dict[str, Tree] = field(default_factory=dict)
-    """Compound skills that are written as subtrees, by their names there."""
+    """The compound skills that are written as subtrees, by subtree name."""
     models: dict[str, ET.Element] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
-    """The names of trees, which no action may have."""
+    """The names of trees, which no action may use."""
     found: Collector = field(default_factory=Collector)
 
     def choose(self, trees: Sequence[Tree], depth: int) -> None:
-        """Find out which compound skills become subtrees; one does wherever it is called."""
+        """Choose the compound skills that become subtrees. Such a skill is a subtree wherever it is
+        called.
+        """
         level: list[_Below] = [(tree, (tree.implementation,)) for tree in trees]
         for _ in range(depth):
             below: list[_Below] = []
@@ -145,12 +146,12 @@ class _Writer:
             limit = most
         if is_retry:
             return "RetryUntilSuccessful", {"num_attempts": str(int(limit))}
-        # 0 would be no timeout at all.
+        # 0 would mean no timeout
         return "Timeout", {"msec": str(max(1, math.ceil(limit * 1000)))}
 
     def _skill(self, call: SkillCall, above: ET.Element) -> None:
         skill = self.library.skill(call.skill)
-        if skill is None:  # it says nothing of itself, which is an error already
+        if skill is None:  # a description without content, which is an error already
             return
         trees = self.nested.trees_of(call)
         name = trees[0].implementation if trees else ""
@@ -181,7 +182,7 @@ class _Writer:
         return False
 
     def _passed_on(self, tree: Tree, seen: frozenset[str] = frozenset()) -> dict[str, str]:
-        """The names that a subtree shares with what it stands in, besides its own parameters."""
+        """The names that a subtree shares with its surroundings, besides its own parameters."""
         found: dict[str, str] = {}
         for call in calls(tree.root):
             skill = self.library.skill(call.skill)
@@ -235,7 +236,9 @@ class _Writer:
 
 
 def _names(trees: Sequence[Tree]) -> list[str]:
-    """The names of trees: those of their implementations, with a number where it has several."""
+    """The names of trees: the names of their implementations, with a number if an implementation
+    has several trees.
+    """
     bare = [tree.implementation for tree in trees]
     return [
         name if bare.count(name) == 1 else f"{name}_{number}" for number, name in enumerate(bare, 1)
@@ -243,5 +246,5 @@ def _names(trees: Sequence[Tree]) -> list[str]:
 
 
 def _comment(text: str) -> str:
-    """A text as XML allows it in comments."""
+    """A text that XML allows in comments."""
     return text.replace("--", "- -")

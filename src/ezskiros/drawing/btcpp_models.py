@@ -24,13 +24,14 @@ BUILT_IN = frozenset((
     "WaitValueUpdate", "WasEntryUpdated", "WhileDoElse", "root",
 ))
 # fmt: on
-"""Names of nodes that version 4 registers by itself, and words of its XML."""
+"""Names of nodes that version 4 registers itself, and words of its XML."""
 
 
 def model_of(kind: str, name: str, skill: SkillInterface, ontology: Ontology | None) -> ET.Element:
-    """The model of a node; the notes of an action are its conditions, which are its own to see to.
+    """The model of a node. The notes of an action are its conditions, which the action has to check
+    itself.
 
-    Things are texts there: what the world model calls them.
+    Individuals are texts there: their names in the world model.
     """
     found = ET.Element(kind, ID=name)
     for parameter in skill.parameters:
@@ -51,7 +52,7 @@ def model_of(kind: str, name: str, skill: SkillInterface, ontology: Ontology | N
 
 
 def _direction(parameter: Parameter) -> str:
-    """Found out by the skill, perhaps found out by it, or given to it."""
+    """The direction of a port: output, possible output, or input."""
     if parameter.is_output:
         return "output_port"
     may_be_found = parameter.kind is not Kind.REQUIRED and parameter.default is None
@@ -66,9 +67,10 @@ def _type(parameter: Parameter) -> str:
 
 
 def literal(given: object, parameter: Parameter, *, is_inside: bool) -> tuple[str, str | None]:
-    """A value as the text of a port, and why BehaviorTree.CPP would take that for something else.
+    """A value as the text of a port, and the reason why BehaviorTree.CPP would read another value.
 
-    `is_inside` says that a subtree gets it: there what looks like a number is one.
+    With `is_inside`, a subtree gets the value, and texts that look like numbers are read as
+    numbers.
     """
     value = given.value if isinstance(given, enum.Enum) else given
     if isinstance(value, bool):

@@ -12,14 +12,14 @@ from ezskiros.trees.tree import Tree
 
 @dataclass(frozen=True)
 class Nested:
-    """The trees that are known, as those of children."""
+    """The known trees, as trees of children."""
 
     trees: Sequence[Tree]
     library: Library
 
     def trees_of(self, call: SkillCall) -> Sequence[Tree]:
-        """The trees of the implementation that will run. None if it is a primitive, is not among
-        the files, or if several implementations are possible.
+        """The trees of the implementation that will run. None if it is a primitive, is not in the
+        files, or if several implementations are possible.
         """
         name = self.implementation(call)
         skill = self.library.skill(call.skill)

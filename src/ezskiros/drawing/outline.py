@@ -27,7 +27,7 @@ TOKENS = {
     Flow.PARALLEL_FS: "|fs|",
     Flow.NO_FAIL: "NoFail(->*)",
 }
-"""As SkiROS2 prints its processors."""
+"""The symbols that SkiROS2 prints for its processors."""
 
 
 class Role(enum.Enum):
@@ -74,8 +74,8 @@ class Outline:
 def outline(
     tree: Tree, trees: Sequence[Tree], library: Library, *, depth: int, has_conditions: bool
 ) -> Outline:
-    """Outline a tree. Compound skills among `trees` are drawn with their own children, as many
-    levels deep as `depth` says.
+    """Outline a tree. Compound skills among `trees` are drawn with their own children, down to
+    `depth` levels.
     """
     writer = _Writer(Nested(trees, library), library, has_conditions)
     root = Box(
@@ -88,7 +88,7 @@ def outline(
 
 
 def branch_texts(tree: Tree) -> tuple[str, ...]:
-    """`Speed > 3`, or `not (Speed > 3)`, for each answer that leads to a tree."""
+    """The answers that lead to a tree, such as `Speed > 3` or `not (Speed > 3)`."""
     return tuple(_answer(" ".join(span.text.split()), answer) for span, answer in tree.branch)
 
 
@@ -105,7 +105,7 @@ class _Writer:
     has_conditions: bool
 
     def box(self, node: Node, depth: int, above: tuple[str, ...]) -> Box:
-        """A node with all below it; `above` are the implementations that it is in."""
+        """A node with all nodes below it. `above` are the implementations around it."""
         match node:
             case SkillCall():
                 return self._skill(node, depth, above)
@@ -134,7 +134,7 @@ class _Writer:
         return Box(title, "", tuple(lines), tuple(inside))
 
     def conditions(self, skill: SkillInterface) -> Iterator[Line]:
-        """The conditions of a skill, if they are wanted, as a description has them."""
+        """The conditions of a skill as written in the description, if they are requested."""
         if self.has_conditions:
             for role, clauses in (
                 (Role.PRE, skill.pre),
@@ -150,7 +150,7 @@ class _Writer:
 
 
 def _limit(node: Decorator) -> str:
-    """The text behind the word for a decorator."""
+    """The text after the symbol of a decorator."""
     unit = " s" if node.decoration is Decoration.TIMEOUT else ""
     match node.limit:
         case None:
@@ -164,7 +164,7 @@ def _limit(node: Decorator) -> str:
 
 
 def _arguments(call: SkillCall) -> Iterator[Line]:
-    """The values that the parameters of a child get, in the order in which it is written."""
+    """The values of the parameters of a child, in source order."""
     for name, given in call.arguments.items():
         match given:
             case ThingReference(parameter=parameter) | ValueReference(parameter=parameter):
@@ -180,7 +180,7 @@ def _arguments(call: SkillCall) -> Iterator[Line]:
 
 
 def written(call: SkillCall, name: str) -> str:
-    """The expression that an argument is written as: `params.Speed * 2`; `...` if it is unclear."""
+    """The source expression of an argument, such as `params.Speed * 2`; `...` if it is unclear."""
     text = call.span.text
     try:
         found = ast.parse(text, mode="eval").body

@@ -1,9 +1,9 @@
 """A behavior tree as a self-contained SVG picture, laid out from left to right.
 
-The layout is a simple tidy tree: leaves are below each other in the order in which they are ticked,
-and a node is at the middle of its children, which begin where the node ends. The font has a fixed
-width, so that text sizes are known without a browser.
-`assets/fold.js` has the same layout, for trees with folded boxes.
+The layout is a simple tidy tree: leaves are below each other in the order of their ticks, each node
+is at the middle of its children, and children begin at the end of their parent. The font has a
+fixed width, so that text sizes are known without a browser. `assets/fold.js` has the same layout,
+for trees with folded boxes.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ezskiros.drawing.window import framed
 
 FONT, LINE, PADDING = 13, 18, 10
 CHARACTER = 0.62 * FONT
-"""At most, in the fonts of equal widths that browsers have."""
+"""The largest width in the fixed-width fonts of browsers."""
 BESIDE, BELOW, MARGIN = 44, 14, 24
 MOST_CHARACTERS = 64
 """The maximum number of characters per line. The tooltip has the full text."""
@@ -45,7 +45,7 @@ rect.flow { fill: #352a12; stroke: #d6a23c; }
 
 @dataclass
 class _Placed:
-    """A box with its place, in pixels."""
+    """A box with its position, in pixels."""
 
     box: Box
     texts: list[tuple[str, str]]
@@ -67,7 +67,7 @@ class _Placed:
         return self.y + self.height / 2
 
     def all(self) -> Iterator[_Placed]:
-        """It and all below it."""
+        """The node and all nodes below it."""
         yield self
         for child in self.children:
             yield from child.all()
@@ -113,7 +113,9 @@ def _line(line: Line) -> str:
 
 
 def _place(node: _Placed, top: float) -> float:
-    """Place a node and all below it from a height downwards; the height at which they end."""
+    """Place a node and all nodes below it, from a height downwards. Returns the height of their
+    end.
+    """
     bottom = top
     for child in node.children:
         bottom = _place(child, bottom) + BELOW
@@ -129,7 +131,7 @@ def _place(node: _Placed, top: float) -> float:
 
 
 def _indent(node: _Placed, left: float) -> None:
-    """Children begin where their parent has ended."""
+    """Place children at the right end of their parent."""
     node.x = left
     for child in node.children:
         _indent(child, left + node.width + BESIDE)
@@ -146,7 +148,7 @@ def _edge(node: _Placed, child: _Placed) -> str:
 
 
 def _drawn(node: _Placed) -> str:
-    """A node, and all below it inside its group."""
+    """A node with all nodes below it, inside its group."""
     kind, corner = ("flow", 14) if node.box.token else ("skill", 4)
     place = (node.x, node.y, node.width, node.height)
     own = [

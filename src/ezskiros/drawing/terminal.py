@@ -8,7 +8,9 @@ from rich.tree import Tree as RichTree
 from ezskiros.drawing.outline import Box, Line, Outline, Role
 
 _BESIDE = 70
-"""More characters of arguments than these stand below the title, one on each line."""
+"""The most characters of arguments beside the title. Longer arguments are below the title, one on
+each line.
+"""
 _STYLES = {
     Role.PASSED: "cyan",
     Role.VALUE: "magenta",
@@ -19,7 +21,7 @@ _STYLES = {
 
 
 def terminal_tree(found: Outline) -> RichTree:
-    """A tree for rich to print; what leads to it stands above it."""
+    """A tree for rich, with the answers that lead to it above."""
     drawn = RichTree(_text(found.root), highlight=False)
     for child in found.root.children:
         _hang(child, drawn)
@@ -37,7 +39,7 @@ def _hang(box: Box, above: RichTree) -> None:
 
 
 def _text(box: Box) -> Text:
-    """The title of a box, what its parameters get beside it or below, and its conditions."""
+    """The text of a box: the title, the arguments beside or below it, and the conditions."""
     found = Text()
     if box.token:
         found.append(f"{box.token} ", "bold yellow")

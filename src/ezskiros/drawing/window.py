@@ -1,7 +1,7 @@
-"""The frame of a picture as SVG: light and dark colors, and scripts that zoom and fold.
+"""The frame of an SVG picture: light and dark colors, and scripts that zoom and fold.
 
-A viewer that runs no scripts, or another page, shows the same picture, and it stays still. The
-file needs no font, no other file and no network.
+A viewer without scripts, or an embedding page, shows the same static picture. The file needs no
+font, no other file and no network.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def framed(
     code = "\n".join((constants, *map(_asset, scripts)))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-        # In a browser all of it is in sight, however large it is.
+        # A browser shows the whole picture, however large it is.
         f'style="max-width: 100vw; max-height: 100vh" '
         f'viewBox="0 0 {width} {height}" role="img">\n<title>{escape(name)}</title>\n'
         f"<style>{_STYLE}{style}"

@@ -27,15 +27,15 @@ _TOGETHER = (Flow.PARALLEL_FF, Flow.PARALLEL_FS)
 
 @dataclass(frozen=True, eq=False)
 class Ahead:
-    """A skill that can start next; `values` are those of its parameters that are known already."""
+    """A skill that can start next. `values` are the known values of its parameters."""
 
     skill: SkillInterface
     values: Mapping[str, Any]
 
 
 def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahead]:
-    """The skills of a tree that can start next; all with which it begins if it does not run. `then`
-    is what starts when it has succeeded.
+    """The skills of a tree that can start next. For a tree that does not run, these are its first
+    skills. `then` starts after the success of the tree.
     """
     with deep():
         found = _after(root)
@@ -45,7 +45,9 @@ def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahea
 
 
 class _After(NamedTuple):
-    """The skills that can start when leaves end, and how what they are in can end then."""
+    """The skills that can start after leaves end, and the possible results of the nodes above
+    them.
+    """
 
     skills: Sequence[Ahead]
     may_succeed: bool
@@ -62,20 +64,20 @@ def _after(node: Behaviour) -> _After:
             return _After((), True, True)
         case RunningSkill(tree=Behaviour() as tree):
             skills, may_succeed, _ = _after(tree)
-            return _After(skills, may_succeed, True)  # its conditions may be broken
+            return _After(skills, may_succeed, True)  # its conditions may become false
         case composites.Sequence() | composites.Selector():
             return _after_child(node)
         case decorators.Decorator():
             return _after_decorated(node)
-        case _:  # open: a parallel, of which all children that run are looked at
+        case _:  # open: a parallel, whose running children are all examined
             found = [_after(each) for each in node.children if each.status is Status.RUNNING]
             skills = [skill for each in found for skill in each.skills]
             return _After(skills, any(e.may_succeed for e in found), any(e.may_fail for e in found))
 
 
 def _after_child(node: composites.Sequence | composites.Selector) -> _After:
-    """The child behind the one at hand may follow in a sequence or a selector. Without memory, all
-    before it start again at each tick.
+    """The child after the current one may follow in a sequence or a selector. Without memory, all
+    children before it restart at each tick.
     """
     child = node.current_child
     if child is None:
@@ -101,11 +103,11 @@ def _after_decorated(node: decorators.Decorator) -> _After:
     return _After(skills, may_end, may_end)
 
 
-# --- beginnings -----------------------------------------------------------------------------------
+# --- first skills ---------------------------------------------------------------------------------
 
 
 def _beginning(node: Behaviour) -> Iterator[Ahead]:
-    """The skills with which something begins that does not run."""
+    """The first skills of a node that does not run."""
     match node:
         case RunningSkill():
             yield from _of_call(node.call, node.shared, node.execution, node.depth)
@@ -114,7 +116,7 @@ def _beginning(node: Behaviour) -> Iterator[Ahead]:
                 yield from _beginning(node.children[0])
         case decorators.Decorator():
             yield from _beginning(node.decorated)
-        case _:  # open: a parallel begins with all
+        case _:  # open: a parallel starts all children
             for each in node.children:
                 yield from _beginning(each)
 
@@ -122,7 +124,7 @@ def _beginning(node: Behaviour) -> Iterator[Ahead]:
 def _of_call(
     call: SkillCall, shared: Mapping[str, Any], execution: ExecutionContext, depth: int
 ) -> Iterator[Ahead]:
-    """A skill, and those with which its trees begin; with the values that its parent shares."""
+    """A skill, and the first skills of its trees, with the values that its parent shares."""
     for plan in execution.plans.of(call):
         values = plan.started_with(shared)
         known = {name: value for name, value in values.items() if value is not None}

@@ -21,10 +21,10 @@ class WrongArgumentError(ValueError):
 
 
 def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) -> dict[str, object]:
-    """The values of the parameters that are given as `Name=value`.
+    """The values of the parameters in texts such as `Name=value`.
 
-    Things are given by their name, such as `skiros:Product-7`, by their label or their IRI; members
-    of enumerations by their names. Raises `WrongArgumentError`.
+    Individuals are given by name, such as `skiros:Product-7`, by label or by IRI, and members of
+    enumerations by name. Raises `WrongArgumentError`.
     """
     found: dict[str, object] = {}
     for text in texts:
@@ -52,7 +52,9 @@ def _parameter(skill: SkillInterface, name: str) -> Parameter:
         hint = f"did you mean `{near[0]}`?" if near else has
         raise WrongArgumentError(f"`{skill.name}` has no parameter `{name}`; {hint}")
     if parameter.is_output:
-        raise WrongArgumentError(f"`{name}` cannot be given: `{skill.name}` finds it out")
+        raise WrongArgumentError(
+            f"`{name}` cannot be given, because `{skill.name}` sets this output"
+        )
     return parameter
 
 
@@ -63,7 +65,7 @@ def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
         return WorldThing(fitting[0], world)
     if fitting:
         spelled = ", ".join(map(world.spelled, fitting))
-        problem = f"several things are called {name!r}: {spelled}"
+        problem = f"several individuals are called {name!r}: {spelled}"
         raise WrongArgumentError(f"`{parameter.name}`: {problem}")
     if found:
         classes = ", ".join(map(world.spelled, world.classes(found[0])))
@@ -74,13 +76,14 @@ def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
 
 
 def _those(parameter: Parameter, world: World) -> str:
-    """Name the things of the class of a parameter."""
+    """Name the individuals of the class of a parameter."""
     things = world.things(parameter.iri or "")
     if not things:
-        return f"the world has nothing that is {wanted(parameter)}: a scene (`--scene`) can say so"
+        missing = f"the world has no individual that is {wanted(parameter)}"
+        return f"{missing}: add one to the scene (`--scene`)"
     shown = [_with_label(each, world) for each in things[:_MOST_NAMED]]
     more = f" and {len(things) - _MOST_NAMED} more" if len(things) > _MOST_NAMED else ""
-    return f"there is {', '.join(shown)}{more}"
+    return f"choose from {', '.join(shown)}{more}"
 
 
 def _with_label(thing: str, world: World) -> str:

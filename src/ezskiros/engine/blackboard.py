@@ -1,11 +1,11 @@
-"""The values of a task as in SkiROS2: on one blackboard for the skills of all levels.
+"""The values of a task as in SkiROS2: one blackboard for the skills of all levels.
 
-Each parameter has a key there. A value that is passed to a child renames a key of the child, and of
-all below it; SkiROS2 drops some of these renamings. A parameter that has a default, or is given a
-value, never takes one from the blackboard, but writes its own there.
+Each parameter has a key on the blackboard. A value that is passed to a child renames a key of the
+child and of all skills below it; SkiROS2 drops some of these renamings. A parameter with a default
+or a given value never reads from the blackboard, but writes its own value there.
 
-A value lies in a cell, a list with at most one item, as in SkiROS2. Cells are handed on, not
-copied: what a primitive writes into its cell is seen by all that have the same one.
+A value is in a cell, a list with at most one item, as in SkiROS2. Cells are shared, not copied: if
+a primitive writes into its cell, all skills with the same cell see the value.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from ezskiros.skills.interface import ROBOT, Parameter
 from ezskiros.trees.tree import ThingReference, ValueReference
 
 Cell = list[Any]
-"""Empty if there is no value. Of a thing that is not known it has None: SkiROS2 has an element
-without a name there, which counts as a value.
+"""A list with the value; empty without a value. For an unknown individual the value is None:
+SkiROS2 has an element without a name there, which counts as a value.
 """
 
 
@@ -34,7 +34,7 @@ class Remaps:
         self._known: dict[str, str] = {}
 
     def add(self, key: str, other: str) -> None:
-        """Rename a key, unless it was renamed before, or the other one is in use here."""
+        """Rename a key, unless it was renamed before or the other key is used here."""
         if key in self._known:
             return
         other = self._known.get(other, other)
@@ -45,9 +45,7 @@ class Remaps:
         self._known[key] = other
 
     def add_all(self, above: Remaps) -> None:
-        """Rename the keys that the parent skill has renamed, as SkiROS2 does when it adds a
-        child.
-        """
+        """Apply the renamings of the parent skill, as SkiROS2 does when it adds a child."""
         for key, other in above._known.items():
             self.add(key, other)
 
@@ -57,7 +55,7 @@ class Remaps:
 
 
 def remaps_of(call: SkillCall, plan: ChildStart, above: Remaps | None) -> Remaps:
-    """The keys of a child: first its call renames them, then what is above it."""
+    """The keys of a child: first its call renames them, then the skills above it."""
     parameters = {each.name: each.key for each in plan.skill.parameters}
     found = Remaps(parameters.values())
     for name, value in call.arguments.items():
@@ -69,18 +67,20 @@ def remaps_of(call: SkillCall, plan: ChildStart, above: Remaps | None) -> Remaps
 
 
 class Blackboard:
-    """The cells of a task by their keys. A key has the type of the first value that it got."""
+    """The cells of a task by key. A key has the type of the first value that was written to it."""
 
     def __init__(self) -> None:
         self._cells: dict[str, tuple[type, Cell]] = {}
 
     def read(self, key: str, kind: type) -> Cell | None:
-        """The cell of a key, None if it has none whose value is of the type."""
+        """The cell of a key; None if the key has no value of the type."""
         _, cell = self._cells.get(key, (kind, None))
         return cell if cell is not None and _is_of(cell, kind) else None
 
     def write(self, key: str, kind: type, cell: Cell) -> None:
-        """Put a cell under a key, unless its value is of another type; an empty one removes it."""
+        """Put a cell under a key, unless its value is of another type. An empty cell removes the
+        key.
+        """
         known = self._cells.get(key, (kind, cell))[0]
         if not cell:
             self._cells.pop(key, None)
@@ -89,7 +89,7 @@ class Blackboard:
 
 
 class Cells:
-    """Those of the parameters of one skill."""
+    """The cells of the parameters of one skill."""
 
     def __init__(
         self, plan: ChildStart, keys: Mapping[str, str], blackboard: Blackboard, world: World
@@ -102,14 +102,15 @@ class Cells:
         self._cells: dict[str, Cell] = {}
 
     def start(self) -> dict[str, Any]:
-        """The values when the skill starts: by default or by the call, or from the blackboard."""
+        """The values at the start of the skill: by default, by the call, or from the blackboard."""
         for parameter, _, _, fixed in self._parameters:
             is_empty = fixed is None and not parameter.is_thing
             self._cells[parameter.name] = [] if is_empty else [fixed]
         return self.read()
 
     def read(self) -> dict[str, Any]:
-        """The values, updated from the blackboard. A thing that no longer exists becomes None.
+        """The values, updated from the blackboard. An individual that no longer exists becomes
+        None.
 
         A parameter that has lost its key keeps its value.
         """
@@ -126,7 +127,7 @@ class Cells:
         return {name: cell[0] if cell else None for name, cell in self._cells.items()}
 
     def replace(self, values: Mapping[str, Any]) -> None:
-        """Replace values by cells for inferred things."""
+        """Replace values, for example by inferred individuals."""
         for name, cell in self._cells.items():
             if values[name] is not None and cell != [values[name]]:
                 self._cells[name] = [values[name]]
@@ -154,7 +155,7 @@ class Cells:
 
 
 def _kind(parameter: Parameter) -> type:
-    """The type of the values of a parameter; for SkiROS2 all things are of one type."""
+    """The type of the values of a parameter. For SkiROS2 all individuals have one type."""
     return WorldThing if parameter.is_thing else parameter.type
 
 

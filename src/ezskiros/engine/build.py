@@ -17,7 +17,7 @@ from ezskiros.skills.nodes import Decorator, Node, Processor
 
 
 def root_skill(call: SkillCall, execution: ExecutionContext, label: str) -> RunningSkill:
-    """The skill of a task, with nothing above it."""
+    """The skill of a task, at the root."""
     return _skill_class(execution)(call, Names({}), execution, label, behavior)
 
 
@@ -31,7 +31,7 @@ def behavior(
 
 
 def _skill_class(execution: ExecutionContext) -> type[RunningSkill]:
-    """The class that runs skills: with values as they are meant, or as SkiROS2 has them."""
+    """The class that runs skills: with exact values, or with the values of SkiROS2."""
     return CompatibleSkill if execution.compatible else RunningSkill
 
 

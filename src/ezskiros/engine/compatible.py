@@ -14,10 +14,10 @@ from ezskiros.engine.skill import RunningSkill
 
 
 class CompatibleSkill(RunningSkill):
-    """A child whose values are those of a blackboard, which all skills of a task have in common.
+    """A child with the values of a blackboard, which all skills of a task share.
 
-    It reads when it starts, before each tick of a primitive, when the tree of a compound has a
-    result, and before a stop. It writes when it runs, and after each of these.
+    The child reads the blackboard when it starts, before each tick of a primitive, when the tree of
+    a compound has a result, and before a stop. It writes when it runs, and after each of these.
     """
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
@@ -29,7 +29,7 @@ class CompatibleSkill(RunningSkill):
         self._cells: Cells | None = None
 
     def update(self) -> Status:
-        """One tick; of a compound its children are ticked first."""
+        """Tick once. The children of a compound are ticked first."""
         self._values.update(self._known.values() if self._tree is not None else self._known.read())
         status = super().update()
         if status is Status.RUNNING and self._tree is None:
@@ -42,7 +42,7 @@ class CompatibleSkill(RunningSkill):
         return self._cells
 
     def _plans(self) -> Sequence[ChildStart]:
-        """SkiROS2 tries no other implementation than the first."""
+        """The first implementation only, because SkiROS2 tries no other one."""
         return super()._plans()[:1]
 
     def _started_with(self, plan: ChildStart) -> dict[str, Any]:
@@ -64,16 +64,16 @@ class CompatibleSkill(RunningSkill):
         return problem
 
     def _expand(self) -> Reason | None:
-        """The tree is that of the first start, also for other values."""
+        """Use the tree of the first start, also for other values."""
         if self._tree is not None:
             return None
         problem = super()._expand()
         if problem is None:
-            self._tree_names.values = {}  # children have theirs from the blackboard
+            self._tree_names.values = {}  # children take their values from the blackboard
         return problem
 
     def _share(self) -> None:
-        if self.status is not Status.RUNNING:  # what is inferred is shared when the skill runs
+        if self.status is not Status.RUNNING:  # inferred values are shared when the skill runs
             self._known.replace(self._values)
             return
         self._known.fill(self._values)

@@ -32,11 +32,11 @@ _COMPARED: dict[str, Callable[[Value, Value], bool]] = {
 }
 
 Bound = Mapping[str, str]
-"""The things that parameters stand for, as IRIs."""
+"""The individuals of parameters, as IRIs."""
 
 
 def holds(statement: Statement, bound: Bound, world: World) -> bool:
-    """Say whether a condition holds; nothing but its opposite holds of what is not specified."""
+    """Say whether a condition holds. If a parameter has no value, only negated conditions hold."""
     return _is_so(statement, bound, world) == statement.is_true
 
 
@@ -75,7 +75,7 @@ def _are_related(said: Relation, subject: str, other: str | None, world: World) 
 
 
 def _compares(sign: str, value: Value, other: Value) -> bool:
-    """Say whether two values compare so; of values that have no order, only `=` may hold."""
+    """Say whether a comparison of two values holds. Unordered values only support `=`."""
     try:
         return _COMPARED[sign](value, other)
     except TypeError:
@@ -86,10 +86,10 @@ def _compares(sign: str, value: Value, other: Value) -> bool:
 
 
 def make(statement: Statement, bound: Bound, world: World) -> None:
-    """Make a condition hold, whether it is one that is true or one with `~`.
+    """Make a condition true, or a condition with `~` false.
 
-    Of several ways the simplest is taken: of `a | b` the first, of `Weight < 3` a value that is one
-    less. What is said of parameters that stand for nothing is left as it is.
+    The simplest change is made: for `a | b` the first alternative, for `Weight < 3` a value that is
+    smaller by one. Conditions about parameters without a value change nothing.
     """
     if isinstance(statement, AnyOf):
         parts = statement.parts[:1] if statement.is_true else map(negated, statement.parts)
@@ -136,7 +136,7 @@ def _make_compare(said: Comparison, subject: str, world: World) -> None:
 
 
 def _value_so(sign: str, value: Value) -> Value:
-    """A value that compares so with another."""
+    """A value for which the comparison with another value holds."""
     if sign in ("=", "<=", ">=") or isinstance(value, (str, bool)):
         return value
     return value - 1 if sign == "<" else value + 1
@@ -146,9 +146,9 @@ def _value_so(sign: str, value: Value) -> Value:
 
 
 def reason(statement: Statement, bound: Bound, world: World) -> str:
-    """Tell what the world says instead of a condition that does not hold."""
+    """Report the facts of the world that contradict a condition."""
     stands_for = (
-        f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} is nothing"
+        f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} has no value"
         for name in dict.fromkeys(names(statement))
     )
     return "; ".join([*stands_for, *_facts(statement, bound, world)])
@@ -175,7 +175,7 @@ def _facts(statement: Statement, bound: Bound, world: World) -> Iterator[str]:
             yield f"{subject} {world.spelled(iri)}: {found}"
         case OfType(subject=subject):
             found = ", ".join(map(world.spelled, world.classes(bound[subject]))) or "nothing"
-            yield f"{subject} is of {found}"
+            yield f"{subject} has the classes {found}"
         case Generated(subject=subject, is_true=is_true):
             yield f"{subject} is {'not ' if is_true else ''}in the world"
         case Specified():

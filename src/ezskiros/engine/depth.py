@@ -7,18 +7,18 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 MOST_DEPTH = 2000
-"""Levels of a tree, with those of the compounds in it."""
+"""The most levels of a tree, including those of the compounds in it."""
 _FRAMES = 4
 """The maximum number of Python frames per level."""
 
 
 class TooDeepError(Exception):
-    """A tree has more levels than that."""
+    """A tree has more than `MOST_DEPTH` levels."""
 
 
 @contextmanager
 def deep() -> Iterator[None]:
-    """Within, Python goes as deep as trees may be."""
+    """While the context is active, Python's recursion limit fits the depth of trees."""
     before = sys.getrecursionlimit()
     sys.setrecursionlimit(before + MOST_DEPTH * _FRAMES)
     try:

@@ -13,16 +13,16 @@ class Happened(enum.Enum):
 
     STARTED = "started"
     CHOSEN = "chosen"
-    """One of several things was inferred."""
+    """One of several individuals was inferred."""
     RUNNING = "running"
-    """A skill says something new of its progress."""
+    """A skill reports new progress."""
     SUCCEEDED = "succeeded"
     FAILED = "failed"
     PREEMPTED = "preempted"
 
 
 class Code(enum.IntEnum):
-    """The number that SkiROS2 tells in place of the progress of a skill; POST is ours."""
+    """The number that SkiROS2 reports as the progress of a failed skill. POST exists only here."""
 
     END = 1
     PRE = -1
@@ -42,11 +42,11 @@ class Reason:
 
 
 class Event(NamedTuple):
-    """Something that happened to a skill.
+    """An event of a skill.
 
-    `path` has the names of the skills from the root on; of several children with the same name all
-    but the first have a number, such as `Wait#2`. `code` and `text` are its progress, as SkiROS2
-    has it; `values` are those of its parameters when it starts, empty else.
+    `path` has the names of the skills from the root. If several children have the same name, all
+    except the first have a number, such as `Wait#2`. `code` and `text` are the progress, as in
+    SkiROS2. At a start, `values` are the values of the parameters; otherwise it is empty.
     """
 
     happened: Happened

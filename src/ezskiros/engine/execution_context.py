@@ -18,9 +18,9 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.trees.library import Library
 
 Choose = Callable[[SkillInterface, Sequence[Solution]], Solution]
-"""Picks one of several things that parameters can stand for."""
+"""Picks one of several solutions for inferred parameters."""
 Guard = Callable[[str], str | None]
-"""Says why a skill has to wait before it starts, by its name; None if it may start."""
+"""The reason why a skill, given by name, has to wait before it starts; None if it may start."""
 
 
 def _first(_skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
@@ -29,7 +29,7 @@ def _first(_skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
 
 @dataclass
 class ExecutionContext:
-    """The world, the library, and how skills are run."""
+    """The world, the library, and the mode of execution."""
 
     library: Library
     world: World
@@ -40,12 +40,12 @@ class ExecutionContext:
     """True if the engine behaves like SkiROS2, including its defects."""
     choose: Choose = _first
     clock: Callable[[], float] = time.monotonic
-    """In seconds."""
+    """A clock in seconds."""
     expansions: Expansions = field(default_factory=Expansions)
     last_failure: Reason | None = None
-    """The reason of the last failure, which makes the parents fail."""
+    """The reason of the last failure, which also makes the parents fail."""
     guard: Guard | None = None
-    """It stands in front of each primitive."""
+    """Checked before each start of a primitive."""
 
     def __post_init__(self) -> None:
         self.plans = Plans(self.library)

@@ -1,8 +1,7 @@
 """The tree of a compound skill for the current values of its parameters.
 
-`expandBT` is run when a compound starts, so that its branches go the way of the real values, but
-not again for values that it has been run with; and only once if nothing in its tree depends on
-them.
+`expandBT` runs when a compound starts, so that its branches depend on the actual values. It does
+not run again for the same values, and it runs only once if its tree does not depend on values.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _Implementation = type[SkillImplementation]
 
 
 class Expansions:
-    """The known trees: those that a check has found, by their implementations, and others."""
+    """The known trees, by implementation: trees that a check has found, and other ones."""
 
     def __init__(self, trees: Iterable[Tree] = ()) -> None:
         self._trees: dict[Span, list[Tree]] = {}
@@ -41,7 +40,7 @@ class Expansions:
     def tree(
         self, implementation: _Implementation, skill: SkillInterface, values: Mapping[str, Any]
     ) -> Tree | Reason:
-        """The tree for some values, or why there is none."""
+        """The tree for some values, or the reason why there is none."""
         fixed = self.fixed(implementation, skill)
         if fixed is not None:
             return fixed
@@ -54,13 +53,13 @@ class Expansions:
         return self._by_values[key]
 
     def fixed(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
-        """The tree that it has for all values; None if the tree depends on them."""
+        """The tree for all values; None if the tree depends on values."""
         if implementation not in self._fixed:
             self._fixed[implementation] = self._only_tree(implementation, skill)
         return self._fixed[implementation]
 
     def _only_tree(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
-        """The tree if there is one for all values; None if it depends on them."""
+        """The tree if there is one for all values; None if the tree depends on values."""
         trees = self._trees.get(class_span(implementation))
         if trees is None:
             with session.trying():
@@ -69,7 +68,7 @@ class Expansions:
 
 
 def _is_fixed(root: Node) -> bool:
-    """Say whether nothing in a tree is computed from values."""
+    """Say whether no value in a tree is computed from parameters."""
     work: list[Node] = [root]
     while work:
         node = work.pop()

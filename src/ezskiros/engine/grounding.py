@@ -18,11 +18,11 @@ from ezskiros.skills.interface import Clause, Parameter
 
 @dataclass
 class Names:
-    """The values that the children of one tree share, by their names."""
+    """The values that the children of one tree share, by name."""
 
     values: dict[str, Any]
     inferred: set[str] = field(default_factory=set)
-    """Those that a child has found in the world: another may have to look again."""
+    """Names whose values a child has inferred. Another child may have to infer them again."""
 
 
 def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
@@ -34,22 +34,22 @@ def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
     for parameter in plan.things:
         value = values[parameter.name]
         if value is not None and not value._world.is_a(value.iri, parameter.iri):  # noqa: SLF001
-            text = f"`{parameter.name}` is {wanted(parameter)}, and {value} is none"
+            text = f"`{parameter.name}` must be {wanted(parameter)}, but {value} is not"
             return Reason(Code.START, f"{text} ({parameter.span})")
     return None
 
 
 def missing_output(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
-    """Find a parameter that a skill had to give a value, and has not."""
+    """The reason why a skill has not set one of its outputs; None if all are set."""
     for parameter in plan.outputs:
         if values[parameter.name] is None:
-            reported = f"`{parameter.name}` has no value, and the skill is to give it one"
+            reported = f"the skill has not set `{parameter.name}`"
             return Reason(Code.POST, f"{reported} ({parameter.span})")
     return None
 
 
 class Grounding:
-    """Finds things for the parameters that are to be inferred, in place in `values`."""
+    """Finds individuals for inferred parameters, and stores them in `values`."""
 
     def __init__(
         self, plan: ChildStart, names: Names, values: dict[str, Any], execution: ExecutionContext
@@ -57,13 +57,13 @@ class Grounding:
         self._plan, self._names, self._values = plan, names, values
         self._execution, self._world = execution, execution.world
         self.chosen: tuple[Solution, Sequence[Solution]] | None = None
-        """The solution that was taken, if there was a choice, and all that there were."""
+        """The chosen solution, and all solutions; None if there was no choice."""
 
     def ground(self) -> Reason | None:
-        """Infer missing parameters. Return the reason why the skill cannot start, None if it can.
+        """Infer missing parameters. Returns the reason why the skill cannot start, or None.
 
-        A thing that another child inferred is kept while the pre-conditions hold with it. SkiROS2
-        always keeps it.
+        An individual that another child inferred is kept while the pre-conditions hold with it.
+        SkiROS2 always keeps it.
         """
         plan, values = self._plan, self._values
         free = [each for each in plan.inferred if values[each.name] is None]
@@ -87,7 +87,7 @@ class Grounding:
         found = infer(plan.skill, free, given, world, is_equality=is_equality)
         if found.without_candidates:
             first = found.without_candidates[0]
-            text = f"the world has nothing for `{first.name}`, {wanted(first)} ({first.span})"
+            text = f"the world has no individual for `{first.name}`, {wanted(first)} ({first.span})"
             return Reason(Code.PRE, text)
         if not found.solutions:
             return _impossible(plan, free, given, self._execution)
@@ -104,7 +104,7 @@ class Grounding:
 
 
 def bound(values: Mapping[str, Any]) -> dict[str, str]:
-    """The things among some values, as IRIs."""
+    """The individuals among some values, as IRIs."""
     return {name: each.iri for name, each in values.items() if type(each) is WorldThing}
 
 
@@ -116,7 +116,7 @@ def broken_pre(plan: ChildStart, values: Mapping[str, Any], world: World) -> Rea
 def broken(
     clauses: Iterable[Clause], reported: str, code: Code, values: Mapping[str, Any], world: World
 ) -> Reason | None:
-    """The first condition that does not hold: as it is written, where, and what the world says."""
+    """The first condition that does not hold: its text, its place, and the facts of the world."""
     if not clauses:
         return None
     things = bound(values)
@@ -133,7 +133,7 @@ def _impossible(
     given: Mapping[str, str],
     execution: ExecutionContext,
 ) -> Reason:
-    """The first pre-condition with which nothing is left for the free parameters."""
+    """The first pre-condition that leaves no individual for the free parameters."""
     skill, world, is_equality = plan.skill, execution.world, execution.compatible
     known = {**given}
     for count in range(1, len(skill.pre) + 1):

@@ -1,8 +1,8 @@
-"""Inference of things for parameters that are not given, from the pre-conditions.
+"""Inference of individuals for missing parameters, from the pre-conditions.
 
-A search through the things of the right classes. Of several solutions the first is taken, by the
-names of the things in the order of the parameters; the others are reported, unlike in SkiROS2,
-which takes one of them silently.
+The search tries the individuals of the right classes. Of several solutions it takes the first one,
+by the names of the individuals in the order of the parameters. The other solutions are reported;
+SkiROS2 takes one silently.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from ezskiros.ontology.statements import Comparison, Relation, Statement
 from ezskiros.skills.interface import Parameter, SkillInterface
 
 MOST_SOLUTIONS = 10
-"""More are not told of."""
+"""The most solutions that are reported."""
 
 Solution = Mapping[str, str]
 
 
 @dataclass(frozen=True)
 class Inferred:
-    """The result of the search: for each free parameter a thing, in each solution."""
+    """The result of the search: an individual for each free parameter, in each solution."""
 
     solutions: tuple[Solution, ...]
     without_candidates: tuple[Parameter, ...] = ()
-    """Parameters for which the world has nothing of their class."""
+    """Parameters without any individual of their class in the world."""
 
 
 def infer(
@@ -39,9 +39,9 @@ def infer(
     *,
     is_equality: bool = False,
 ) -> Inferred:
-    """Things for the free parameters so that all pre-conditions about things hold.
+    """Individuals for the free parameters that satisfy all pre-conditions about them.
 
-    With `is_equality` properties have to be equal to what they are compared with, as in SkiROS2.
+    With `is_equality`, every comparison of a property tests for equality, as in SkiROS2.
     """
     candidates = {each.name: world.things(each.iri or "") for each in free}
     empty = tuple(each for each in free if not candidates[each.name])
@@ -70,9 +70,10 @@ def _narrowed(
     statements: Sequence[Statement],
     world: World,
 ) -> dict[str, list[str]]:
-    """The candidates without those that are not related as a condition asks for.
+    """The candidates that have the relations of a condition.
 
-    The search would leave them out too, but only after it has tried them with all others.
+    The search would exclude the others too, but only after it has tried them with all other
+    candidates.
     """
     known = {name: {thing} for name, thing in given.items()}
     known |= {name: set(things) for name, things in candidates.items()}
@@ -85,7 +86,7 @@ def _narrowed(
 
 
 def _narrow(known: dict[str, set[str]], said: Relation, world: World) -> None:
-    """Leave only what is related."""
+    """Keep only related candidates."""
     if said.subject not in known or said.object not in known:
         return
     subjects, objects = known[said.subject], known[said.object]
@@ -101,7 +102,9 @@ def _narrow(known: dict[str, set[str]], said: Relation, world: World) -> None:
 
 @dataclass(frozen=True)
 class _Search:
-    """A search with backtracking; each condition is asked as soon as all of it is bound."""
+    """A search with backtracking. Each condition is tested as soon as all its parameters have a
+    value.
+    """
 
     world: World
     statements: list[Statement]

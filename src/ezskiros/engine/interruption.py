@@ -1,10 +1,11 @@
 """A task that a recovery tree interrupts, after a finding of a rule (thesis, section 5.2).
 
-Whoever watches the robot asks for a tree, from any thread. At the next tick the primitives that run
-are preempted, and the tree is ticked in their place. When it has succeeded, the task goes on as it
-was asked to. One that fails ends the task: nobody knows any more whether the task can go on.
+A monitor of the robot requests a tree, from any thread. At the next tick the running primitives are
+preempted, and the tree is ticked instead of the task. After the tree has succeeded, the task
+continues as requested. A failed tree ends the task, because it is unknown whether the task can
+continue.
 
-While another way to its goal is looked for, nothing moves.
+During the search for another plan, nothing moves.
 """
 
 from __future__ import annotations
@@ -39,15 +40,15 @@ class Afterwards(enum.Enum):
     RESUME = "resume"
     """The preempted primitives restart; finished work stays done."""
     RETRY = "retry"
-    """The task starts again."""
+    """The task restarts."""
     REPLAN = "replan"
-    """Other skills lead to the post-conditions of the task, from where the world is now."""
+    """Other skills lead from the current world to the post-conditions of the task."""
 
 
 @dataclass(frozen=True, eq=False)
 class Recovery:
-    """A tree that is asked for. `done` is reported once, by the thread that ticks, whether it has
-    succeeded, and why not. A way that is looked for afterwards is one `without` some skills.
+    """A requested tree. The ticking thread calls `done` once, with the result and the reason of a
+    failure. A new plan is made `without` some skills.
     """
 
     call: SkillCall
@@ -57,19 +58,19 @@ class Recovery:
     _released: threading.Event = field(default_factory=threading.Event, init=False)
 
     def release(self) -> None:
-        """Request the end of this tree only, from any thread. The task continues where it was. A
-        tree that has not started never does.
+        """Request the end of only this tree, from any thread. The task continues where it was. A
+        tree that has not started never starts.
         """
         self._released.set()
 
     @property
     def is_released(self) -> bool:
-        """True if no rule requests this tree any more."""
+        """True if no rule requests this tree anymore."""
         return self._released.is_set()
 
 
 def newly_asked(queue: SimpleQueue[Recovery]) -> Iterator[Recovery]:
-    """Those that somebody asked for, and still wants; the others are told that they are stopped."""
+    """The requests that are still valid. The others are reported as stopped."""
     while True:
         try:
             asked = queue.get_nowait()
@@ -82,14 +83,14 @@ def newly_asked(queue: SimpleQueue[Recovery]) -> Iterator[Recovery]:
 
 
 class NoWayError(Exception):
-    """No skills lead to the goal of a task; the text says why."""
+    """No skills lead to the goal of a task. The text gives the reason."""
 
 
 Way = Sequence[SkillCall]
-"""Skills, one after the other."""
+"""A plan: skills, one after the other."""
 Replan = Callable[[SkillCall, Sequence[Prohibition]], "Future[Way]"]
-"""Looks for a way to the post-conditions of a skill, of which all values are given, from where the
-world is now, and without what rules always stop. The future raises `NoWayError`.
+"""Searches for a plan from the current world to the post-conditions of a skill whose values are all
+given, without the skills that rules always stop. The future raises `NoWayError`.
 """
 
 
@@ -99,7 +100,7 @@ class InterruptibleTask(Task):
     def __init__(self, call: SkillCall, execution: ExecutionContext, replan: Replan) -> None:
         super().__init__(call, execution)
         self.begun: Callable[[RunningSkill], object] = lambda _: None
-        """Hears of each tree that takes the place of another: recoveries, and skills of a plan."""
+        """Called for each tree that replaces another one: recoveries, and skills of a plan."""
         self._call, self._replan = call, replan
         self._aim = call
         self._left: deque[SkillCall] = deque()
@@ -134,18 +135,18 @@ class InterruptibleTask(Task):
         return own if self._tree is None else [*skills_ahead(self._tree), *own]
 
     def go_by(self, way: Way) -> None:
-        """Follow a plan to the goal that was made before the first tick, instead of the task's own
-        tree. The plan has at least one skill.
+        """Follow a plan that was made before the first tick, instead of the task's own tree. The
+        plan has at least one skill.
         """
         self._left = deque(way)
         self._start(self._left.popleft())
 
     def recover(self, recovery: Recovery) -> None:
-        """Ask for a tree, from any thread. One that runs already gives way to it."""
+        """Request a tree, from any thread. A running tree is replaced."""
         self._asked.put(recovery)
 
     def tick(self) -> Status:
-        """One tick, of the tree if there is one, else of the task."""
+        """Tick the tree if there is one, otherwise the task."""
         with deep():
             self._take()
         if self._search is not None:
@@ -162,7 +163,7 @@ class InterruptibleTask(Task):
         return self._end(self._tree.status)
 
     def preempt(self) -> None:
-        """Stop all that runs."""
+        """Stop the tree and the task."""
         self._give_up("the task is stopped")
         super().preempt()
 
@@ -175,13 +176,14 @@ class InterruptibleTask(Task):
         return Status.RUNNING
 
     def _take(self) -> None:
-        """The last that was asked for since the tick before. A release ends a tree; a search goes
-        on, since the tree has done its work, and the old way need not be there any more.
+        """Begin the last tree that was requested since the tick before. A release ends a tree. A
+        search for a plan continues, because the tree has done its work, and the old plan may no
+        longer be possible.
         """
         if self._tree is not None and self._recovery is not None and self._recovery.is_released:
             self._give_up("it was stopped")
         for asked in newly_asked(self._asked):
-            self._give_up("another tree is asked for")
+            self._give_up("another tree was requested")
             self._begin(asked)
 
     def _begin(self, asked: Recovery) -> None:
@@ -203,7 +205,7 @@ class InterruptibleTask(Task):
             recovery.done(False, why)
 
     def _end(self, status: Status) -> Status:
-        """After the tree: the task goes on, or has failed."""
+        """After the tree, continue the task, or let it fail."""
         recovery = self._recovery
         assert recovery is not None, "a tree runs"
         self._tree = None
@@ -222,14 +224,14 @@ class InterruptibleTask(Task):
         return Status.RUNNING
 
     def _goal(self) -> SkillCall:
-        """The call of the task, with the values that it has found for its parameters."""
+        """The call of the task, with the values that were found for its parameters."""
         if self.root.call is self._call:
             values = {**self._call.arguments, **self.root.values}
             self._aim = replace(self._call, arguments=values)
         return self._aim
 
     def _take_way(self, search: Future[Way]) -> Status:
-        """The task goes on by another way; it is over if its goal is met already."""
+        """Continue the task with another plan. The task is over if its goal is met already."""
         recovery = self._recovery
         assert recovery is not None, "a way is looked for"
         self._search = None

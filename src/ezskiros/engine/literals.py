@@ -17,7 +17,7 @@ _CONVERTED: dict[str, Callable[[str], Value]] = {
 
 
 def value_of(term: pyoxigraph.Literal) -> Value:
-    """A literal as a value of Python; as text if its type is not known."""
+    """A literal as a Python value; as text if its type is unknown."""
     kind = split(term.datatype.value)[1]
     try:
         return _CONVERTED.get(kind, str)(term.value)

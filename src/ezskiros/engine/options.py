@@ -13,10 +13,10 @@ from ezskiros.skills.markers import Option
 
 
 def with_options(skill: SkillInterface) -> SkillInterface:
-    """A skill with the conditions that its options stand for.
+    """A skill with the conditions that its options imply.
 
-    What it consumes is not there after it. What it respects the type of is of that class; that goes
-    without saying here, where only things of the class are candidates.
+    A consumed individual does not exist after the skill. The class of an individual with
+    `RESPECT_TYPE` needs no condition here, because all candidates have the class.
     """
     pre = [
         Clause(OfType(each.name, each.iri or ""), each.span)
@@ -32,13 +32,13 @@ def with_options(skill: SkillInterface) -> SkillInterface:
 
 
 def emptied(skill: SkillInterface) -> tuple[str, ...]:
-    """The parameters that stand for nothing after the skill."""
+    """The parameters without a value after the skill."""
     lost = (Option.CONSUME, Option.UNSPECIFY)
     return tuple(each.name for option in lost for each in _with(skill, option))
 
 
 def locked(skill: SkillInterface) -> tuple[str, ...]:
-    """The parameters whose things no other skill may lock meanwhile."""
+    """The parameters whose individuals no other skill may lock at the same time."""
     return tuple(each.name for each in _with(skill, Option.LOCK))
 
 
@@ -47,20 +47,20 @@ def _with(skill: SkillInterface, option: Option) -> Iterator[Parameter]:
 
 
 class Owner(Protocol):
-    """A running skill, as the owner of locks: its parents, and its name there."""
+    """A running skill as the owner of locks: its parents, and its name in the tree."""
 
     @property
     def above(self) -> Owner | None:
-        """The compound whose child it is; None at the root."""
+        """The parent compound; None at the root."""
 
     @property
     def path(self) -> tuple[str, ...]:
-        """The names of the skills from the root on."""
+        """The names of the skills from the root."""
 
 
 class Locks:
-    """The locks of skills on things. What a skill has locked, those below it may lock too, one at a
-    time.
+    """The locks of skills on individuals. Skills below an owner may lock the same individual, one
+    at a time.
     """
 
     def __init__(self) -> None:
@@ -69,7 +69,9 @@ class Locks:
     def lock(
         self, skill: Owner, names: tuple[str, ...], values: Mapping[str, Any]
     ) -> Reason | None:
-        """Lock the things of some parameters. Return None on success, the reason otherwise."""
+        """Lock the individuals of some parameters. Returns None on success, otherwise the
+        reason.
+        """
         things = {name: values[name] for name in names if values[name] is not None}
         for name, thing in things.items():
             owners = self._owners.get(thing.iri)

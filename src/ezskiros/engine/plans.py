@@ -22,10 +22,10 @@ _BASIC = frozenset((str, float, bool))
 class ChildStart(NamedTuple):
     """The start of a child.
 
-    `fixed` are the values that its parameters have by default, or by the call; `shared` has for
-    those that share a name with siblings that name, and `received` only for those that have a value
-    before. `found_out` has those that share a name only when the child has succeeded. `label` names
-    the implementation, if there is one; that of a compound builds a tree.
+    `fixed` are the values of its parameters from defaults or the call. `shared` has the parameters
+    that share a name with siblings, with that name; `received` has only those with a value before
+    the start. `found_out` has those that share their value only after the child has succeeded.
+    `label` names the implementation, if one is given; a compound builds a tree.
     """
 
     skill: SkillInterface
@@ -45,7 +45,7 @@ class ChildStart(NamedTuple):
 
     def started_with(self, shared: Mapping[str, Any]) -> dict[str, Any]:
         """The values of the parameters, from defaults, from the call, or shared with siblings; None
-        for those that are unknown before the start.
+        for values that are unknown before the start.
         """
         values = dict(self.fixed)
         for own, name in self.received:
@@ -57,20 +57,20 @@ class ChildStart(NamedTuple):
 
 @dataclass(frozen=True)
 class _Known:
-    """The facts that all children that are the same skill have in common."""
+    """The facts that are common to all children with the same skill."""
 
     skill: SkillInterface
     implementations: Implementations
     refined: Mapping[type[SkillImplementation] | None, SkillInterface]
-    """The skill as the implementations with pre-conditions of their own do it."""
+    """The skill with the additional pre-conditions of each implementation."""
     parameters: Mapping[str, Parameter]
     defaults: Mapping[str, object]
     shared: tuple[tuple[str, str], ...]
     """The shared parameters that a call does not set."""
     found_out: Mapping[type[SkillImplementation] | None, tuple[tuple[str, str], ...]]
-    """The same, by implementations."""
+    """The parameters that are shared after a success, by implementation."""
     as_they_are: frozenset[type]
-    """The types of values that need no look: a whole number may be meant for a float."""
+    """The types whose values need no conversion. An integer may have to become a float."""
     needed: tuple[Parameter, ...]
     inferred: tuple[Parameter, ...]
     things: tuple[Parameter, ...]
@@ -88,10 +88,11 @@ class Plans:
         self._known: dict[type, _Known] = {}
 
     def of(self, call: SkillCall) -> Sequence[ChildStart]:
-        """The plans of a child, at least one: the first that can start is taken. There are several
-        if it names no implementation, and if these have pre-conditions of their own.
+        """The plans of a child, at least one: the first one that can start is used. There are
+        several if the child names no implementation and the implementations have their own
+        pre-conditions.
 
-        Raises `LookupError` if its description says nothing.
+        Raises `LookupError` if the description has no content.
         """
         plans = self._plans.get(call)
         if plans is None:
@@ -104,7 +105,7 @@ class Plans:
         self, call: SkillCall, known: _Known, kind: type[SkillImplementation] | None
     ) -> ChildStart:
         given = call.arguments
-        if known.as_they_are.issuperset(map(type, given.values())):  # as most are
+        if known.as_they_are.issuperset(map(type, given.values())):  # the common case
             fixed = {**known.defaults, **given}
             shared = tuple(pair for pair in known.shared if pair[0] not in given)
         else:
@@ -162,7 +163,7 @@ class Plans:
 def _looked_at(
     call: SkillCall, known: _Known
 ) -> tuple[dict[str, object], tuple[tuple[str, str], ...]]:
-    """The values that the parameters have, and the names that they share with siblings."""
+    """The values of the parameters, and the names that they share with siblings."""
     fixed = dict(known.defaults)
     for name, value in call.arguments.items():
         fixed[name] = _converted(plain(value), known.parameters.get(name))
@@ -177,8 +178,8 @@ def _pairs(those: Iterable[Shared]) -> tuple[tuple[str, str], ...]:
 
 
 def _implementations(call: SkillCall, known: _Known) -> list[type[SkillImplementation] | None]:
-    """The one that is wanted; or all, in the order in which they were loaded, up to the first that
-    can always do what the description says.
+    """The requested implementation. Otherwise all implementations in the order in which they were
+    loaded, up to the first one without its own pre-conditions.
     """
     if call.implementation is not None:
         return [known.implementations.get(call.implementation)]
@@ -200,11 +201,13 @@ def _received(
 
 
 def _is_needed(parameter: Parameter) -> bool:
-    """Say whether a skill cannot start before a parameter has a value, and nothing can find it."""
+    """Say whether a skill cannot start without a value for a parameter, and nothing can infer the
+    value.
+    """
     return parameter.kind is Kind.REQUIRED and not parameter.is_output
 
 
 def _converted(value: object, parameter: Parameter | None) -> object:
-    """A whole number is a float as well."""
+    """An integer for a float parameter, as a float; any other value unchanged."""
     is_float = parameter is not None and parameter.type is float
     return float(value) if is_float and type(value) is int else value

@@ -1,8 +1,8 @@
 """The processors of SkiROS2, and decorators, as behaviors of py_trees.
 
-Sequences and selectors of py_trees do what SkiROS2's do, with memory for those with a star. Its
-parallel ticks all children before it looks at results, that of SkiROS2 stops at the first that
-decides; so this one is ours.
+Sequences and selectors of py_trees behave like those of SkiROS2, with memory for the processors
+with a star. The parallel of py_trees ticks all children before it examines results, while that of
+SkiROS2 stops at the first deciding child; so EzSkiROS has its own.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ _DECIDES = {Flow.PARALLEL_FF: {Status.FAILURE}, Flow.PARALLEL_FS: {Status.FAILUR
 def processor(
     flow: Flow, children: Sequence[Behaviour], *, is_compatible: bool = False
 ) -> Behaviour:
-    """A processor over children. If it is compatible with SkiROS2, a parallel starts children again
-    that have succeeded while others still run, and one without children runs forever.
+    """A processor with children. If it is compatible with SkiROS2, a parallel restarts children
+    that have succeeded while others still run, and a processor without children runs forever.
     """
     if is_compatible and not children:
         return behaviours.Running(flow.value)
@@ -56,12 +56,13 @@ def decorator(node: Decorator, child: Behaviour, execution: ExecutionContext) ->
 
 
 class _Alone(Behaviour):
-    """Yields nothing but itself. Those of py_trees hand on all that is below, so that a tree takes
-    time by the square of its depth; nobody here asks for it.
+    """A behavior that yields only itself in a tick. The behaviors of py_trees yield all nodes below
+    them, so that the time for a tree grows with the square of its depth; nothing here needs these
+    nodes.
     """
 
     def tick(self) -> Iterator[Behaviour]:
-        """One tick."""
+        """Tick the behavior once."""
         deque(super().tick(), maxlen=0)
         yield self
 
@@ -79,7 +80,7 @@ class _Retry(_Alone, decorators.Retry): ...
 
 
 class _Inverter(_Alone, decorators.Inverter):
-    """Says why it fails: its child does not."""
+    """An inverter that gives the reason of its failure: the success of its child."""
 
     def __init__(
         self, name: str, child: Behaviour, node: Decorator, execution: ExecutionContext
@@ -88,16 +89,16 @@ class _Inverter(_Alone, decorators.Inverter):
         self._node, self._execution = node, execution
 
     def update(self) -> Status:
-        """The opposite."""
+        """The inverted result of the child."""
         status = super().update()
         if status is Status.FAILURE:
-            text = f"what is inverted has succeeded ({self._node.span})"
+            text = f"the inverted child has succeeded ({self._node.span})"
             self._execution.last_failure = Reason(Code.EXECUTION, text)
         return status
 
 
 class _Timeout(_Alone, decorators.Decorator):
-    """Fails when its child has no result in time, by the clock of the task."""
+    """Fails if its child has no result in time, by the clock of the task."""
 
     def __init__(
         self, child: Behaviour, seconds: float, node: Decorator, execution: ExecutionContext
@@ -106,11 +107,11 @@ class _Timeout(_Alone, decorators.Decorator):
         self._seconds, self._node, self._execution, self._end = seconds, node, execution, 0.0
 
     def initialise(self) -> None:
-        """Time starts to run."""
+        """Start the time."""
         self._end = self._execution.clock() + self._seconds
 
     def update(self) -> Status:
-        """The result of the child, if it comes in time."""
+        """The result of the child, or failure after the time limit."""
         status = self.decorated.status
         if status is not Status.RUNNING or self._execution.clock() < self._end:
             return status
@@ -121,7 +122,7 @@ class _Timeout(_Alone, decorators.Decorator):
 
 
 class _Parallel(composites.Composite):
-    """All children in one tick, until one decides or all have succeeded."""
+    """Ticks all children in one tick, until one decides or all have succeeded."""
 
     def __init__(self, flow: Flow, children: Sequence[Behaviour], *, restarts: bool) -> None:
         super().__init__(flow.value, children)
@@ -129,7 +130,7 @@ class _Parallel(composites.Composite):
         self._restarts = restarts
 
     def tick(self) -> Iterator[Behaviour]:
-        """One tick."""
+        """Tick the children once."""
         skips = self.status is Status.RUNNING and not self._restarts
         self.status = Status.RUNNING
         result = Status.SUCCESS

@@ -1,5 +1,5 @@
 """Skills that rules always stop, so that no plan uses them: `Drive`, or
-`Drive(Target=hall.SchoolCorridor)` for things of one class only.
+`Drive(Target=hall.SchoolCorridor)` for individuals of one class only.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ class UnknownProhibitionError(ValueError):
 
 @dataclass(frozen=True)
 class Prohibition:
-    """A skill that rules stop whenever all of `things` are so: parameters, with the IRIs of the
-    classes that their things are of. Without any, it is always stopped.
+    """A skill that rules stop whenever all `things` apply: pairs of a parameter and the IRI of the
+    class of its individual. Without `things`, the skill is always stopped.
     """
 
     skill: str
@@ -33,10 +33,12 @@ class Prohibition:
 def read_prohibition(
     text: str, skills: Mapping[str, SkillInterface], ontology: Ontology
 ) -> Prohibition:
-    """The prohibition in a text. Raises `UnknownProhibitionError`."""
+    """Parse the text of a prohibition. Raises `UnknownProhibitionError`."""
     found = _FORM.fullmatch(text)
     if found is None:
-        raise UnknownProhibitionError(f"`{text}` is no skill with classes of its things")
+        raise UnknownProhibitionError(
+            f"`{text}` is not a skill, or a skill with the classes of its individuals"
+        )
     name, things = found["skill"], found["things"]
     skill = skills.get(name)
     if skill is None:
@@ -49,7 +51,7 @@ def _thing(text: str, skill: SkillInterface, ontology: Ontology) -> tuple[str, s
     name, _, kind = text.partition("=")
     parameter = skill.parameter(name)
     if parameter is None or not parameter.is_thing:
-        raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` that is a thing")
+        raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` for an individual")
     classes = ontology.model.classes
     iris = [iri for iri, spelled in ontology.spelled.items() if spelled == kind and iri in classes]
     if not iris:

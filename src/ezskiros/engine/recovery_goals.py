@@ -1,7 +1,7 @@
 """Goals that rules send to a task: the tree, its values, and the continuation of the task.
 
-A goal is a `skill_context_msgs/Recover`. It names the export that the rules were checked with, so
-that no tree is run that they do not know.
+A goal is a `skill_context_msgs/Recover`. It names the export with which the rules were checked, so
+that only trees run that the rules know.
 """
 
 from __future__ import annotations
@@ -26,24 +26,24 @@ from ezskiros.skills.calls import SkillCall, SkillClass
 from ezskiros.skills.interface import SkillInterface
 
 _PASSED = "@"
-"""Begins a value that is the parameter of a skill that runs: `Target=@Drive.Target`."""
+"""The prefix of a value that is the parameter of a running skill: `Target=@Drive.Target`."""
 
 
 class RefusedError(ValueError):
-    """A goal that cannot be run; the text says why."""
+    """A goal that cannot be run. The text gives the reason."""
 
 
 class Host(Protocol):
-    """Runs skills, and trees in their place. Raises `RefusedError` while it can run no tree."""
+    """Runs skills, and trees instead of them. Raises `RefusedError` while it cannot run a tree."""
 
     @property
     def known(self) -> dict[str, tuple[SkillClass, SkillInterface]]:
-        """The skills by their names."""
+        """The skills by name."""
         ...
 
     @property
     def world(self) -> World:
-        """The world in which things have their names. Raises `RefusedError`."""
+        """The world with the names of individuals. Raises `RefusedError`."""
         ...
 
     @property
@@ -54,12 +54,12 @@ class Host(Protocol):
         ...
 
     def recover(self, recovery: Recovery) -> None:
-        """Run a tree at the next tick. Raises `RefusedError` if it can never run it."""
+        """Run a tree at the next tick. Raises `RefusedError` if the tree can never run."""
         ...
 
 
 class TaskHost:
-    """A task of our engine."""
+    """A task of EzSkiROS's engine."""
 
     def __init__(self, task: InterruptibleTask) -> None:
         library = task.execution.library
@@ -70,7 +70,7 @@ class TaskHost:
 
     @property
     def running(self) -> Iterable[Running]:
-        """As of the task."""
+        """The running skills of the task."""
         return self._task.running
 
 
@@ -98,7 +98,7 @@ class RecoveryGoals:
         try:
             going_on = Afterwards(afterwards)
         except ValueError:
-            raise RefusedError(f"a task cannot go on by `{afterwards}`") from None
+            raise RefusedError(f"a task cannot continue with `{afterwards}`") from None
         recovery = Recovery(call, going_on, done, self._prohibitions(without))
         self._host.recover(recovery)
         return recovery
@@ -121,10 +121,10 @@ class RecoveryGoals:
             ontology = self._host.world.ontology
             return tuple(read_prohibition(each, skills, ontology) for each in texts)
         except UnknownProhibitionError as problem:
-            raise RefusedError(f"a skill that rules forbid is not known: {problem}") from None
+            raise RefusedError(f"the list of forbidden skills is wrong: {problem}") from None
 
     def _resolved(self, text: str) -> str:
-        """An argument with the value that a skill which runs has now."""
+        """An argument with the current value of a running skill's parameter."""
         name, _, value = text.partition("=")
         if not value.startswith(_PASSED):
             return text
@@ -136,13 +136,13 @@ class RecoveryGoals:
             and (spelled := _spelled(each.values().get(parameter))) is not None
         }
         if len(found) != 1:
-            reason = "does not run" if not found else "runs several times, with several values"
-            raise RefusedError(f"`{name}` is that of `{skill}`, which {reason}")
+            reason = "does not run" if not found else "runs several times with different values"
+            raise RefusedError(f"`{name}` takes its value from `{skill}`, which {reason}")
         return f"{name}={found.pop()}"
 
 
 def _spelled(value: object) -> str | None:
-    """A value as `read_arguments` reads it again; None if there is none."""
+    """A value in the syntax of `read_arguments`; None without a value."""
     match value:
         case None:
             return None

@@ -25,19 +25,21 @@ class Running:
 
 
 def with_values_of_now(running: Iterable[Running]) -> list[Running]:
-    """The same skills, with the values that they have now: what ran them may run others later."""
+    """The same skills with their current values, because the object that ran them may run other
+    skills later.
+    """
     return [replace(each, values=partial(dict, each.values())) for each in running]
 
 
 class RunningSkills:
-    """All of them, in the order of their starts. `changed` is called after each start and end, by
-    the thread that ticks.
+    """All running skills, in the order of their starts. The ticking thread calls `changed` after
+    each start and end.
     """
 
     def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
         self.changed = changed
         self._running: dict[object, Running] = {}
-        # Goals of one process are not those of another, nor of the same one after its restart.
+        # Goals of different processes differ, also after a restart.
         self._own = os.urandom(8).hex()
         self._numbers = itertools.count(1)
 
@@ -56,7 +58,7 @@ class RunningSkills:
         self.changed()
 
     def end(self, owner: object) -> None:
-        """A skill has ended, if it runs at all: nothing of it moves any more."""
+        """Record the end of a skill, if it runs at all. The skill no longer moves anything."""
         if self._running.pop(owner, None) is not None:
             self.changed()
 

@@ -13,7 +13,7 @@ from ezskiros.ontology.read import read
 
 
 def load_world(ontology: Ontology, scene: Path | None) -> tuple[World, Sequence[Diagnostic]]:
-    """A world with what a scene says, and what is wrong with that. Raises `OSError`."""
+    """A world with the facts of a scene, and the findings on the scene. Raises `OSError`."""
     world = World(ontology)
     if scene is None:
         return world, []

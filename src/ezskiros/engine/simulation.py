@@ -16,10 +16,10 @@ from ezskiros.skills.interface import Parameter
 
 
 def simulate(plan: ChildStart, values: dict[str, Any], world: World) -> None:
-    """Let a skill have its effects, in `values` and in the world.
+    """Apply the effects of a skill to `values` and to the world.
 
-    A parameter that the skill gives its value gets a new thing of its class; or false, 0, an empty
-    text or the first member of its enumeration.
+    An output gets a new individual of its class, or false, 0, an empty text or the first member of
+    its enumeration.
     """
     for parameter in plan.skill.parameters:
         if parameter.is_output and values[parameter.name] is None:

@@ -1,8 +1,8 @@
 """A running skill, from its start to its result.
 
-When it starts, its parameters get their values, those that are inferred from the world; then its
-pre-conditions have to hold, its hold-conditions at every tick, its post-conditions at the end. A
-compound ticks the tree that `expandBT` has built, a primitive is executed.
+At the start, the parameters get their values, including inferred ones, and the pre-conditions must
+hold. The hold-conditions must hold at every tick, and the post-conditions at the end. A compound
+ticks the tree that `expandBT` has built; a primitive is executed.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from ezskiros.skills.nodes import Node
 from ezskiros.trees.tree import Tree
 
 Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
-"""Makes what ticks the tree of a compound, from its root. Raises `TooDeepError`."""
+"""Makes the behavior that ticks the tree of a compound. Raises `TooDeepError`."""
 
 
 class RunningSkill(Behaviour):
@@ -66,45 +66,45 @@ class RunningSkill(Behaviour):
 
     @property
     def path(self) -> tuple[str, ...]:
-        """The names of the skills from the root on."""
+        """The names of the skills from the root."""
         if self._path is None:
             self._path = (*(self.above.path if self.above else ()), self.name)
         return self._path
 
     @property
     def call(self) -> SkillCall:
-        """The call in the tree above it."""
+        """The call of the skill in the parent tree."""
         return self._call
 
     @property
     def values(self) -> Mapping[str, Any]:
-        """The values that its parameters have now; none before its start."""
+        """The current values of its parameters; none before its start."""
         return self._values
 
     @property
     def shared(self) -> Mapping[str, Any]:
-        """The values that it shares with its siblings, by their names."""
+        """The values that it shares with its siblings, by name."""
         return self._names.values
 
     @property
     def execution(self) -> ExecutionContext:
-        """The context in which it runs."""
+        """The execution context of the skill."""
         return self._execution
 
     @property
     def tree(self) -> Behaviour | None:
-        """The behavior that a compound ticks, once it has started."""
+        """The behavior that a started compound ticks."""
         return self._tree
 
     @property
     def is_waiting(self) -> bool:
-        """True while a guard does not let it start: its status is RUNNING, and it does nothing."""
+        """True while a guard prevents the start. The status is RUNNING."""
         return bool(self._waits_for)
 
-    # --- ticks: as of py_trees, which has a word for a log with each of them ----------------------
+    # --- ticks: like those of py_trees, but without its log messages ------------------------------
 
     def tick(self) -> Iterator[Behaviour]:
-        """One tick."""
+        """Tick once."""
         if self.status is not Status.RUNNING or self._waits_for:
             if self._has_to_wait():
                 self.status = Status.RUNNING
@@ -120,7 +120,7 @@ class RunningSkill(Behaviour):
         yield self
 
     def update(self) -> Status:
-        """One tick of a skill that has started."""
+        """Tick a started skill once."""
         if self._holds:
             reported = "hold-condition is broken"
             world = self._execution.world
@@ -136,12 +136,12 @@ class RunningSkill(Behaviour):
         return self._execute(self._instance)
 
     def terminate(self, new_status: Status) -> None:
-        """A stop while it runs: children first."""
+        """Stop the running skill, children first."""
         if new_status is not Status.INVALID or self.status is not Status.RUNNING:
             return
         if self._waits_for:
             self._waits_for = ""
-            self._tell(Happened.PREEMPTED, Code.PREEMPTION, "stopped before its start")
+            self._tell(Happened.PREEMPTED, Code.PREEMPTION, "stopped before it started")
             return
         problem = self._preempted()
         code, text = int(Code.PREEMPTION), "stopped"
@@ -181,9 +181,7 @@ class RunningSkill(Behaviour):
     # --- start ------------------------------------------------------------------------------------
 
     def _has_to_wait(self) -> bool:
-        """Ask the guard in front of it; what it waits for is reported when that is something
-        else.
-        """
+        """Query the guard of the skill. A new reason to wait is reported."""
         if self._execution.guard is None:
             return False
         before, plans = self._waits_for, self._plans()
@@ -194,7 +192,7 @@ class RunningSkill(Behaviour):
         return self.is_waiting
 
     def _start(self) -> Reason | None:
-        """Start the skill. Return the reason why it cannot start, None if it has started."""
+        """Start the skill. Returns the reason why it cannot start, or None."""
         problem = self._choose()
         if problem is not None:
             return problem
@@ -213,7 +211,7 @@ class RunningSkill(Behaviour):
         return problem
 
     def _choose(self) -> Reason | None:
-        """Take the first plan whose pre-conditions hold; the reason if there is none, else None."""
+        """Choose the first plan whose pre-conditions hold. Returns the reason if there is none."""
         problems: list[tuple[str, Reason]] = []
         self._text = ""
         for plan in self._plans():
@@ -230,11 +228,11 @@ class RunningSkill(Behaviour):
         return _none_can(problems)
 
     def _plans(self) -> Sequence[ChildStart]:
-        """The plans by which the skill may start, in the order in which they are tried."""
+        """The possible plans of the start, in the order in which they are tried."""
         return self._execution.plans.of(self._call)
 
     def _ground(self, plan: ChildStart, values: dict[str, Any]) -> Reason | None:
-        """Infer parameters; the reason if the pre-conditions do not hold then, else None."""
+        """Infer parameters. Returns the reason if the pre-conditions then do not hold."""
         if not plan.inferred and not plan.skill.pre:
             return None
         grounding = Grounding(plan, self._names, values, self._execution)
@@ -247,10 +245,10 @@ class RunningSkill(Behaviour):
         return plan.started_with(self._names.values)
 
     def _begin(self) -> Reason | None:
-        """Bind the implementation, and start it."""
+        """Bind the implementation and start it."""
         plan = self._plan
         if plan.implementation is None and not self._execution.simulate:
-            return Reason(Code.START, f"nothing implements `{plan.skill.name}`")
+            return Reason(Code.START, f"`{plan.skill.name}` has no implementation")
         self._instance = self._instances.get(plan.implementation)
         if plan.is_compound:
             problem = self._expand()
@@ -271,7 +269,7 @@ class RunningSkill(Behaviour):
         return user_code.is_willing(self._instance, "onStart", Code.START)
 
     def _make(self) -> Reason | None:
-        """The instance of what users wrote; of compounds only if it has anything to do."""
+        """Instantiate the user's class; for a compound only if it has a life-cycle method."""
         kind = self._plan.implementation
         if kind is None or (self._plan.is_compound and not _has_life(kind)):
             return None
@@ -306,7 +304,7 @@ class RunningSkill(Behaviour):
     # --- end --------------------------------------------------------------------------------------
 
     def _succeed(self, code: int, text: str) -> Status:
-        """The end of a skill that has succeeded, if nothing speaks against it."""
+        """End a skill whose work has succeeded, if its post-conditions hold."""
         plan, values = self._plan, self._values
         problem = None
         if self._instance is not None:
@@ -330,7 +328,7 @@ class RunningSkill(Behaviour):
         return Status.SUCCESS
 
     def _end(self, problem: Reason) -> Status:
-        """The end of a skill that has failed: its `onEnd` is called whatever happens."""
+        """End a skill that has failed. Its `onEnd` is called in any case."""
         if self._instance is not None:
             user_code.is_willing(self._instance, "onEnd", Code.EXECUTION)
         self._share()
@@ -355,16 +353,15 @@ class RunningSkill(Behaviour):
         self._execution.running.end(self)
         return problem
 
-    # --- values, and what is reported
-    # -----------------------------------------------------------------
+    # --- values and reports -----------------------------------------------------------------------
 
     def _held(self) -> Any:
-        """The conditions that are asked at every tick; SkiROS2 asks them of compounds only."""
+        """The conditions that are checked at every tick. SkiROS2 checks them only for compounds."""
         is_asked = not self._execution.compatible or self._plan.is_compound
         return self._plan.skill.hold if is_asked else ()
 
     def _share(self) -> None:
-        """Pass on what it has found out, under the names that it shares."""
+        """Pass on the outputs, under the shared names."""
         for own, shared in self._plan.shared:
             self._names.values[shared] = self._values[own]
 
@@ -385,7 +382,7 @@ class RunningSkill(Behaviour):
 
 
 def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
-    """The reason for which no implementation can start; of several the reason of each."""
+    """The reason why no implementation can start, or the reason of each implementation."""
     first = problems[0][1]
     if len(problems) == 1:
         return first
@@ -394,6 +391,6 @@ def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
 
 
 def _has_life(kind: type[SkillImplementation]) -> bool:
-    """Say whether a compound does something when it starts or ends."""
+    """Say whether a compound defines a method that is called at its start or end."""
     methods = ("onStart", "onPreempt", "onEnd")
     return any(getattr(kind, each) is not getattr(SkillImplementation, each) for each in methods)

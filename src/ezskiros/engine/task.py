@@ -17,12 +17,12 @@ from ezskiros.engine.user_code import kept_alive
 from ezskiros.skills.calls import SkillCall
 
 PERIOD = 0.04
-"""Seconds from tick to tick, as in SkiROS2."""
+"""The seconds from tick to tick, as in SkiROS2."""
 
 
 @dataclass(frozen=True)
 class TaskOutcome:
-    """The outcome of a task; `reason` says why it has no success."""
+    """The outcome of a task. `reason` gives the reason of a failure."""
 
     is_success: bool
     ticks: int
@@ -31,7 +31,7 @@ class TaskOutcome:
 
 
 class Task:
-    """A skill with the tree below it. `ticks` says how often it was ticked."""
+    """A skill with the tree below it. `ticks` is the number of its ticks."""
 
     def __init__(self, call: SkillCall, execution: ExecutionContext) -> None:
         plan = execution.plans.of(call)[0]
@@ -40,7 +40,7 @@ class Task:
         self.root = root_skill(call, execution, plan.label or plan.skill.name)
 
     def tick(self) -> Status:
-        """One tick."""
+        """Tick once."""
         self.ticks += 1
         with deep(), garbage.not_now():
             for _ in self.root.tick():
@@ -61,10 +61,10 @@ def run(
     why_stop: Callable[[], str | None] = lambda: None,
     after_tick: Callable[[], object] = lambda: None,
 ) -> TaskOutcome:
-    """Tick a task once a period until it has a result.
+    """Tick a task once per period until it has a result.
 
-    Before each tick `why_stop` is asked: if it gives a reason, the task is preempted. `wait` waits
-    for some seconds.
+    `why_stop` is called before each tick; if it returns a reason, the task is preempted. `wait`
+    waits for some seconds.
     """
     clock = task.execution.clock
     start = clock()

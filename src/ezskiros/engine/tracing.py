@@ -12,10 +12,10 @@ from ezskiros.engine.values import WorldThing
 
 
 class Trace:
-    """Writes one JSON object per event. The first one names the `program` that writes it. Raises
-    `OSError`, as files do.
+    """Writes one JSON object per event. The first object names the `program` that writes it. Raises
+    `OSError`, like files.
 
-    `start_ns` is when the task starts, in nanoseconds since 1970 (UTC): the clock of recordings.
+    `start_ns` is the start of the task in nanoseconds since 1970 (UTC), the clock of recordings.
     """
 
     def __init__(self, file: TextIO, start_ns: int, program: str = "ezskiros") -> None:
@@ -24,7 +24,9 @@ class Trace:
         self._mark = {"generator": program}
 
     def write(self, event: Event, tick: int, seconds: float) -> None:
-        """An event, the number of its tick from 1 on, and the seconds since the task started."""
+        """Write an event, with the number of its tick (from 1) and the seconds since the start of
+        the task.
+        """
         line: dict[str, object] = {
             **self._when(tick, seconds),
             "event": event.happened.value,
@@ -39,7 +41,7 @@ class Trace:
         self._write(line)
 
     def write_context(self, context: Mapping[str, Any], tick: int, seconds: float) -> None:
-        """The skills that run now, as the message about them has it."""
+        """Write the running skills, in the format of their message."""
         line = {**self._when(tick, seconds), "event": "context", **context}
         self._write(line, allow_nan=False)
 
@@ -50,13 +52,13 @@ class Trace:
         self._mark = {}
 
     def _when(self, tick: int, seconds: float) -> dict[str, object]:
-        """The time of a line. Its stamp goes by `seconds`, so that it never jumps back."""
+        """The time of a line. Its stamp is derived from `seconds`, so that it never decreases."""
         at_ns = self._start_ns + round(seconds * 1e9)
         return {"tick": tick, "time": round(seconds, 6), "at_ns": at_ns}
 
 
 def _plain(value: Any) -> object:
-    """A value as JSON has it: things by their IRIs, members of enumerations by their names."""
+    """A value as JSON data: individuals as IRIs, members of enumerations as names."""
     if isinstance(value, WorldThing):
         return value.iri
     return value.name if isinstance(value, enum.Enum) else value

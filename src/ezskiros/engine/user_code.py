@@ -23,13 +23,13 @@ STATUS = {
 
 
 class ProcessEndError(SystemExit):
-    """A method was about to end the process of the run."""
+    """A method tried to end the process of the run."""
 
 
 @contextmanager
 def kept_alive() -> Iterator[None]:
-    """Within, `os._exit` raises `ProcessEndError`: the run would end without a result, and perhaps
-    with exit code 0. Processes that are forked from this one end as they like.
+    """While the context is active, `os._exit` raises `ProcessEndError`: the run would end without a
+    result, and perhaps with exit code 0. Forked processes can end themselves.
     """
     process, before = os.getpid(), os._exit
 
@@ -46,7 +46,7 @@ def kept_alive() -> Iterator[None]:
 
 
 def execute(instance: SkillImplementation) -> Status | Reason:
-    """One tick of a primitive."""
+    """Tick a primitive once."""
     try:
         found = instance.execute()  # type: ignore[attr-defined]
     except (Exception, SystemExit) as problem:
@@ -54,11 +54,11 @@ def execute(instance: SkillImplementation) -> Status | Reason:
     status = STATUS.get(found) if type(found) is State else None
     if status is not None:
         return status
-    return _wrong(instance, "execute", found, "what self.success, self.step or self.fail give")
+    return _wrong(instance, "execute", found, "a result of self.success, self.step or self.fail")
 
 
 def initialized(instance: SkillImplementation) -> Reason | None:
-    """Call `onInit`; None if all is well. As in SkiROS2 it need not say so."""
+    """Call `onInit`. Returns None on success. As in SkiROS2, the method may return None."""
     try:
         found = instance.onInit()
     except (Exception, SystemExit) as problem:
@@ -67,7 +67,7 @@ def initialized(instance: SkillImplementation) -> Reason | None:
 
 
 def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason | None:
-    """Call `onStart` or `onEnd`; None if all is well."""
+    """Call `onStart` or `onEnd`. Returns None on success."""
     called: Callable[[], Any] = getattr(instance, method)
     try:
         found = called()
@@ -76,22 +76,22 @@ def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason
     if found:
         return None
     if found is None:
-        return _wrong(instance, method, found, "whether all is well", code)
+        return _wrong(instance, method, found, "True or False", code)
     return _unwilling(instance, method, code)
 
 
 def _unwilling(instance: SkillImplementation, method: str, code: Code) -> Reason:
-    """The reason when a method says that all is not well: what it has reported by `self.fail`, if
-    it is the first that can tell something.
+    """The reason after a method has reported a failure: the result of `self.fail`, if the method is
+    the first that can report one.
     """
     reported, text = instance.progress
     if method != "onEnd" and reported < 0:
         return Reason(reported, str(text))
-    return Reason(code, f"`{method}` says that it has not succeeded ({_place(instance, method)})")
+    return Reason(code, f"`{method}` reported a failure ({_place(instance, method)})")
 
 
 def preempt(instance: SkillImplementation) -> Reason | None:
-    """Call `onPreempt`, then `onEnd`; None if all is well."""
+    """Call `onPreempt`, then `onEnd`. Returns None on success."""
     problem = None
     try:
         instance.onPreempt()
@@ -101,7 +101,7 @@ def preempt(instance: SkillImplementation) -> Reason | None:
 
 
 def raised(problem: BaseException, method: str, code: Code) -> Reason:
-    """The reason when a method raises."""
+    """The reason after an exception of a method."""
     kind = type(problem).__name__
     span = user_place(problem)
     place = f" ({span})" if span else ""

@@ -13,7 +13,7 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 
 @dataclass(frozen=True)
 class WorldThing:
-    """Something in the world model, which a parameter stands for. As text it is its name, such as
+    """An individual of the world model, as the value of a parameter. Its text is its name, such as
     `skiros:Location-3`.
     """
 
@@ -22,7 +22,7 @@ class WorldThing:
 
     @property
     def label(self) -> str | None:
-        """The name of the thing in the world model (rdfs:label)."""
+        """The label of the individual in the world model (rdfs:label)."""
         return self._world.label(self.iri)
 
     def __str__(self) -> str:
@@ -32,7 +32,7 @@ class WorldThing:
 
 
 class WrongValueError(TypeError):
-    """A value that a parameter cannot have."""
+    """An invalid value for a parameter."""
 
 
 class Values:
@@ -58,7 +58,9 @@ class Values:
         if parameter is None:
             raise AttributeError(self._unknown(name))
         if not fits(value, parameter):
-            raise WrongValueError(f"`{name}` is {wanted(parameter)}, and {value!r} is not")
+            raise WrongValueError(
+                f"`{name}` must be {wanted(parameter)}, but the value is {value!r}"
+            )
         self._given[name] = float(value) if parameter.type is float else value
         vars(self)["_is_changed"] = True
 
@@ -66,7 +68,7 @@ class Values:
         raise TypeError(f"write `self.params.{name}`")
 
     def is_changed(self) -> bool:
-        """Say whether the skill has given any a value."""
+        """Say whether the skill has set a value."""
         return bool(self._is_changed)
 
     def _unknown(self, name: str) -> str:
@@ -77,7 +79,7 @@ class Values:
 
 
 def fits(value: Any, parameter: Parameter) -> bool:
-    """Say whether a parameter can have a value; None is what stands for nothing."""
+    """Say whether a parameter can have a value. None means that there is no value."""
     if value is None:
         return parameter.is_thing
     if isinstance(value, WorldThing):
@@ -92,7 +94,7 @@ def fits(value: Any, parameter: Parameter) -> bool:
 
 
 def wanted(parameter: Parameter) -> str:
-    """Describe the values that a parameter has, for messages."""
+    """Describe the valid values of a parameter, for messages."""
     if parameter.is_thing:
         return f"a {parameter.type!r}"
     if issubclass(parameter.type, enum.Enum):

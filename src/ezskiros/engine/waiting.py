@@ -9,8 +9,8 @@ from ezskiros.engine.plans import ChildStart
 
 
 def reason_to_wait(guard: Guard, plans: Sequence[ChildStart]) -> str:
-    """The reason for which a skill waits; empty if it may start. A compound never waits: the
-    primitives of its tree do.
+    """The reason why a skill waits; empty if it may start. A compound never waits: the primitives
+    of its tree do.
     """
     if all(plan.is_compound for plan in plans):
         return ""

@@ -1,8 +1,8 @@
-"""The world model: the things that exist, and the facts about them.
+"""The world model: the existing individuals, and the facts about them.
 
-Facts are triples in a store of pyoxigraph, the ontology says what follows from them: classes from
-their subclasses, relations from special cases, inverses, symmetry and transitivity. Everything is
-named by its IRI.
+Facts are triples in a store of pyoxigraph. The ontology determines their consequences: classes from
+subclasses, and relations from special cases, inverses, symmetry and transitivity. All names are
+IRIs.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _NO_CLASS = {OWL + "NamedIndividual"}
 
 
 class World:
-    """Things and facts. `load` takes a scene, `turtle` gives one."""
+    """Individuals and facts. `load` reads a scene, `turtle` returns one."""
 
     def __init__(self, ontology: Ontology) -> None:
         self.ontology = ontology
@@ -43,9 +43,9 @@ class World:
         self._store.extend(scene.triples)
 
     def copy(self) -> World:
-        """Another world in which the same is so."""
+        """Another world with the same facts."""
         found = World(self.ontology)
-        found._store.clear()  # individuals of the ontology may be gone
+        found._store.clear()  # individuals of the ontology may have been removed
         found._store.extend(self._store)
         return found
 
@@ -62,7 +62,7 @@ class World:
     # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
-        """All things of a class or one of its subclasses, by their names."""
+        """All individuals of a class or one of its subclasses, by name."""
         found = {
             quad.subject.value
             for quad in self._store.quads_for_pattern(None, pyoxigraph.NamedNode(_TYPE), None)
@@ -73,21 +73,21 @@ class World:
         return sorted(found, key=_by_name)
 
     def exists(self, thing: str) -> bool:
-        """Say whether there is such a thing."""
+        """Say whether an individual exists."""
         return any(self._facts(thing, _TYPE))
 
     def classes(self, thing: str) -> list[str]:
-        """The classes that a thing is said to be of."""
+        """The stated classes of an individual."""
         found = self._facts(thing, _TYPE)
         named = {each.value for each in found if isinstance(each, pyoxigraph.NamedNode)}
         return sorted(named - _NO_CLASS)
 
     def is_a(self, thing: str, owl_class: str) -> bool:
-        """Say whether a thing is of a class."""
+        """Say whether an individual is of a class."""
         return any(self._model.is_a(each, owl_class) for each in self.classes(thing))
 
     def labelled(self, label: str) -> list[str]:
-        """The things with a label (rdfs:label), by their names."""
+        """The individuals with a label (rdfs:label), by name."""
         pattern = self._store.quads_for_pattern(None, pyoxigraph.NamedNode(_LABEL), None)
         found = (
             quad.subject.value
@@ -108,11 +108,11 @@ class World:
         )
 
     def related(self, subject: str, relation: str) -> list[str]:
-        """The things that a thing is related to, by their names."""
+        """The objects of a relation with this subject, by name."""
         return self._reached(subject, relation, is_from_subject=True)
 
     def relating(self, relation: str, other: str) -> list[str]:
-        """The things that are related to a thing, by their names."""
+        """The subjects of a relation with this object, by name."""
         return self._reached(other, relation, is_from_subject=False)
 
     def values(self, thing: str, data_property: str) -> list[Value]:
@@ -127,7 +127,7 @@ class World:
     # --- changes ----------------------------------------------------------------------------------
 
     def new(self, owl_class: str) -> str:
-        """A new thing of a class, called as SkiROS2 does: the class and a number."""
+        """A new individual of a class, with a name as in SkiROS2: the class and a number."""
         taken = {each.rpartition("-")[2] for each in self._named()}
         number = next(each for each in self._numbers if str(each) not in taken)
         thing = f"{owl_class}-{number}"
@@ -135,7 +135,7 @@ class World:
         return thing
 
     def remove(self, thing: str) -> None:
-        """Remove a thing and all facts about it."""
+        """Remove an individual and all facts about it."""
         node = pyoxigraph.NamedNode(thing)
         for quad in [
             *self._store.quads_for_pattern(node, None, None),
@@ -144,11 +144,13 @@ class World:
             self._store.remove(quad)
 
     def set_class(self, thing: str, owl_class: str) -> None:
-        """Make a thing one of a class too."""
+        """Add a class to an individual."""
         self._add(thing, _TYPE, pyoxigraph.NamedNode(owl_class))
 
     def relate(self, subject: str, relation: str, other: str) -> None:
-        """Make a relation hold. What it can hold of only once is pushed out."""
+        """Make a relation true. If the relation allows only one subject or object, the previous one
+        is removed.
+        """
         for each in sorted(self._model.properties_above(relation)):
             declared = self._model.relations.get(each)
             if declared is None:
@@ -162,26 +164,26 @@ class World:
         self._add(subject, relation, pyoxigraph.NamedNode(other))
 
     def unrelate(self, subject: str, relation: str, other: str) -> None:
-        """Make a relation not hold, whatever it follows from."""
+        """Make a relation false, including all facts that imply it."""
         for each, is_forward in self._implying(relation):
             ends = (subject, other) if is_forward else (other, subject)
             self._forget(ends[0], each, ends[1])
 
     def set_value(self, thing: str, data_property: str, value: Value) -> None:
-        """Give a data property this value and no other."""
+        """Set a data property to this only value."""
         self.unset(thing, data_property)
         self._add(thing, data_property, pyoxigraph.Literal(value))
 
     def set_some_value(self, thing: str, data_property: str) -> None:
-        """Give a data property a value that the ontology allows, where nothing says which."""
+        """Set a data property to any value that the ontology allows."""
         self.set_value(thing, data_property, self._some_value(data_property))
 
     def unset(self, thing: str, data_property: str) -> None:
-        """Take all values of a data property away."""
+        """Remove all values of a data property."""
         for each in self._properties(data_property):
             self._forget(thing, each, None)
 
-    # --- what the ontology says -------------------------------------------------------------------
+    # --- statements of the ontology ---------------------------------------------------------------
 
     def _some_value(self, data_property: str) -> Value:
         model = self.ontology.model
@@ -196,7 +198,7 @@ class World:
         return True if "boolean" in kinds else "simulated"
 
     def _implying(self, relation: str) -> tuple[tuple[str, bool], ...]:
-        """The relations from which one follows, and whether from subject to object."""
+        """The relations that imply a relation, each with whether it has the same direction."""
         if relation not in self._known_implying:
             self._known_implying[relation] = tuple(dict.fromkeys(self._found_implying(relation)))
         return self._known_implying[relation]
@@ -217,7 +219,7 @@ class World:
         return declared is not None and declared.is_transitive
 
     def _is_functional(self, declared: ObjectProperty, *, is_inverse: bool) -> bool:
-        """Say whether a relation has at most one object for a subject; with `is_inverse` one
+        """Say whether a relation has at most one object for a subject; with `is_inverse`, one
         subject for an object.
         """
         turned = [self._model.relations.get(each) for each in declared.inverses]
@@ -229,7 +231,7 @@ class World:
         return declared.is_functional or any(each.is_inverse_functional for each in others)
 
     def _properties(self, data_property: str) -> Iterator[str]:
-        """A data property and its special cases."""
+        """A data property and its subproperties."""
         yield data_property
         for iri in self._model.values:
             if iri != data_property and data_property in self._model.properties_above(iri):
@@ -238,7 +240,7 @@ class World:
     # --- the store --------------------------------------------------------------------------------
 
     def _reached(self, start: str, relation: str, *, is_from_subject: bool) -> list[str]:
-        """The things one step away; of transitive relations, any number of steps."""
+        """The individuals one step away; for transitive relations, any number of steps away."""
         found: dict[str, None] = {}
         work = [start]
         while work:
@@ -292,25 +294,25 @@ class World:
         return {start: short for short, start in self._model.names.items()}
 
     def spelled(self, iri: str) -> str:
-        """`skiros:Location-3`."""
+        """The name of an IRI, such as `skiros:Location-3`."""
         start, name = split(iri)
         return f"{self._prefixes[start]}:{name}" if start in self._prefixes else iri
 
     def label(self, thing: str) -> str | None:
-        """The first label of a thing."""
+        """The first label of an individual."""
         found = self._facts(thing, _LABEL)
         labels = (each.value for each in found if isinstance(each, pyoxigraph.Literal))
         return min(labels, default=None)
 
     def named(self, name: str) -> list[str]:
-        """The things that a name can mean: `skiros:Location-3`, an IRI or a label."""
+        """The individuals that a name can mean: `skiros:Location-3`, an IRI or a label."""
         short, _, rest = name.partition(":")
         iri = f"{self._model.names[short]}{rest}" if short in self._model.names else name
         return [iri] if _is_iri(iri) and self.exists(iri) else self.labelled(name)
 
 
 def _by_name(iri: str) -> tuple[str, int]:
-    """`Product-7` comes before `Product-10`."""
+    """A sort key by which `Product-7` comes before `Product-10`."""
     name, _, number = iri.rpartition("-")
     return (name, int(number)) if number.isdecimal() else (iri, 0)
 
@@ -324,6 +326,6 @@ def _is_iri(text: str) -> bool:
 
 
 def _order(quad: pyoxigraph.Quad) -> tuple[str, bool, str, str]:
-    """Types come first of what is said of a thing."""
+    """A sort key by which types come first among the facts about an individual."""
     link = quad.predicate.value
     return str(quad.subject), link != _TYPE, link, str(quad.object)

@@ -17,7 +17,7 @@ OwlProperty = PropertyOf | str
 
 
 class WorldModel:
-    """The things that there are, and the relations between them.
+    """The existing individuals, and the relations between them.
 
     Classes and properties are those of the ontology, such as `skiros.at`, or texts, such as
     "skiros:at". Raises `LookupError` for names that the ontology does not have.
@@ -29,7 +29,7 @@ class WorldModel:
     # --- queries --------------------------------------------------------------------------------
 
     def thing(self, name: str) -> WorldThing:
-        """The thing of a name, such as `skiros:Location-3`, of a label or of an IRI.
+        """The individual with a name, such as `skiros:Location-3`, a label or an IRI.
 
         Raises `LookupError` if there is none, or if there are several.
         """
@@ -40,11 +40,11 @@ class WorldModel:
         raise LookupError(f"{name!r} is {shown}" if found else f"there is no {name!r} in the world")
 
     def things(self, owl_class: OwlClass) -> list[WorldThing]:
-        """All things of a class or its subclasses, by their names."""
+        """All individuals of a class or its subclasses, by name."""
         return self._made(self._world.things(self._class(owl_class)))
 
     def is_a(self, thing: WorldThing, owl_class: OwlClass) -> bool:
-        """Say whether a thing is of a class or its subclasses."""
+        """Say whether an individual is of a class or its subclasses."""
         return self._world.is_a(thing.iri, self._class(owl_class))
 
     def are_related(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> bool:
@@ -52,11 +52,11 @@ class WorldModel:
         return self._world.are_related(subject.iri, self._relation(relation), other.iri)
 
     def related(self, subject: WorldThing, relation: OwlProperty) -> list[WorldThing]:
-        """The things that a thing is related to, by their names."""
+        """The objects of a relation with this subject, by name."""
         return self._made(self._world.related(subject.iri, self._relation(relation)))
 
     def relating(self, relation: OwlProperty, other: WorldThing) -> list[WorldThing]:
-        """The things that are related to a thing, by their names."""
+        """The subjects of a relation with this object, by name."""
         return self._made(self._world.relating(self._relation(relation), other.iri))
 
     def values(self, thing: WorldThing, data_property: OwlProperty) -> list[Value]:
@@ -66,27 +66,29 @@ class WorldModel:
     # --- changes ----------------------------------------------------------------------------------
 
     def relate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
-        """Make a relation hold. What it can hold of only once is pushed out."""
+        """Make a relation true. If the relation allows only one subject or object, the previous one
+        is removed.
+        """
         self._world.relate(subject.iri, self._relation(relation), other.iri)
 
     def unrelate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
-        """Make a relation not hold, whatever it follows from."""
+        """Make a relation false, including all facts that imply it."""
         self._world.unrelate(subject.iri, self._relation(relation), other.iri)
 
     def set_value(self, thing: WorldThing, data_property: OwlProperty, value: Value) -> None:
-        """Give a data property this value and no other."""
+        """Set a data property to this only value."""
         self._world.set_value(thing.iri, self._data_property(data_property), value)
 
     def unset(self, thing: WorldThing, data_property: OwlProperty) -> None:
-        """Take all values of a data property away."""
+        """Remove all values of a data property."""
         self._world.unset(thing.iri, self._data_property(data_property))
 
     def new(self, owl_class: OwlClass) -> WorldThing:
-        """A new thing of a class, called as SkiROS2 does: the class and a number."""
+        """A new individual of a class, with a name as in SkiROS2: the class and a number."""
         return WorldThing(self._world.new(self._class(owl_class)), self._world)
 
     def remove(self, thing: WorldThing) -> None:
-        """Remove a thing and all facts about it."""
+        """Remove an individual and all facts about it."""
         self._world.remove(thing.iri)
 
     # --- names ------------------------------------------------------------------------------------
@@ -110,7 +112,7 @@ class WorldModel:
         return self._known(_iri(named), self._model.values, "data property")
 
     def _known(self, named: str, known: Iterable[str], kind: str) -> str:
-        """An IRI, as it is or as `prefix:Name`. Raises `LookupError` if it is none of the known."""
+        """An IRI, given as IRI or as `prefix:Name`. Raises `LookupError` for an unknown name."""
         prefix, _, rest = named.partition(":")
         iri = f"{self._model.names[prefix]}{rest}" if prefix in self._model.names else named
         iris = [*known]

@@ -46,7 +46,7 @@ class UnknownPropertyUnit(Error, code="EZS863", name="unknown-property-unit"):
 
 
 class SameName(Error, code="EZS864", name="same-exported-name"):
-    """Two things with the same name in an export."""
+    """Two individuals with the same name in an export."""
 
     title = "there are two {kind} `{spelled}`"
     note = "rules use this name, so it must be unique"

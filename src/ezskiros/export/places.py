@@ -12,7 +12,7 @@ from ezskiros.export.sources import path_from
 
 
 class Places:
-    """The places for a file in a folder; `files` are those in which some were."""
+    """The places for an export in a folder. `files` are the files with a place."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder

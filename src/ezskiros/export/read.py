@@ -23,13 +23,13 @@ from ezskiros.export.sources import (
 )
 
 LARGEST_EXPORT = 1 << 26
-"""Bytes of a file: no export is larger."""
+"""The most bytes of an export."""
 _HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
 
 
 @dataclass(frozen=True)
 class Export:
-    """The head of an export: its digest, and the sources that it was made of."""
+    """The head of an export: its digest and its sources."""
 
     path: Path
     digest: str
@@ -37,14 +37,14 @@ class Export:
     file: SourceFile
 
     def place_of(self, source: Source) -> Span:
-        """The place in the export that names a source."""
+        """The place of a source in the export."""
         named = json.dumps(source.path)
         start = max(self.file.text.find(named), 0)
         return Span(self.file, start, start + len(named))
 
 
 class NotJsonError(Exception):
-    """A file that is no JSON; the text says why, `place` where."""
+    """A file that is not JSON. The text gives the reason, `place` the position."""
 
     def __init__(self, why: str, place: Span) -> None:
         super().__init__(why)
@@ -52,7 +52,7 @@ class NotJsonError(Exception):
 
 
 def read_json(path: Path) -> tuple[SourceFile, Any]:
-    """A file, and what it has. Raises `NotJsonError`, and `OSError` if it cannot be read."""
+    """A file and its content. Raises `NotJsonError`, and `OSError` if the file cannot be read."""
     file = SourceFile(shown(str(path)), "")
     with path.open("rb") as opened:
         content = opened.read(LARGEST_EXPORT + 1)
@@ -73,13 +73,15 @@ def read_json(path: Path) -> tuple[SourceFile, Any]:
 
 
 def place_of_key(file: SourceFile, key: str) -> Span:
-    """The first place where a key is written; the start of the file if it is not there."""
+    """The first place of a key; the start of the file if the key is missing."""
     start = max(file.text.find(json.dumps(key)), 0)
     return Span(file, start, min(start + 1, len(file.text)))
 
 
 def read_export(path: Path) -> Export | Diagnostic:
-    """The head of an export, or why it is none. Raises `OSError` if it cannot be read."""
+    """The head of an export, or the finding for an invalid file. Raises `OSError` if the file
+    cannot be read.
+    """
     try:
         file, found = read_json(path)
     except NotJsonError as problem:
@@ -100,7 +102,7 @@ def _no_export(place: Span, why: str) -> Diagnostic:
 
 
 def _fault(found: Any) -> tuple[str, str] | None:
-    """The key that is wrong, and why; None if the head is right."""
+    """The wrong key and the reason; None if the head is valid."""
     wrong = wrong_format(found, FORMAT, VERSION)
     if wrong is not None:
         return wrong
@@ -109,17 +111,20 @@ def _fault(found: Any) -> tuple[str, str] | None:
         return "sources", "its `sources` are not paths with their SHA-256"
     known = [Source(each["path"], each["sha256"]) for each in sources]
     if found.get("digest") != digest_of(known):
-        return "digest", "its `digest` is not that of its `sources`"
+        return "digest", "its `digest` does not match its `sources`"
     return None
 
 
 def wrong_format(found: Any, form: str, version: int) -> tuple[str, str] | None:
-    """The key by which a file is of another format or version, and why; None if it is of these."""
+    """The key that shows another format or version, and the reason; None if both are right."""
     if not isinstance(found, dict) or found.get("format") != form:
         return "format", f"its `format` is not `{form}`"
     own = found.get("version")
     if type(own) is not int or own != version:
-        return "version", f"its `version` is not {version}, which this EzSkiROS reads"
+        return (
+            "version",
+            f"its `version` is not {version}, the only version that this EzSkiROS reads",
+        )
     return None
 
 
@@ -132,7 +137,7 @@ def _is_source(found: Any) -> bool:
 
 
 def changed_sources(export: Export) -> Iterator[Diagnostic]:
-    """The sources that are not what the export was made of: it is stale then."""
+    """Findings for sources that have changed since the export, which is then stale."""
     folder = export.path.absolute().parent
     for source in export.sources:
         why = _change(folder / source.path, source)
@@ -152,7 +157,7 @@ def _change(file: Path, source: Source) -> str | None:
 
 
 def not_exported(export: Export, files: Iterable[Path]) -> Iterator[Diagnostic]:
-    """The files of what runs that the export was not made of."""
+    """Findings for files of the running skills that are not sources of the export."""
     folder = export.path.absolute().parent
     known = {each.path for each in export.sources}
     for file in sorted({path_from(folder, each) for each in files} - known):

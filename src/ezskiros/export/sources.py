@@ -10,12 +10,14 @@ from pathlib import Path
 
 FORMAT = "ezskiros/skills"
 VERSION = 1
-"""It counts in the digest, so that no file is taken for one of another version."""
+"""The version is a part of the digest, so that no file matches an export of another version."""
 
 
 @dataclass(frozen=True, order=True)
 class Source:
-    """A file by its path from the folder of the export, with `/`, and the SHA-256 of its bytes."""
+    """A file by its path relative to the folder of the export, with `/`, and the SHA-256 of its
+    bytes.
+    """
 
     path: str
     sha256: str
@@ -39,6 +41,6 @@ def sha256_of(file: Path) -> str:
 
 
 def path_from(folder: Path, file: str | os.PathLike[str]) -> str:
-    """The way from a folder to a file, with `/`."""
+    """The path from a folder to a file, with `/`."""
     way = os.path.relpath(os.path.realpath(file), os.path.realpath(folder))
     return way.replace(os.sep, "/")

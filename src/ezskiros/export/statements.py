@@ -1,4 +1,4 @@
-"""Statements of conditions in the format of the export: names of parameters, and IRIs of the
+"""Statements of conditions in the format of the export, with names of parameters and IRIs of the
 ontology.
 """
 
@@ -38,16 +38,16 @@ _TYPES: Mapping[str, tuple[type, ...]] = {
     "str": (str,),
     "Value": (str, int, float, bool),
 }
-"""The types of JSON for the fields of a statement, by their annotations."""
+"""The JSON types for the fields of a statement, by annotation."""
 _FLOAT = "float"
 _INFINITE = ({_FLOAT: "inf"}, {_FLOAT: "-inf"})
 """The numbers that JSON does not have."""
 MOST_PARTS, MOST_LEVELS = 1000, 50
-"""Parts of a statement, with the parts of these, and levels of them."""
+"""The most parts of a statement, including nested parts, and the most levels."""
 
 
 def written(statement: Statement) -> dict[str, Any]:
-    """A statement as an object of JSON."""
+    """A statement as a JSON object."""
     if isinstance(statement, AnyOf):
         parts = [written(each) for each in statement.parts]
         return {"kind": _ANY, "parts": parts, "is_true": statement.is_true}
@@ -64,7 +64,7 @@ def _as_json(value: Value) -> Value | dict[str, str]:
 
 
 def statement_of(found: object) -> Statement:
-    """The statement that an object of JSON stands for. Raises `ValueError` for another object."""
+    """The statement in a JSON object. Raises `ValueError` for an invalid object."""
     return _Reader().read(found)
 
 
@@ -79,13 +79,13 @@ class _Reader:
         if self._left < 0:
             raise ValueError(f"it has more than {MOST_PARTS:,} parts")
         if not isinstance(found, dict):
-            raise ValueError("it is no object")
+            raise ValueError("it is not an object")
         kind = found.get("kind")
         if kind == _ANY:
             return self._any(found, level)
         made = _KINDS.get(kind) if isinstance(kind, str) else None
         if made is None:
-            raise ValueError(f"its `kind` is none of {', '.join([*_KINDS, _ANY])}")
+            raise ValueError(f"its `kind` is not one of {', '.join([*_KINDS, _ANY])}")
         known = {each.name: _checked(found, each.name, str(each.type)) for each in fields(made)}
         statement: Statement = made(**known)
         return statement
@@ -93,7 +93,7 @@ class _Reader:
     def _any(self, found: Mapping[str, object], level: int) -> AnyOf:
         parts = found.get("parts")
         if not isinstance(parts, list) or not parts:
-            raise ValueError("its `parts` are no list of statements")
+            raise ValueError("its `parts` are not a list of statements")
         is_true = _checked(found, "is_true", "bool")
         return AnyOf(tuple(self.read(each, level + 1) for each in parts), bool(is_true))
 
@@ -104,8 +104,8 @@ def _checked(found: Mapping[str, object], name: str, annotation: str) -> Value:
         return math.inf if value == _INFINITE[0] else -math.inf
     types = _TYPES[annotation]
     if not isinstance(value, types) or (bool not in types and isinstance(value, bool)):
-        raise ValueError(f"its `{name}` is missing, or of another type")
+        raise ValueError(f"its `{name}` is missing or has the wrong type")
     if name == "operator" and value not in _OPERATORS:
-        raise ValueError(f"its `operator` is none of {' '.join(_OPERATORS)}")
+        raise ValueError(f"its `operator` is not one of {' '.join(_OPERATORS)}")
     assert isinstance(value, (str, int, float, bool)), "the types of JSON"
     return value

@@ -16,11 +16,13 @@ from ezskiros.trees.names import shared_names
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 MOST_LEVELS = 200
-"""Levels of a tree. Readers of JSON go as deep as this without care, and not ten times as deep."""
+"""The most levels of a tree. JSON readers support this depth without care, but not ten times this
+depth.
+"""
 
 
 def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:
-    """One way through a compound skill."""
+    """One tree of a compound skill."""
     return {
         "implementation": tree.implementation,
         "place": places.of(tree.span),
@@ -46,12 +48,12 @@ def _node(node: Node, library: Library, places: Places, level: int) -> dict[str,
 
 
 _LIMITS = {Decoration.TIMEOUT: "seconds", Decoration.RETRY: "tries"}
-"""The keys of numbers that decorators have."""
+"""The keys of the numbers of decorators."""
 
 
 def _limit(node: Decorator) -> dict[str, float | str]:
-    """The number of a decorator, or the name of the parameter that it is; nothing if it is computed
-    from parameters.
+    """The number of a decorator, or the name of its parameter; empty if it is computed from
+    parameters.
     """
     key, limit = _LIMITS.get(node.decoration), plain(node.limit)
     if isinstance(node.limit, ValueReference):
@@ -60,8 +62,9 @@ def _limit(node: Decorator) -> dict[str, float | str]:
 
 
 def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:
-    """The values of the parameters: names that are shared with the compound and its children as
-    they are, what is written down as Python has it; None for what is computed from parameters.
+    """The values of the parameters. Names that are shared with the compound and its children stay
+    names; literals are written as in Python; None stands for a value that is computed from
+    parameters.
     """
     skill = library.skill(call.skill)
     if skill is None:
@@ -73,7 +76,7 @@ def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:
 
 
 def spelled_value(value: object) -> str | None:
-    """A value as Python has it; None for one that is computed when the skill runs."""
+    """A value as Python source; None for a value that is computed at run time."""
     if isinstance(value, (ThingReference, ValueReference)):
         return value.parameter.name
     value = plain(value)

@@ -1,7 +1,7 @@
 """The classes and data properties of ontologies in the format of the export.
 
-It has the classes that a parameter or a permission can be of: those that they name, with all that
-is below these, and all that is above any of them.
+The export has all classes that a parameter or a permission names, with their subclasses, and the
+superclasses of all of these.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ezskiros.session import NOWHERE
 from ezskiros.skills.quantities import UNITS
 
 _SAMPLES = {"float": 0.5, "int": 1, "bool": True, "str": "text"}
-"""A value of each type, the wider numbers first."""
+"""A sample value of each type, wider number types first."""
 
 
 class Vocabulary:
@@ -35,7 +35,7 @@ class Vocabulary:
         self._classes = _related(self._model, set(named))
 
     def classes(self) -> Iterator[dict[str, Any]]:
-        """All classes, by their names."""
+        """All classes, by name."""
         for iri in self._classes:
             yield {
                 "name": name_in(self._ontology, iri),
@@ -45,7 +45,9 @@ class Vocabulary:
             }
 
     def properties(self) -> Iterator[dict[str, Any]]:
-        """The data properties that things of these classes can have. Unknown units are reported."""
+        """The data properties that individuals of these classes can have. Unknown units are
+        reported.
+        """
         for iri, found in self._model.values.items():
             owners = self._owners(iri)
             if owners is None:
@@ -71,8 +73,8 @@ class Vocabulary:
             yield from (each for each in above if each != iri and not each.startswith(RESERVED))
 
     def _owners(self, iri: str) -> Sequence[str] | None:
-        """The most general classes that a property can be of; none if the ontology does not say,
-        and None if they are others.
+        """The most general classes that can have a property. Empty if the ontology does not
+        restrict the property, None if only other classes can have it.
         """
         domain = self._model.domain(iri)
         if not domain:
@@ -90,7 +92,7 @@ class Vocabulary:
 
 
 def name_in(ontology: Ontology, iri: str) -> str:
-    """The name in Python, `skiros.Product`; the IRI of what is in no namespace that has a name."""
+    """The name in Python, such as `skiros.Product`; the IRI if its namespace has no name."""
     return ontology.spelled.get(iri, iri)
 
 
@@ -101,7 +103,7 @@ def name_of(owl_class: ThingClass) -> str:
 
 
 def _related(model: Model, named: set[str]) -> list[str]:
-    """Some classes, those below them, and those above any of these."""
+    """Some classes, their subclasses, and the superclasses of all of these."""
     below = {each for each in model.classes if not named.isdisjoint(model.above(each))}
     found = named | below
     found |= {above for each in found for above in model.above(each)}
@@ -109,7 +111,7 @@ def _related(model: Model, named: set[str]) -> list[str]:
 
 
 def type_of(model: Model, iri: str) -> str:
-    """The type of a data property; text where the ontology allows several."""
+    """The type of a data property; text if the ontology allows several types."""
     if model.values[iri].values:
         return "str"
     ranges = [*filter(None, map(spelled_types, model.range(iri)))]

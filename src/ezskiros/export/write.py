@@ -1,5 +1,5 @@
-"""Conversion of checked skills to the text of `skills.json`, which is the same for the same
-sources.
+"""Conversion of checked skills to the text of `skills.json`. The same sources give the same
+text.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ def export_skills(
     files: Iterable[Path],
     folder: Path,
 ) -> str:
-    """The text of a file in `folder` with all skills that a library knows, the trees of those that
-    were checked, and the locations of a scene. `files` are sources besides those that skills,
-    ontologies and scenes are written in. What is wrong is reported; then the text is of no use.
-    Raises `OSError` for a source that cannot be read.
+    """The text of a file in `folder` with all skills of a library, the trees of the checked skills,
+    and the locations of a scene. `files` are additional sources besides those of skills, ontologies
+    and scenes. After a reported error, the text must not be used. Raises `OSError` for an
+    unreadable source.
     """
     return _Writer(library, trees, scene, folder).text(files)
 
@@ -89,7 +89,7 @@ class _Writer:
         )
 
     def _described(self) -> list[tuple[SkillClass, SkillInterface]]:
-        """All skills that are known, by their names."""
+        """All known skills, by name."""
         found: dict[str, tuple[SkillClass, SkillInterface]] = {}
         for each in self._library.descriptions():
             skill = self._library.skill(each)
@@ -171,7 +171,7 @@ class _Writer:
         }
 
     def _scene_by_iri(self) -> list[tuple[Ontology, Location]]:
-        """The locations by their IRIs; a thing is in one scene."""
+        """The locations by IRI. An individual is in one scene."""
         found: dict[str, tuple[Ontology, Location]] = {}
         for each in self._scene:
             location = each[1]
@@ -199,7 +199,7 @@ def _classes_in(skill: SkillInterface) -> Iterator[ThingClass]:
 
 
 def _parents(description: SkillClass) -> list[str]:
-    """The descriptions that one is derived from, nearest first."""
+    """The base descriptions of a description, nearest first."""
     above = description.__mro__[1:]
     return [
         each.__name__
@@ -215,7 +215,7 @@ def _type_of(found: Parameter) -> str:
 
 
 def _by_name(kind: str, found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Things of several ontologies, by their names: those of one IRI are the same."""
+    """Entries of several ontologies, by name. Entries with the same IRI are the same."""
     known: dict[str, dict[str, Any]] = {}
     for each in found:
         first = known.setdefault(each["name"], each)
@@ -226,7 +226,7 @@ def _by_name(kind: str, found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]
 
 
 def _text(found: dict[str, Any]) -> str:
-    """JSON with a line for each member of a list: changes are seen in it."""
+    """JSON with one line for each member of a list, so that changes are visible."""
     parts = []
     for key, value in found.items():
         if isinstance(value, list) and value:

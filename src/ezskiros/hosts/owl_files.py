@@ -1,8 +1,8 @@
-"""An ontology as RDF/XML files for SkiROS2, in which it finds its prefixes.
+"""An ontology as RDF/XML files in which SkiROS2 finds its prefixes.
 
-SkiROS2 makes the prefix of a namespace of the IRI of the ontology that a file declares. What it has
-loaded from a file is replaced by the next file of that name, so that none may be called like its
-own.
+SkiROS2 derives the prefix of a namespace from the ontology IRI that a file declares. A file
+replaces an earlier loaded file with the same name, so no file here may have the name of a file of
+SkiROS2.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from ezskiros.ontology.read import Document
 
 MARK = "Written by `ezskiros owl`. Change the ontology instead."
 START = "ezskiros-"
-"""The beginning of the names of files: no file of SkiROS2 is called so."""
+"""The beginning of the file names. No file of SkiROS2 has it."""
 
 _XML = pyoxigraph.RdfFormat.RDF_XML
 _IEEE = "http://www.inf.ufrgs.br/phi-group/ontologies/"
@@ -45,7 +45,7 @@ Triples = Sequence[pyoxigraph.Triple]
 
 
 def owl_files(ontology: Ontology) -> tuple[dict[str, str], list[Diagnostic]]:
-    """The texts of the files by their names, and what is wrong with them; then there are none."""
+    """The texts of the files by name, and the findings. After an error there are no texts."""
     found = [*_prefix_findings(ontology), *_name_findings(ontology.documents)]
     for document in ontology.documents:
         found += _triple_findings(document)
@@ -68,13 +68,13 @@ def file_name(document: Document) -> str:
     return f"{START}{Path(document.file.path).stem}.owl"
 
 
-# --- what SkiROS2 finds in them ------------------------------------------------------------------
+# --- content for SkiROS2 --------------------------------------------------------------------------
 
 
 def _triples(document: Document, prefixes: Mapping[str, str], relations: Iterable[str]) -> Triples:
     """The triples of a document in the form that SkiROS2 understands.
 
-    SkiROS2 knows relations only as owl:ObjectProperty; the IRI of an ontology must not take the
+    SkiROS2 knows relations only as owl:ObjectProperty. The IRI of an ontology must not take the
     prefix of another namespace.
     """
     said = _with_fixed_names([each.triple for each in document.triples])
@@ -86,7 +86,7 @@ def _triples(document: Document, prefixes: Mapping[str, str], relations: Iterabl
 
 
 def _with_fixed_names(triples: Triples) -> Triples:
-    """Triples whose blank nodes have the same names each time that they are read."""
+    """Triples with the same names of blank nodes each time that they are read."""
     names: dict[pyoxigraph.BlankNode, pyoxigraph.BlankNode] = {}
 
     def fixed(term: Any) -> Any:
@@ -113,8 +113,8 @@ def _declared(triple: pyoxigraph.Triple) -> str | None:
 
 
 def _unnamed(ontology: Ontology) -> Iterator[tuple[str, str]]:
-    """The namespaces that no file is the ontology of, by their names. Of a file with several
-    ontologies SkiROS2 takes one.
+    """The namespaces without an ontology file, by name. If a file has several ontologies, SkiROS2
+    uses one.
     """
     named = set()
     for document in ontology.documents:
@@ -125,11 +125,11 @@ def _unnamed(ontology: Ontology) -> Iterator[tuple[str, str]]:
             yield name, start
 
 
-# --- what is wrong with them ---------------------------------------------------------------------
+# --- findings -------------------------------------------------------------------------------------
 
 
 def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
-    """Namespaces that SkiROS2 cannot tell by their prefixes."""
+    """Findings for namespaces that SkiROS2 cannot distinguish by prefix."""
     taken: dict[str, str] = dict(_OF_SKIROS2)
     firsts: dict[str, str] = {}
     for iri in ontology.model.entities():
@@ -150,7 +150,7 @@ def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
 
 
 def _name_findings(documents: Iterable[Document]) -> Iterator[Diagnostic]:
-    """Files that SkiROS2 would take for one."""
+    """Findings for files that SkiROS2 would treat as one."""
     seen: dict[str, Document] = {}
     for document in documents:
         name = file_name(document)
@@ -161,8 +161,8 @@ def _name_findings(documents: Iterable[Document]) -> Iterator[Diagnostic]:
 
 
 def _triple_findings(document: Document) -> Iterator[Diagnostic]:
-    """Findings for triples that differ when they are read again. If all are the same together, none
-    is looked at by itself.
+    """Findings for triples that differ after they are written and read again. If all triples
+    together are equal, no single triple is examined.
     """
     triples = [each.triple for each in document.triples]
     if _is_kept(triples):
@@ -184,7 +184,7 @@ def _is_kept(triples: Triples) -> bool:
 
 
 def _without_names(triple: pyoxigraph.Triple) -> tuple[object, ...]:
-    """A triple in which all blank nodes are the same; triple terms are never kept."""
+    """A triple with one name for all blank nodes. Triple terms are never kept."""
     terms = (triple.subject, triple.predicate, triple.object)
     if isinstance(triple.object, pyoxigraph.Triple):
         return (object(),)
@@ -195,7 +195,7 @@ def _place(documents: Sequence[Document], iri: str) -> Span:
     return declaration(documents, iri) or Span(documents[0].file, 0, 0)
 
 
-# --- how they are written ------------------------------------------------------------------------
+# --- text -----------------------------------------------------------------------------------------
 
 
 def _text(triples: Triples, prefixes: Mapping[str, str]) -> str:

@@ -6,15 +6,19 @@ from ezskiros.hosts.skiros2_api import is_running
 
 
 def host(package: str, *, context: str | None = None) -> None:
-    """Let SkiROS2 load the skills of a library; `package` is its name, and it is being imported.
+    """Let SkiROS2 load the skills of a library. `package` is the name of the library, which is
+    being imported.
 
-    With a `context`, a file of skills (`ezskiros export`) that is looked for from the folder of the
-    library, the skill manager publishes which skills run.
+    If `context` is given, the skill manager publishes the running skills. `context` is a skills
+    file (`ezskiros export`), relative to the folder of the library.
 
-    Skills with errors are refused, and all that is wrong is reported in SkiROS2's log. Does nothing
-    where it is not SkiROS2 that imports the library, so that it can be checked and run without.
+    Skills with errors are refused, and all findings are in SkiROS2's log. If another program
+    imports the library, this function does nothing, so that the library can be checked and run
+    without SkiROS2.
     """
     if is_running():
-        from ezskiros.hosts.skiros2_loading import load  # takes time that others need not spend
+        from ezskiros.hosts.skiros2_loading import (
+            load,
+        )  # a slow import that other programs do not need
 
         load(package, context)

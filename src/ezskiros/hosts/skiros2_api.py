@@ -1,7 +1,7 @@
 """The used parts of SkiROS2's Python packages, located when SkiROS2 runs.
 
-The branches for ROS 1 and ROS 2 have the same names for it. Nothing of it is imported before, so
-that skills are checked where there is no SkiROS2.
+The branches for ROS 1 and ROS 2 have the same names for them. They are not imported earlier, so
+that skills can be checked without SkiROS2.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _RUNNING = "skiros2_skill.core.skill_instanciator"
 
 @dataclass(frozen=True)
 class Api:
-    """Classes and functions of SkiROS2, by their names there."""
+    """Classes and functions of SkiROS2, by their SkiROS2 names."""
 
     SkillDescription: Any
     SkillBase: Any
@@ -34,7 +34,7 @@ class Api:
 
 
 def is_running() -> bool:
-    """Say whether SkiROS2 has been imported: only then can it be what loads a library."""
+    """Say whether SkiROS2 has been imported. Otherwise another program loads the library."""
     return _RUNNING in sys.modules
 
 
@@ -45,7 +45,7 @@ def ticker() -> Any:
 
 @lru_cache(maxsize=1)
 def api() -> Api:
-    """SkiROS2. Raises `ImportError` where it is not installed."""
+    """The API of SkiROS2. Raises `ImportError` if SkiROS2 is not installed."""
     skill = importlib.import_module("skiros2_skill.core.skill")
     params = importlib.import_module("skiros2_common.core.params")
     return Api(

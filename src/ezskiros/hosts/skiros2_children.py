@@ -1,14 +1,14 @@
 """A child of a compound skill: SkiROS2's `SkillWrapper` with arbitrary keys.
 
-SkiROS2 renames keys one after the other, and drops a new name that is the old one of another
-parameter, or follows it; so it cannot swap two, nor give one thing to two parameters. Here the keys
-of a child are all renamed at once.
+SkiROS2 renames keys one after the other, and drops a new name that is the old name of another
+parameter. So it cannot swap two names, nor give one individual to two parameters. Here the keys of
+a child are all renamed at once.
 
-Where a parameter has a default, SkiROS2 never takes a value from the blackboard, and writes the
-default there. Here a value that is passed is taken, and a default stays with the child.
+If a parameter has a default, SkiROS2 never takes a value from the blackboard, and writes the
+default there. Here a passed value is taken, and a default stays with the child.
 
-A child that names no implementation has the label of its first one in SkiROS2 as soon as that is
-assigned, and so SkiROS2 never tries another one. Here such a child has no label until it starts.
+In SkiROS2, a child without a named implementation gets the label of its first implementation, so
+SkiROS2 never tries another one. Here such a child has no label until it starts.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_tree import HostedCall
 
 _BETWEEN = "\0"
-"""In front of the keys that conditions have while they are renamed."""
+"""The prefix of the keys of conditions during renaming."""
 
 
 class Child:
-    """Our part of a `SkillWrapper`: `keys` are those of the blackboard by those of the child,
-    `users` are the instances of the user's classes that have started, by these classes.
+    """The EzSkiROS part of a `SkillWrapper`. `keys` maps the keys of the child to blackboard keys.
+    `users` has the started instances of the user's classes, by class.
     """
 
     _params: Any
     _instance: Any = SimpleNamespace(onEnd=lambda: True)
-    """SkiROS2 ends what could not start; where there is no implementation, it would never tick
+    """A placeholder: SkiROS2 ends a child that could not start, and would otherwise never tick
     again.
     """
     _children: list[Any]
@@ -50,9 +50,9 @@ class Child:
         self._rename()
 
     def _rename(self) -> None:
-        """Give parameters and conditions, which have the keys of the child, those they share.
+        """Rename the keys of parameters and conditions from those of the child to the shared ones.
 
-        SkiROS2 makes this the description of the child when it gets its implementation.
+        SkiROS2 makes this the description of the child when the child gets its implementation.
         """
         named = self._params.getParamMap()
         for key, value in self._call.values.items():
@@ -75,10 +75,10 @@ class Child:
             yield from getattr(self, f"_{kind}_conditions")
 
     def rename(self, condition: Any) -> None:
-        """Give a condition of the implementation the keys that the child shares."""
+        """Rename the keys of a condition of the implementation to the shared ones."""
         _rename(condition, self.keys)
 
-    # --- what SkiROS2 calls -----------------------------------------------------------------------
+    # --- called by SkiROS2 ------------------------------------------------------------------------
 
     @property
     def label(self) -> str:
@@ -87,7 +87,7 @@ class Child:
         return "" if self._call.is_choice and is_idle else super().label  # type: ignore[misc]
 
     def setInstance(self, instance: Any) -> None:  # noqa: N802 - as in SkiROS2
-        """Take an implementation; the children of another one are not those of this."""
+        """Set the implementation. The children of a previous implementation are dropped."""
         if instance is not self._instance:
             self._children = []
         super().setInstance(instance)  # type: ignore[misc]
@@ -120,7 +120,7 @@ class Child:
         return broken
 
     def remap(self, initial_key: str, target_key: str, record: bool = True) -> None:  # noqa: ARG002
-        """Take another key of the blackboard for one of it, as a skill above says."""
+        """Rename a blackboard key, because a skill above renames it."""
         for known in (self.keys, self._found_out):
             known.update({own: target_key for own, key in known.items() if key == initial_key})
         named = self._params.getParamMap()
@@ -141,7 +141,7 @@ class Child:
         return found
 
     def _copyInstanceParams(self) -> None:  # noqa: N802
-        """Take over what the implementation has found out."""
+        """Take over the outputs of the implementation."""
         for key, found in self._instance.params.getParamMap().items():
             shared = self.keys.get(key, key)
             if self._params.hasParam(shared):
@@ -152,7 +152,7 @@ class Child:
 
 
 def _rename(condition: Any, keys: Mapping[str, str]) -> None:
-    """Rename all keys of a condition at once: new names may be old ones of others."""
+    """Rename all keys of a condition at once, because new names may be old names of other keys."""
     changed = {key: new for key, new in keys.items() if key != new}
     for key in changed:
         condition.remap(key, _BETWEEN + key)
@@ -166,7 +166,7 @@ def _child_class() -> Any:
 
 
 def child(call: HostedCall, label: str, instanciator: Any) -> Any:
-    """A child for a tree of SkiROS2. Raises `LookupError` if SkiROS2 means another skill."""
+    """A child for a SkiROS2 tree. Raises `LookupError` if SkiROS2 would run another skill."""
     module = type(instanciator.get_description(f"skiros:{call.type}")).__module__
     if module != call.module:
         raise LookupError(

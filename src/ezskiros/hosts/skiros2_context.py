@@ -1,8 +1,8 @@
 """The context of skills in SkiROS2's skill manager, for rules that monitor the robot.
 
-It is published by a thread of the process of the skill manager: it ends when that dies, is stopped
-or is started anew. As long as skills run, each of them has to give a sign of life; one that nobody
-ticks, or whose end was missed, silences all. Where no skill runs it says so.
+A thread of the skill manager's process publishes the context, so publishing ends if the process
+dies, is stopped or restarts. Each running skill has to give heartbeats: a skill that is not ticked,
+or whose end was missed, stops the publishing. If no skill runs, an empty context is published.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Values = Callable[[], Mapping[str, Any]]
 
 
 class HostedContext:
-    """The skills of SkiROS2 that run, and the voice that tells of them."""
+    """The running skills of SkiROS2, and the voice that publishes them."""
 
     def __init__(
         self, digest: str, publish: Publish, clock: Callable[[], float] = time.monotonic
@@ -38,23 +38,23 @@ class HostedContext:
         self.running = RunningSkills(self._tell)
         self._snapshots = Snapshots(digest)
         self._seen: dict[object, float] = {}
-        """The last sign of life of each skill that runs."""
+        """The last heartbeat of each running skill."""
         self._reported = -math.inf
         self.voice = Voice(publish, clock=clock)
         self._tell()
 
     def start(self, owner: object, skill: SkillInterface, values: Values) -> None:
-        """A skill starts."""
+        """Record the start of a skill."""
         self._seen[owner] = self._clock()
         self.running.start(owner, skill, self._clock(), values)
 
     def end(self, owner: object) -> None:
-        """A skill has ended, if it runs at all."""
+        """Record the end of a skill, if it runs at all."""
         self._seen.pop(owner, None)
         self.running.end(owner)
 
     def live(self, owner: object) -> None:
-        """Note that a skill was ticked. Once per period, update the facts about its things."""
+        """Record a tick of a skill. Once per period, update the facts about its individuals."""
         if owner not in self._seen:
             return
         self._seen[owner] = now = self._clock()
@@ -64,29 +64,31 @@ class HostedContext:
             self.voice.live(self._alive())
 
     def keep(self) -> None:
-        """The skills that run wait, as a tree runs in their place: that is no sign of death."""
+        """Keep the running skills alive while they wait, because a tree runs instead of them."""
         self._seen = dict.fromkeys(self._seen, self._clock())
         self.voice.live(self._alive())
 
     def _alive(self) -> float:
-        """The time at which all that runs was alive; always if nothing runs."""
+        """The latest time at which all running skills were alive; the current time if none runs."""
         return min(self._seen.values(), default=math.inf)
 
     def _tell(self) -> None:
-        """Tell of what runs. What keeps that from being known silences the voice, and no skill."""
+        """Publish the running skills. If they cannot be determined, stop publishing, but no
+        skill.
+        """
         self._reported = self._clock()
         try:
-            # The processors of SkiROS2 do not say which of their children come next.
+            # The processors of SkiROS2 do not show which of their children come next.
             snapshot = self._snapshots.of(self.running, None)
         except Exception as problem:
-            api().log.error("ezskiros", f"the context is not known: {problem!r}")
+            api().log.error("ezskiros", f"the context is unknown: {problem!r}")
             self.voice.live(-math.inf)
         else:
             self.voice.tell(snapshot, self._alive())
 
 
 _contexts: list[HostedContext] = []
-"""The one of this process, if a library names an export."""
+"""The context of this process, if a library names an export."""
 _refused: list[str] = []
 """The reasons why no context is or will be published."""
 
@@ -97,52 +99,52 @@ def current() -> HostedContext | None:
 
 
 def start(owner: object, skill: SkillInterface, values: Values) -> None:
-    """A skill starts: nothing of it has moved yet."""
+    """Record the start of a skill, before any motion."""
     for each in _contexts:
         each.start(owner, skill, values)
 
 
 def end(owner: object) -> None:
-    """A skill has ended, or could not start."""
+    """Record that a skill has ended, or could not start."""
     for each in _contexts:
         each.end(owner)
 
 
 def live(owner: object) -> None:
-    """A skill is ticked."""
+    """Record a tick of a skill."""
     for each in _contexts:
         each.live(owner)
 
 
 def watched(processor: Any, owner: object) -> Any:
-    """A processor of SkiROS2 each of whose ticks is a sign of life of the compound above it."""
+    """A SkiROS2 processor whose ticks are heartbeats of the compound above it."""
     return _Watched(processor, owner) if _contexts else processor
 
 
 class _Watched:
-    """Has the methods by which SkiROS2 knows a processor."""
+    """Has the methods by which SkiROS2 recognizes a processor."""
 
     def __init__(self, processor: Any, owner: object) -> None:
         self._processor, self._owner = processor, owner
 
     def printType(self) -> str:  # noqa: N802 - as in SkiROS2
-        """As SkiROS2 draws it."""
+        """The symbol in SkiROS2's drawing."""
         found: str = self._processor.printType()
         return found
 
     def reset(self) -> None:
-        """Before the first tick."""
+        """Reset the state before the first tick."""
         self._processor.reset()
 
     def processChildren(self, children: Any, visitor: Any) -> Any:  # noqa: N802
-        """One tick, with a sign of life before and after it."""
+        """Tick the children once, with a heartbeat before and after it."""
         live(self._owner)
         found = self._processor.processChildren(children, visitor)
         live(self._owner)
         return found
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Any:
-        """Gives no sign of life: what is copied is simulated only."""
+        """Copy without heartbeats, because copies are only simulated."""
         return deepcopy(self._processor, memo)
 
 
@@ -154,8 +156,8 @@ def begin(
     files: Iterable[Path],
     connecting: Callable[[], Publish] = connect,
 ) -> str | None:
-    """Begin to tell the context, in the words of an export of these files; None if that is done,
-    else why not. Then nothing is reported at all any more: rules take it for stale.
+    """Start to publish the context, defined by an export of these files. Returns None on success,
+    otherwise the reason; then nothing is published, and rules treat the context as stale.
     """
     problem = _refused[0] if _refused else _begun(path, files, connecting)
     if problem is not None:
@@ -176,7 +178,11 @@ def _begun(path: Path, files: Iterable[Path], connecting: Callable[[], Publish])
         return f"{found.title}: {found.help}"
     if _contexts:
         is_same = _contexts[0].digest == export.digest
-        return None if is_same else f"{path} is not the export of another library: make one of both"
+        return (
+            None
+            if is_same
+            else f"{path} is the export of another library: export both libraries into one file"
+        )
     try:
         context = HostedContext(export.digest, connecting())
     except NoRosError as problem:

@@ -1,7 +1,7 @@
 """A skill in SkiROS2's form: the data that its `addParam` and its conditions store.
 
-Labels of conditions are left out: they are for people. Names of the ontology are written as SkiROS2
-writes them, `skiros:at`.
+Labels of conditions are left out, because they are for people. Names of the ontology are written as
+in SkiROS2: `skiros:at`.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ class FormParameter:
 
 
 IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
-"""The parameter that SkiROS2 adds to a skill that has none of this name."""
+"""The parameter that SkiROS2 adds to a skill without a parameter of this name."""
 
 
 @dataclass(frozen=True)
 class FormCondition:
     """A condition: the method of SkiROS2's `SkillDescription` that makes it, and its arguments
-    after the label; `parts` are added to an `or`.
+    after the label. `parts` are added to an `or`.
     """
 
     maker: str
@@ -89,7 +89,7 @@ def conditions_of(
 
 
 def any_of(parts: Iterable[FormCondition], *, is_true: bool) -> FormCondition:
-    """An `or`; one inside another is part of it, as long as it is none that is denied."""
+    """An `or`. A nested `or` that is not negated is merged into it."""
     flat: list[FormCondition] = []
     for part in parts:
         is_open = part.maker == "getOrCond" and part.arguments == (True,)
@@ -98,7 +98,7 @@ def any_of(parts: Iterable[FormCondition], *, is_true: bool) -> FormCondition:
 
 
 def options_of(key: str, kind: str, options: Iterable[str]) -> Iterator[tuple[str, FormCondition]]:
-    """The conditions that options of a parameter stand for, each behind the list that it is of."""
+    """The conditions that the options of a parameter imply, each with the name of its list."""
     for option in options:
         if option == Option.CONSUME.value:
             yield "post", FormCondition("getGenerateCond", (key, False))

@@ -1,7 +1,7 @@
 """The checked skills of a library, and the selection that SkiROS2 may load.
 
-A finding refuses the skill that it is in; outside of skills, all of the file. What calls a refused
-skill is refused as well: it could only fail.
+A finding in a skill refuses the skill; a finding outside of skills refuses all skills of the file.
+A skill that calls a refused skill is refused as well, because it could only fail.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _accepted: set[type] = set()
 
 
 class AcceptedLibrary(Library):
-    """A library that only contains skills that SkiROS2 may load."""
+    """A library with only the skills that SkiROS2 may load."""
 
     def implementations(self, description: SkillClass) -> Implementations:
         """The implementations of a skill, by name."""
@@ -42,7 +42,7 @@ class AcceptedLibrary(Library):
 
 @dataclass(frozen=True)
 class CheckedLibrary:
-    """The accepted skills of some modules, and all that is wrong with them and with the others."""
+    """The accepted skills of some modules, and all findings, including those of refused skills."""
 
     described: Mapping[SkillClass, Described]
     implementations: Sequence[type[SkillImplementation]]
@@ -52,7 +52,7 @@ class CheckedLibrary:
 
 
 def check_library(modules: Iterable[ModuleType], found: Collector) -> CheckedLibrary:
-    """Check the skills that modules define; `found` has what their import has shown."""
+    """Check the skills that modules define. `found` has the findings of their import."""
     modules = list(modules)
     descriptions = [each for module in modules for each in own(module, SkillDescription)]
     implementing = [each for module in modules for each in own(module, SkillImplementation)]
@@ -75,8 +75,8 @@ def check_library(modules: Iterable[ModuleType], found: Collector) -> CheckedLib
 
 
 def _with_errors(classes: Sequence[type], found: Collector) -> set[type]:
-    """The classes in which errors are; of an error outside of them, those of its file, and all of
-    the library if it is in none of their files.
+    """The classes with errors. An error outside of classes counts for all classes of its file, or
+    of the whole library if none of the classes is in that file.
     """
     places = {each: class_body(each) for each in classes}
     refused: set[type] = set()
@@ -93,7 +93,7 @@ def _with_errors(classes: Sequence[type], found: Collector) -> set[type]:
 def _refuse_what_depends(
     implementing: Sequence[type[SkillImplementation]], trees: Sequence[Tree]
 ) -> None:
-    """Refuse implementations of skills that are refused, and compounds that call one."""
+    """Refuse implementations of refused skills, and compounds that call a refused skill."""
     is_changed = True
     while is_changed:
         before = len(_accepted)
@@ -121,7 +121,7 @@ def _refused_calls(tree: Tree) -> Iterator[Diagnostic]:
 
 
 def own(module: ModuleType, base: type[T]) -> Iterator[type[T]]:
-    """The classes that a module itself derives from another one."""
+    """The classes that a module itself derives from another class."""
     for each in vars(module).values():
         is_class = isinstance(each, type) and issubclass(each, base)
         if is_class and each.__module__ == module.__name__:

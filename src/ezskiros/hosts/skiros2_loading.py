@@ -36,9 +36,9 @@ _hosted: dict[SkillClass, HostedSkill] = {}
 
 
 def load(package: str, context: str | None = None) -> None:
-    """Give SkiROS2 the skills of a library that are without errors; the others raise
-    `RefusedSkillError` when SkiROS2 makes them. All modules of the library are imported. `context`
-    is the export in whose words the context is published.
+    """Give SkiROS2 the skills of a library that have no errors. The others raise
+    `RefusedSkillError` when SkiROS2 instantiates them. All modules of the library are imported.
+    `context` is the export that defines the published context.
     """
     problem = unfit()
     if problem is not None:
@@ -61,7 +61,7 @@ def load(package: str, context: str | None = None) -> None:
 
 
 def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
-    """Publish which skills run; if that cannot be, rules have to take the context for stale."""
+    """Publish the running skills. If this fails, rules treat the context as stale."""
     ontology = checked.library.ontology() or Ontology(())
     skills = (Path(each.span.file.path) for each in checked.library.skills())
     files = [*filter(is_file, skills), *ontology.files()]
@@ -73,7 +73,7 @@ def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
 
 
 def _begin_recoveries(package: str, checked: CheckedLibrary) -> None:
-    """Let rules run the skills as trees; where nobody is told which skills run, no rule can."""
+    """Let rules run the skills as trees. Without a published context, no rule can."""
     context = skiros2_context.current()
     if context is None:
         return
@@ -89,7 +89,7 @@ def _begin_recoveries(package: str, checked: CheckedLibrary) -> None:
     ]
     problem = skiros2_recovery.begin(trees, context)
     if problem is not None:
-        api().log.error("ezskiros", f"{package}: rules can ask for no tree: {problem}")
+        api().log.error("ezskiros", f"{package}: rules cannot request trees: {problem}")
 
 
 def _modules(package: str) -> Iterator[ModuleType]:
@@ -100,12 +100,12 @@ def _modules(package: str) -> Iterator[ModuleType]:
             continue
         try:
             yield importlib.import_module(found.name)
-        except Exception:  # SkiROS2 imports it again, and tells
+        except Exception:  # SkiROS2 imports it again, and reports the error
             continue
 
 
 def _rendered(checked: CheckedLibrary) -> str:
-    """The errors: a robot that starts is no place for warnings."""
+    """The text of the errors. Warnings are omitted, because the robot is starting."""
     errors = [each for each in checked.diagnostics if each.severity is Severity.ERROR]
     console = Console(no_color=True, width=100)
     with console.capture() as captured:
@@ -128,5 +128,5 @@ def _give(checked: CheckedLibrary, text: str) -> None:
 
 
 def _put(found: type, made: type) -> None:
-    """SkiROS2 finds classes in modules, whatever they are called there."""
+    """Put a class where SkiROS2 finds it in a module, under any name."""
     setattr(sys.modules[found.__module__], f"{found.__name__}_in_skiros2", made)

@@ -1,8 +1,7 @@
-"""Processors of nodes in SkiROS2, which tick their children: its own, and those that SkiROS2 does
-not have.
+"""Processors of SkiROS2 nodes, which tick their children: SkiROS2's own processors, and those that
+SkiROS2 does not have.
 
-A processor is any object with these three methods; its children say how they are by SkiROS2's
-`State`.
+A processor is any object with these three methods. Its children report SkiROS2's `State`.
 """
 
 from __future__ import annotations
@@ -28,25 +27,25 @@ def processor(name: str, limit: float | None) -> Any:
 
 
 class ParallelFf:
-    """All children until all have succeeded or one fails.
+    """Runs all children until all have succeeded or one fails.
 
-    SkiROS2's own starts children again that have succeeded, in each tick until all of them succeed
-    in the same one.
+    SkiROS2's own processor restarts children that have succeeded, in each tick, until all succeed
+    in the same tick.
     """
 
     def __init__(self) -> None:
         self._done: set[int] = set()
 
     def printType(self) -> str:  # noqa: N802 - as in SkiROS2
-        """As SkiROS2 draws it."""
+        """The symbol in SkiROS2's drawing."""
         return "|ff|"
 
     def reset(self) -> None:
-        """Before the first tick."""
+        """Reset the state before the first tick."""
         self._done.clear()
 
     def processChildren(self, children: Sequence[Any], visitor: Any) -> Any:  # noqa: N802
-        """One tick."""
+        """Tick the children once."""
         state = api().State
         is_done = True
         for child in children:
@@ -73,38 +72,38 @@ class ParallelFf:
 
 
 class Inverter:
-    """Success is failure, and failure success."""
+    """Exchanges success and failure."""
 
     def printType(self) -> str:  # noqa: N802
-        """For the drawing of the tree."""
+        """The symbol in the drawing of the tree."""
         return "!"
 
     def reset(self) -> None:
-        """Remembers nothing."""
+        """Do nothing: an inverter has no state."""
 
     def processChildren(self, children: Sequence[Any], visitor: Any) -> Any:  # noqa: N802
-        """One tick."""
+        """Tick the child once."""
         state = api().State
         found = children[0].visit(visitor)
         return {state.Success: state.Failure, state.Failure: state.Success}.get(found, found)
 
 
 class Retry:
-    """Again when it fails, from the next tick on, `tries` times at most in all."""
+    """Restarts a failed child in the next tick, for at most `tries` tries in all."""
 
     def __init__(self, tries: float) -> None:
         self._tries, self._failures = tries, 0
 
     def printType(self) -> str:  # noqa: N802
-        """For the drawing of the tree."""
+        """The symbol in the drawing of the tree."""
         return f"retry({self._tries:g})"
 
     def reset(self) -> None:
-        """Before the first tick."""
+        """Reset the state before the first tick."""
         self._failures = 0
 
     def processChildren(self, children: Sequence[Any], visitor: Any) -> Any:  # noqa: N802
-        """One tick."""
+        """Tick the child once."""
         state = api().State
         found = children[0].visit(visitor)
         if found == state.Success:
@@ -118,22 +117,22 @@ class Retry:
 
 
 class Timeout:
-    """A failure when there is no result after some seconds."""
+    """Fails if there is no result after some seconds."""
 
     def __init__(self, seconds: float, clock: Callable[[], float] = time.monotonic) -> None:
         self._seconds, self._clock = seconds, clock
         self._end: float | None = None
 
     def printType(self) -> str:  # noqa: N802
-        """For the drawing of the tree."""
+        """The symbol in the drawing of the tree."""
         return f"timeout({self._seconds:g} s)"
 
     def reset(self) -> None:
-        """Before the first tick."""
+        """Reset the state before the first tick."""
         self._end = None
 
     def processChildren(self, children: Sequence[Any], visitor: Any) -> Any:  # noqa: N802
-        """One tick."""
+        """Tick the child once."""
         state = api().State
         if self._end is None:
             self._end = self._clock() + self._seconds

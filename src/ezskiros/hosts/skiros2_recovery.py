@@ -1,7 +1,7 @@
 """Behavior trees that rules run in SkiROS2, instead of the tasks of its skill manager.
 
-SkiROS2 ticks all its tasks one after the other (`BtTicker._tick`). While a tree runs, only that is
-ticked; the primitives of the tasks have been preempted, and start again afterwards.
+SkiROS2 ticks all its tasks one after the other (`BtTicker._tick`). While a tree runs, only the tree
+is ticked. The primitives of the tasks have been preempted, and restart afterwards.
 """
 
 from __future__ import annotations
@@ -28,7 +28,9 @@ from ezskiros.skills.interface import SkillInterface
 
 @dataclass(frozen=True)
 class HostedTree:
-    """A skill that SkiROS2 can run as a tree; `implementations` are the names of those it has."""
+    """A skill that SkiROS2 can run as a tree. `implementations` are the names of its
+    implementations.
+    """
 
     description: SkillClass
     skill: SkillInterface
@@ -37,7 +39,7 @@ class HostedTree:
 
 
 class HostedRecoveries:
-    """The tree that runs in the place of the tasks, if there is one."""
+    """The tree that runs instead of the tasks, if there is one."""
 
     def __init__(self, trees: Iterable[HostedTree], context: HostedContext) -> None:
         self._trees: dict[str, HostedTree] = {}
@@ -51,7 +53,7 @@ class HostedRecoveries:
         self._interrupted: list[Running] | None = None
 
     def add(self, trees: Iterable[HostedTree]) -> None:
-        """Know these as well: they are of another library."""
+        """Add the trees of another library."""
         for each in trees:
             self._trees[each.skill.name] = each
             self.known[each.skill.name] = (each.description, each.skill)
@@ -75,9 +77,9 @@ class HostedRecoveries:
         return self._context.running if self._interrupted is None else self._interrupted
 
     def recover(self, recovery: Recovery) -> None:
-        """Ask for a tree, from any thread. One that runs already gives way to it."""
+        """Request a tree, from any thread. A running tree is replaced."""
         if recovery.afterwards is Afterwards.REPLAN:
-            raise RefusedError("SkiROS2 does not plan again by itself: use `then retry`")
+            raise RefusedError("SkiROS2 cannot replan: use `then retry`")
         self._asked.put(recovery)
 
     # --- for the ticker ---------------------------------------------------------------------------
@@ -93,7 +95,7 @@ class HostedRecoveries:
         kind._tick = tick  # noqa: SLF001
 
     def tick(self, ticking: Any, usual: Callable[[Any], None]) -> None:
-        """One tick: of the tree if there is one, else of all tasks."""
+        """Tick the tree if there is one, otherwise all tasks."""
         self._take(ticking)
         if self._root is None or ticking._tasks_to_preempt:  # noqa: SLF001
             self._give_up("the task is stopped")
@@ -106,11 +108,11 @@ class HostedRecoveries:
             self._end(ticking, usual, is_success=state == api().State.Success)
 
     def _take(self, ticking: Any) -> None:
-        """The last that was asked for since the tick before."""
+        """Start the last tree that was requested since the tick before."""
         if self._recovery is not None and self._recovery.is_released:
             self._give_up("it was stopped")
         for asked in newly_asked(self._asked):
-            self._give_up("another tree is asked for")
+            self._give_up("another tree was requested")
             self._begin(asked, ticking)
 
     def _begin(self, asked: Recovery, ticking: Any) -> None:
@@ -120,7 +122,7 @@ class HostedRecoveries:
             visitor.setVerbose(tasks._verbose)  # noqa: SLF001
             root = self._tree(asked, tasks)
             interrupted = with_values_of_now(self.running)
-        except Exception as problem:  # what SkiROS2 raises if it does not have the skill
+        except Exception as problem:  # SkiROS2's exception for a missing skill
             asked.done(False, f"SkiROS2 cannot run it: {problem}")
             return
         self._interrupted = interrupted
@@ -130,7 +132,7 @@ class HostedRecoveries:
         self._recovery, self._root, self._visitor = asked, root, visitor
 
     def _tree(self, asked: Recovery, tasks: Any) -> Any:
-        """A root of SkiROS2 with the skill, as its skill manager makes one for a task."""
+        """A SkiROS2 root with the skill, like the root that its skill manager makes for a task."""
         found = self._trees[asked.call.skill.__name__]
         instanciator = tasks._instanciator  # noqa: SLF001
         name = f"skiros:{found.skill.name}"
@@ -158,7 +160,7 @@ class HostedRecoveries:
             recovery.done(False, why)
 
     def _end(self, ticking: Any, usual: Callable[[Any], None], *, is_success: bool) -> None:
-        """After the tree: the tasks go on, or have failed."""
+        """After the tree, continue the tasks, or let them fail."""
         recovery = self._recovery
         assert recovery is not None, "a tree runs"
         self._root = self._recovery = None
@@ -176,7 +178,7 @@ class HostedRecoveries:
 
 
 _recoveries: list[HostedRecoveries] = []
-"""The one of this process, if a library names an export."""
+"""The recoveries of this process, if a library names an export."""
 
 
 def begin(
@@ -184,7 +186,7 @@ def begin(
     context: HostedContext,
     serving: Callable[[RecoveryGoals], object] = serve,
 ) -> str | None:
-    """Let rules run these skills as trees; None if that is done, else why not."""
+    """Let rules run these skills as trees. Returns None on success, otherwise the reason."""
     if _recoveries:
         _recoveries[0].add(trees)
         return None
@@ -199,7 +201,7 @@ def begin(
 
 
 def _running_primitives(node: Any) -> Iterator[Any]:
-    """The primitives that run below a node of SkiROS2, or the node itself."""
+    """The running primitives below a SkiROS2 node, or the node itself."""
     if not node.hasState(api().State.Running):
         return
     if not node.hasChildren():

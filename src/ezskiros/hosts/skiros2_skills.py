@@ -1,7 +1,7 @@
-"""The classes that SkiROS2 loads: each combines a class from here with a SkiROS2 class.
+"""The classes that SkiROS2 loads: each combines a class from this module with a SkiROS2 class.
 
-SkiROS2 takes classes without subclasses, and knows them by their bare names; descriptions have no
-subclasses, implementations refer to them.
+SkiROS2 takes classes without subclasses and identifies them by their bare names. Descriptions have
+no subclasses; implementations refer to them.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _BASIC = {each.__name__: each for each in (str, int, float, bool)}
 
 @dataclass(frozen=True)
 class HostedSkill:
-    """A skill that SkiROS2 has, and the class of its description there."""
+    """A skill for SkiROS2, and the class of its SkiROS2 description."""
 
     skill: SkillInterface
     ontology: Ontology
@@ -43,21 +43,21 @@ class HostedSkill:
 
 @dataclass(frozen=True)
 class HostContext:
-    """The things that an implementation needs while it runs."""
+    """The context of a running implementation."""
 
     implementation: type[SkillImplementation]
     hosted: HostedSkill
     library: Library
     own_conditions: tuple[FormCondition, ...]
-    """The pre-conditions that the implementation has besides those of its skill."""
+    """The pre-conditions of the implementation, besides those of its skill."""
 
 
 class RefusedSkillError(Exception):
-    """SkiROS2 asks for a skill that was refused; the text is all that is wrong with its library."""
+    """SkiROS2 requested a refused skill. The text has all findings on the library of the skill."""
 
 
 def hosted_skill(skill: SkillInterface, ontology: Ontology, module: str) -> HostedSkill:
-    """A skill, and its description as if `module` had defined it in SkiROS2."""
+    """A skill, with a SkiROS2 description that appears to be defined in `module`."""
     docs = {each.key: each.doc for each in skill.parameters}
     parts = {"form": form_of(skill, ontology.model), "docs": docs, "__doc__": skill.doc}
     bases = (Description, api().SkillDescription)
@@ -75,7 +75,7 @@ def host_of(
 
 
 def implementation_class(host: HostContext) -> Any:
-    """An implementation as a class of SkiROS2, as if its module had defined it."""
+    """An implementation as a SkiROS2 class that appears to be defined in its module."""
     found = host.implementation
     bases: tuple[Any, ...] = (Primitive, api().PrimitiveBase)
     if hasattr(found, "expandBT"):
@@ -85,7 +85,7 @@ def implementation_class(host: HostContext) -> Any:
 
 
 def refused_class(found: type, text: str) -> Any:
-    """The class that SkiROS2 finds in the place of a skill that was refused."""
+    """The class that SkiROS2 finds in the place of a refused skill."""
 
     def refuse(_self: object) -> None:
         raise RefusedSkillError(f"`{found.__name__}` was refused\n{text}")
@@ -95,7 +95,7 @@ def refused_class(found: type, text: str) -> Any:
 
 
 class Description:
-    """Our part of a `SkillDescription`, filled from a form."""
+    """The EzSkiROS part of a `SkillDescription`, filled from a form."""
 
     form: ClassVar[Form]
     docs: ClassVar[Mapping[str, str]]
@@ -113,7 +113,7 @@ class Description:
 
 
 def _condition(description: Any, found: FormCondition) -> Any:
-    """A condition of SkiROS2, made with the means of a description or an implementation."""
+    """A SkiROS2 condition, made with the methods of a description or an implementation."""
     make = getattr(description, found.maker)
     if found.maker == "getOrCond":
         either = make(*found.arguments)
@@ -124,7 +124,7 @@ def _condition(description: Any, found: FormCondition) -> Any:
 
 
 def _example(parameter: FormParameter) -> Any:
-    """The example that SkiROS2 takes the type of a parameter from, and its default."""
+    """The example from which SkiROS2 takes the type of a parameter, and its default."""
     if ":" in parameter.type:
         return api().Element(parameter.type)
     if isinstance(parameter.default, enum.Enum):
@@ -133,7 +133,7 @@ def _example(parameter: FormParameter) -> Any:
 
 
 def _label(condition: FormCondition) -> str:
-    """The text that SkiROS2 prints of a condition, such as `Gripper at StartPose`."""
+    """The text that SkiROS2 prints for a condition, such as `Gripper at StartPose`."""
     words = [str(each).rpartition(":")[2] for each in condition.arguments]
     if condition.maker in ("getRelationCond", "getAbstractRelationCond", "getPropCond"):
         words[0], words[1] = words[1], words[0]
@@ -141,21 +141,21 @@ def _label(condition: FormCondition) -> str:
 
 
 class Hosted:
-    """Our part of any implementation: its methods are those of an instance of the user's class,
-    which a node of a tree keeps.
+    """The EzSkiROS part of any implementation. Its methods call those of an instance of the user's
+    class, which a node of a tree keeps.
     """
 
     host: ClassVar[HostContext]
     setDescription: Callable[..., None]  # noqa: N815
     _setProgress: Callable[[str, int], None]  # noqa: N815
     child: Any = None
-    """The node of a tree that it runs for, if that is ours."""
+    """The node of the tree that runs this implementation, if the node is an EzSkiROS child."""
     running: Running | None = None
 
     def createDescription(self) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation."""
         self.setDescription(self.host.hosted.description(), type(self).__name__)
-        # SkiROS2 for ROS 1 has no such switch: its planner takes all skills.
+        # SkiROS2 for ROS 1 has no such switch: its planner uses all skills.
         if not self.host.implementation.available_for_planning:
             getattr(self, "setAvailableForPlanning", lambda _is_available: None)(False)
 
@@ -176,7 +176,7 @@ class Hosted:
             user = self.host.implementation()
         self.running = Running(self.host.hosted, user, self)
         skiros2_context.start(self, self.host.hosted.skill, self.running.values)
-        # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
+        # SkiROS2 calls `onInit` when it loads a primitive, before there is a node of a tree.
         is_willing = not (is_new and self.running.call("onInit", failed=False) is False)
         if is_willing:
             users[self.host.implementation] = user
@@ -186,40 +186,40 @@ class Hosted:
         return is_willing
 
     def onPreempt(self) -> Any:  # noqa: N802
-        """A stop while it runs."""
+        """Preempt the running skill."""
         return self.called("onPreempt")
 
     def onEnd(self) -> bool:  # noqa: N802
-        """The end, also of a skill that could not start."""
+        """End the skill, even if it could not start."""
         running, self.running = self.running, None
         has_ended = running is None or bool(running.call("onEnd", failed=False))
         skiros2_context.end(self)
         return has_ended
 
     def called(self, method: str) -> Any:
-        """The state that a method of the user gives."""
+        """The state that a method of the user returns."""
         assert self.running is not None, "SkiROS2 starts a skill before it ticks it"
         skiros2_context.live(self)
         found = self.running.call(method, failed=State.FAILURE)
         if isinstance(found, State):
             return api().State(found.value)
-        right = "what self.success, self.step and self.fail give"
+        right = "a result of self.success, self.step or self.fail"
         self._setProgress(f"`{method}` returned {found!r}, not {right}", -405)
         return api().State.Failure
 
 
 class Compound(Hosted):
-    """Our part of a `SkillBase`, with the tree of `expandBT`."""
+    """The EzSkiROS part of a `SkillBase`, with the tree of `expandBT`."""
 
     params: Any
     _instanciator: Any
 
     def __init__(self) -> None:
         super().__init__()
-        self._expand_on_start = True  # the tree may depend on values, which may be others then
+        self._expand_on_start = True  # the tree may depend on values, which may have changed
 
     def expand(self, skill: Any) -> None:
-        """Build the tree below the node that SkiROS2 runs this skill in."""
+        """Build the tree below the SkiROS2 node that runs this skill."""
         known = self.host.hosted.skill
         tree = build(self.host.implementation, known, _values(known, self.params))
         outer = skill.keys if isinstance(skill, Child) else {}
@@ -232,14 +232,15 @@ class Compound(Hosted):
 
 
 def _node(found: HostedNode | HostedCall, compound: Any) -> Any:
-    """A node of SkiROS2, made with the means of the compound."""
+    """A SkiROS2 node, made with the methods of the compound."""
     if isinstance(found, HostedNode):
         made = compound.skill(processor(found.processor, found.limit))
         return made(*(_node(each, compound) for each in found.children))
     instanciator = compound._instanciator  # noqa: SLF001 - SkiROS2 hands it to nobody
     label = found.label
     if label is None:
-        # Any that SkiROS2 has loaded; else the first, and with a choice all, which it then loads.
+        # Any implementation that SkiROS2 has loaded. Otherwise the first one, or, with a choice,
+        # all of them, which SkiROS2 then loads.
         label = ""
         if not instanciator.get_instances(f"skiros:{found.type}"):
             for each in found.known if found.is_choice else found.known[:1]:
@@ -248,9 +249,10 @@ def _node(found: HostedNode | HostedCall, compound: Any) -> Any:
 
 
 def _values(skill: SkillInterface, params: Any) -> dict[str, Any]:
-    """The values of the parameters of a skill, None where there is none; of things the elements.
+    """The values of the parameters of a skill, None for a missing value, and the elements of
+    individuals.
 
-    Raises `ValueError` for what is no member of an enumeration.
+    Raises `ValueError` for a text that is not a member of an enumeration.
     """
     found = {}
     for each in skill.parameters:
@@ -263,7 +265,7 @@ def _values(skill: SkillInterface, params: Any) -> dict[str, Any]:
 
 
 class Primitive(Hosted):
-    """Our part of a `PrimitiveBase`."""
+    """The EzSkiROS part of a `PrimitiveBase`."""
 
     checkHoldCond: Callable[[], list[str]]  # noqa: N815
     progress_msg: str
@@ -271,7 +273,7 @@ class Primitive(Hosted):
     _hold_conditions: list[Any]
 
     def execute(self) -> Any:
-        """One tick, if the hold-conditions hold; SkiROS2 asks them of compounds only."""
+        """Tick once if the hold-conditions hold. SkiROS2 checks them only for compounds."""
         if self._hold_conditions and self.checkHoldCond():
             broken = self.progress_msg, self.progress_code
             self.called("onPreempt")
@@ -280,20 +282,20 @@ class Primitive(Hosted):
         return self.called("execute")
 
     def _updateRoutine(self, _since: object) -> None:  # noqa: N802
-        """Elements are not written back: the user's code changes the world model itself, and what
-        an element says may be older than that.
+        """Do not write elements back. The user's code changes the world model itself, and the
+        content of an element may be older.
         """
 
 
 class Running:
-    """An instance of the user's class in an implementation of SkiROS2, `implementation`."""
+    """An instance of the user's class in the SkiROS2 implementation `implementation`."""
 
     def __init__(self, hosted: HostedSkill, user: SkillImplementation, implementation: Any) -> None:
         self._skill, self._user, self._implementation = hosted.skill, user, implementation
         self._world = HostedWorld(implementation.wmi, hosted.ontology)
         user.world, user.now = WorldModel(self._world), time.monotonic
         user.progress = (0, "")
-        # The attributes that only SkiROS2 has, for skills that run only there.
+        # SkiROS2's own attributes, for skills that run only there.
         for name in ("wmi", "_wmi", "node", "_node"):
             if hasattr(implementation, name):
                 setattr(user, name, getattr(implementation, name))
@@ -309,7 +311,7 @@ class Running:
             return None
 
     def call(self, method: str, *, failed: object) -> Any:
-        """Call a method of the user; if it raises, that is reported, and it has `failed`."""
+        """Call a method of the user. An exception is reported, and the result is `failed`."""
         user, parameters, world = self._user, self._skill.parameters, self._world
         before = user.progress
         try:

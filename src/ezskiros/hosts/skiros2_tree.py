@@ -1,9 +1,9 @@
 """A behavior tree in SkiROS2's terms, as plain data: the skills of its nodes, the blackboard keys
 that their parameters share, and the given values.
 
-A task of SkiROS2 has one blackboard, flat, that all of its skills write to. Only parameters that
-the tree says are the same share a key of it: all others get keys of their own, so that a value that
-is given to one child never becomes that of another.
+A SkiROS2 task has one flat blackboard that all of its skills write to. Only parameters that the
+tree connects share a key. All others get their own keys, so that a value for one child never
+becomes a value of another one.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ from ezskiros.trees.names import found_out, shared_names
 
 @dataclass(frozen=True)
 class HostedCall:
-    """A child that is a skill. `label` is the implementation that is wanted; None if any is.
+    """A child that is a skill. `label` is the requested implementation; None if any may run.
 
-    `keys` says for each key of the child which one of the blackboard it is there.
+    `keys` maps each key of the child to a blackboard key.
     """
 
     type: str
@@ -37,16 +37,16 @@ class HostedCall:
     """The module with the description."""
     label: str | None
     known: tuple[str, ...]
-    """The possible implementations; SkiROS2 chooses one that can start."""
+    """The possible implementations. SkiROS2 chooses one that can start."""
     is_choice: bool
-    """Pre-conditions of their own decide which implementation it is."""
+    """True if the implementations' own pre-conditions decide which one runs."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
     """The values by the keys of the child."""
     passed: frozenset[str]
-    """Keys of the child whose values come from the blackboard, whichever default they have."""
+    """Keys of the child whose values come from the blackboard, even if they have a default."""
     found_out: Mapping[str, str]
-    """Keys of the child, and those of the blackboard that get the values when it has succeeded."""
+    """Keys of the child, with the blackboard keys that get their values after a success."""
 
 
 @dataclass(frozen=True)
@@ -62,8 +62,8 @@ class HostedNode:
 class Scope:
     """The names of a compound skill on the blackboard.
 
-    `number` tells the skill that runs from all others; `outer` are the keys that its own keys
-    stand for, if they are others.
+    `number` distinguishes the running skill from all others. `outer` maps its own keys to other
+    blackboard keys.
     """
 
     skill: SkillInterface
@@ -72,23 +72,23 @@ class Scope:
     _calls: Iterator[int] = field(default_factory=lambda: count(1))
 
     def shared(self, name: str) -> str:
-        """The key behind a name that children share, with the compound or with each other."""
+        """The key of a name that children share with the compound or with each other."""
         parameter = self.skill.parameter(name)
         if parameter is None:
             return f"{name}@{self.number}"
         return self.outer.get(parameter.key, parameter.key)
 
     def robot(self) -> str:
-        """The key behind the robot that SkiROS2 adds to skills that do not name one."""
+        """The key of the robot that SkiROS2 adds to skills without one."""
         return self.outer.get(ROBOT, ROBOT)
 
     def call(self) -> str:
-        """The end of the keys that only the next child has."""
+        """The ending of keys that only the next child has."""
         return f"@{self.number}.{next(self._calls)}"
 
 
 def hosted(node: Node, scope: Scope, library: Library) -> HostedNode | HostedCall:
-    """A node of a tree and all below it."""
+    """A node of a tree and all nodes below it."""
     match node:
         case SkillCall():
             return _call(node, scope, library)
@@ -101,7 +101,7 @@ def hosted(node: Node, scope: Scope, library: Library) -> HostedNode | HostedCal
 
 def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
     skill = library.skill(call.skill)
-    assert skill is not None, call  # a library with a skill that says nothing is refused
+    assert skill is not None, call  # a library with an empty description is refused
     known, end = library.implementations(call.skill), scope.call()
     keys = {each.key: each.key + end for each in skill.parameters}
     shared = {each.parameter.key: scope.shared(each.shared) for each in shared_names(call, skill)}
@@ -128,7 +128,7 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
 
 
 def lowered(value: object, parameter: Parameter) -> Value:
-    """A value of a parameter as SkiROS2 keeps it: of enumerations the name."""
+    """A value of a parameter as SkiROS2 keeps it: for an enumeration, the name of the member."""
     if isinstance(value, enum.Enum):
         return value.name
     if parameter.type is float and type(value) is int:
@@ -138,9 +138,9 @@ def lowered(value: object, parameter: Parameter) -> Value:
 
 
 def raised(value: Value | None, parameter: Parameter) -> object:
-    """The other way: a value as SkiROS2 keeps it as one of the parameter's type.
+    """A value from SkiROS2, converted to the type of the parameter.
 
-    Raises `ValueError` for what is no member of an enumeration, and if a value is missing.
+    Raises `ValueError` for a text that is not a member of an enumeration, and for a missing value.
     """
     if value is None:
         if parameter.kind is Kind.REQUIRED and not parameter.is_output:

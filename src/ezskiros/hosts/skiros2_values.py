@@ -1,5 +1,5 @@
-"""The values of parameters in SkiROS2, with their types, as in our engine. Things are also SkiROS2
-elements.
+"""The values of parameters in SkiROS2, with the same types as in the engine. Individuals are also
+SkiROS2 elements.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 
 
 class HostedThing(WorldThing):
-    """A thing, with all that SkiROS2's `Element` has: `thing.getData("skiros:Position")`."""
+    """An individual with all methods of SkiROS2's `Element`, such as
+    `thing.getData("skiros:Position")`.
+    """
 
     def __init__(self, element: Any, world: HostedWorld) -> None:
         super().__init__(world.iri(element.id), world)
@@ -40,7 +42,7 @@ def _said(element: Any) -> object:
 
 
 class HostedValues(Values):
-    """`self.params` in SkiROS2: things may be set to elements, new ones among them."""
+    """`self.params` in SkiROS2. Individuals can be set to elements, including new ones."""
 
     def __init__(self, skill: SkillInterface, given: dict[str, Any]) -> None:
         super().__init__(skill, given)
@@ -57,7 +59,7 @@ class HostedValues(Values):
 
 
 def taken(parameter: Parameter, params: Any, world: HostedWorld) -> Any:
-    """A value from SkiROS2. Raises `ValueError` if there is none that is needed, or a wrong one."""
+    """A value from SkiROS2. Raises `ValueError` for a missing required value or a wrong value."""
     value = params.getParamValue(parameter.key)
     if not parameter.is_thing:
         return raised(value, parameter)
@@ -65,9 +67,9 @@ def taken(parameter: Parameter, params: Any, world: HostedWorld) -> Any:
 
 
 def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> None:
-    """A value that a skill has found out, for SkiROS2.
+    """Pass an output of a skill to SkiROS2.
 
-    An element that has changed is written to the world model, and a new one gets into it.
+    A changed element is written to the world model, and a new element is added.
     """
     if isinstance(value, HostedThing):
         value = world.written(value.element) if value.is_changed else world.element(value.iri)
@@ -81,7 +83,7 @@ def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> N
 
 
 def refresh(parameters: Iterable[Parameter], params: Any, world: HostedWorld) -> None:
-    """Give SkiROS2 the elements again that have changed: it checks conditions with them."""
+    """Give SkiROS2 the changed elements again, because it checks conditions with them."""
     for each in parameters:
         value = params.getParamValue(each.key) if each.is_thing else None
         thing = world.iri(value.id) if value is not None else None

@@ -20,5 +20,5 @@ def unfit() -> str | None:
     if _FIRST <= version < _BEYOND:
         return None
     is_old = version < _FIRST
-    fault = "finds no relations of things" if is_old else "cannot load its ontologies"
+    fault = "finds no relations of individuals" if is_old else "cannot load its ontologies"
     return f'SkiROS2 {fault} with rdflib {found}: pip install "rdflib>=6.2,<7"'

@@ -1,4 +1,4 @@
-"""SkiROS2's world model with the methods of ours, for primitive skills."""
+"""SkiROS2's world model with the methods of EzSkiROS's world model, for primitive skills."""
 
 from __future__ import annotations
 
@@ -13,45 +13,47 @@ from ezskiros.ontology.statements import Value
 
 
 class HostedWorld(World):
-    """Things by their IRIs, without a store of our own; `wmi` is SkiROS2's interface."""
+    """Individuals by IRI, without a store in EzSkiROS. `wmi` is SkiROS2's interface."""
 
     def __init__(self, wmi: Any, ontology: Ontology) -> None:
-        # The store that others have is not made.
+        # The store of the base class is not created.
         self.ontology = ontology
         self.changed: set[str] = set()
-        """Things whose facts have changed."""
+        """Individuals whose facts have changed."""
         self._wmi, self._model = wmi, ontology.model
 
     # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
-        """All things of a class or one of its subclasses, sorted."""
+        """All individuals of a class or one of its subclasses, sorted."""
         found = self._wmi.resolve_elements(api().Element(self._model.short(owl_class)))
         return sorted(self.iri(each.id) for each in found or ())
 
     def exists(self, thing: str) -> bool:
-        """Say whether there is such a thing."""
+        """Say whether an individual exists."""
         try:
             return bool(self.element(thing))
         except Exception as problem:
-            if type(problem).__name__ != "WmException":  # what SkiROS2 raises if there is none
+            if (
+                type(problem).__name__ != "WmException"
+            ):  # SkiROS2's exception for a missing individual
                 raise
             return False
 
     def is_a(self, thing: str, owl_class: str) -> bool:
-        """Say whether a thing is of a class."""
+        """Say whether an individual is of a class."""
         return self._model.is_a(self.classes(thing)[0], owl_class)
 
     def classes(self, thing: str) -> list[str]:
-        """The class of a thing."""
+        """The class of an individual."""
         return [self.iri(self.element(thing).type)]
 
     def related(self, subject: str, relation: str) -> list[str]:
-        """The things that a thing is related to, sorted."""
+        """The objects of a relation with this subject, sorted."""
         return sorted(other for _, _, other in self._relations(subject, relation, ""))
 
     def relating(self, relation: str, other: str) -> list[str]:
-        """The things that are related to a thing, sorted."""
+        """The subjects of a relation with this object, sorted."""
         return sorted(subject for subject, _, _ in self._relations("", relation, other))
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
@@ -67,17 +69,17 @@ class HostedWorld(World):
     # --- changes ----------------------------------------------------------------------------------
 
     def new(self, owl_class: str) -> str:
-        """A new thing of a class."""
+        """A new individual of a class."""
         return self.iri(self._wmi.add_element(api().Element(self._model.short(owl_class))).id)
 
     def remove(self, thing: str) -> None:
-        """Remove a thing and all facts about it."""
+        """Remove an individual and all facts about it."""
         self._wmi.remove_element(self.element(thing), recursive=False)
         self._forget_them([thing])
 
     def relate(self, subject: str, relation: str, other: str) -> None:
-        """Make a relation hold. What it can hold of only once is pushed out, as in our engine;
-        SkiROS2 itself keeps both.
+        """Make a relation true. If the relation allows only one subject or object, the previous one
+        is removed, as in EzSkiROS's engine; SkiROS2 itself keeps both.
         """
         for each in sorted(self._model.properties_above(relation)):
             declared = self._model.relations.get(each)
@@ -90,18 +92,18 @@ class HostedWorld(World):
         self._set(subject, relation, other, value=True)
 
     def unrelate(self, subject: str, relation: str, other: str) -> None:
-        """Make a relation not hold."""
+        """Make a relation false."""
         self._set(subject, relation, other, value=False)
 
     def set_value(self, thing: str, data_property: str, value: Value) -> None:
-        """Give a data property this value and no other."""
+        """Set a data property to this only value."""
         element = deepcopy(self.element(thing))
         element.setProperty(self._model.short(data_property), value)
         self._wmi.update_element_properties(element)
         self._forget_them([thing])
 
     def unset(self, thing: str, data_property: str) -> None:
-        """Take all values of a data property away."""
+        """Remove all values of a data property."""
         element = deepcopy(self.element(thing))
         name = self._model.short(data_property)
         if element.hasProperty(name):
@@ -112,32 +114,34 @@ class HostedWorld(World):
     # --- names ------------------------------------------------------------------------------------
 
     def spelled(self, iri: str) -> str:
-        """`skiros:Location-3`, as SkiROS2 calls it."""
+        """The SkiROS2 name, such as `skiros:Location-3`."""
         return self._model.short(iri)
 
     def iri(self, spelled: str) -> str:
-        """The IRI of a thing with a SkiROS2 name such as `skiros:Location-3`."""
+        """The IRI of an individual with a SkiROS2 name such as `skiros:Location-3`."""
         prefix, _, name = spelled.partition(":")
         return self._model.names[prefix] + name if prefix in self._model.names else spelled
 
     def label(self, thing: str) -> str | None:
-        """The label of a thing."""
+        """The label of an individual."""
         return self.element(thing).label or None
 
     def labelled(self, label: str) -> list[str]:
-        """The things of a label, sorted."""
-        # SkiROS2 has none of the class owl:Thing; without a class it looks among all.
+        """The individuals with a label, sorted."""
+        # SkiROS2 has none of the class owl:Thing; without a class it searches all.
         found = self._wmi.resolve_elements(api().Element("", label)) if label else ()
         return sorted({self.iri(each.id) for each in found or () if each.label == label})
 
     # --- the world model --------------------------------------------------------------------------
 
     def element(self, thing: str) -> Any:
-        """The SkiROS2 element of a thing."""
+        """The SkiROS2 element of an individual."""
         return self._wmi.get_element(self._model.short(thing))
 
     def written(self, element: Any) -> Any:
-        """An element as the world model has it after it was written there; it may be new."""
+        """Write an element to the world model, which may not contain it yet, and return its new
+        state.
+        """
         if element.isAbstract():
             return self._wmi.add_element(element)
         self._wmi.update_element(element)
@@ -149,9 +153,9 @@ class HostedWorld(World):
             self.unrelate(*found)
 
     def _relations(self, subject: str, relation: str, other: str) -> list[tuple[str, str, str]]:
-        """The relations of a thing: one of the ends, the other one is empty.
+        """The relations of an individual: one end is given, the other one is empty.
 
-        SkiROS2 keeps them with both things, which are "-1" in their own.
+        SkiROS2 stores each relation in both individuals, with "-1" for the individual itself.
         """
         thing = subject or other
         kinds = self._wmi.get_sub_properties(self._model.short(relation))
@@ -169,8 +173,8 @@ class HostedWorld(World):
         self._forget_them([subject, other])
 
     def _forget_them(self, things: Iterable[str]) -> None:
-        """Ask again for things that have changed: SkiROS2 remembers what they were until it is
-        reported, which is after conditions have been checked.
+        """Discard cached individuals that have changed. SkiROS2 keeps the old state until the
+        change is reported, which is after it has checked conditions.
         """
         known: dict[str, Any] = getattr(self._wmi, "_elements_cache", {})
         for thing in things:

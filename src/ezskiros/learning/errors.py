@@ -66,7 +66,7 @@ class NoKnowledge(Error, code="EZS869", name="no-knowledge"):
 class RuleTripped(Warning, code="EZS870", name="rule-tripped"):
     """A skill during which a rule became active."""
 
-    title = "`{skill}` tripped `{rule}` in {share}"
+    title = "`{rule}` became active during `{skill}` in {share}"
     note = "the first evidence of the rule: {evidence}"
     help = "add a condition to `{skill}` that prevents this, or make a rule act earlier"
     skill: str

@@ -12,11 +12,11 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.trees.library import Library
 
 _MOST_PLACES = 3
-"""Places that a finding names: the ones with the most runs."""
+"""The most places in a finding; places with the most runs come first."""
 
 
 def findings(lessons: Lessons, library: Library) -> Iterator[Diagnostic]:
-    """The findings of runs on the skills that are checked, at the names of these."""
+    """Findings from recorded runs about the checked skills, at their names."""
     found = (library.skill(each) for each in library.checked)
     skills = {each.name: each for each in found if each is not None}
     ontology = library.ontology()

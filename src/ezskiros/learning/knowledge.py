@@ -1,6 +1,6 @@
-"""Knowledge of runs as a file: lessons, and a digest of the records behind them.
+"""Knowledge from runs as a file: lessons, and a digest of the records behind them.
 
-Its schema is `knowledge.schema.json` beside this module, docs/reference/knowledge-file.md.
+The schema is `knowledge.schema.json` beside this module (docs/reference/knowledge-file.md).
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ _HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
 
 @dataclass(frozen=True)
 class Knowledge:
-    """Lessons, and the records that they were learnt from."""
+    """Lessons, and the records from which they were learnt."""
 
     lessons: Lessons
     sources: Sequence[Source]
 
 
 def known(lessons: Lessons, runs: Iterable[Run], folder: Path) -> Knowledge:
-    """Lessons with the records of their runs, named from a folder."""
+    """Lessons with the records of their runs, with paths relative to a folder."""
     files = {file for run in runs for file in (run.trace.file, run.verdicts.file)}
     return Knowledge(
         lessons, sorted(Source(path_from(folder, each.path), each.sha256) for each in files)
@@ -46,7 +46,7 @@ def known(lessons: Lessons, runs: Iterable[Run], folder: Path) -> Knowledge:
 
 
 def text_of(knowledge: Knowledge) -> str:
-    """The text of the file, with its last newline."""
+    """The text of the file, with a final newline."""
     lessons = knowledge.lessons
     head = {
         "format": FORMAT,
@@ -79,7 +79,7 @@ def text_of(knowledge: Knowledge) -> str:
 
 
 def _in_lines(found: Sequence[Mapping[str, Any]]) -> str:
-    """A list with one object in each line, so that a difference shows what has changed."""
+    """A list with one object in each line, so that differences are readable."""
     if not found:
         return "[]"
     return "[\n" + ",\n".join(f"    {json.dumps(each)}" for each in found) + "\n  ]"
@@ -111,7 +111,9 @@ def _digest(sources: Iterable[Source]) -> str:
 
 
 def read_knowledge(path: Path) -> Knowledge | Diagnostic:
-    """The knowledge in a file, or why it is none. Raises `OSError` if it cannot be read."""
+    """The knowledge in a file, or the finding for an invalid file. Raises `OSError` if the file
+    cannot be read.
+    """
     try:
         file = read_text(path, NoKnowledge)
         try:
@@ -134,10 +136,12 @@ def _read(head: Line) -> Knowledge:
     if head.values.get("format") != FORMAT:
         head.fail(f"its `format` is not `{FORMAT}`", "format")
     if head.get("version", int) != VERSION:
-        head.fail(f"its `version` is not {VERSION}, which this EzSkiROS reads", "version")
+        head.fail(
+            f"its `version` is not {VERSION}, the only version that this EzSkiROS reads", "version"
+        )
     sources = [_source(each) for each in head.objects("sources")]
     if head.get("digest", str) != _digest(sources):
-        head.fail("its `digest` is not that of its `sources`", "digest")
+        head.fail("its `digest` does not match its `sources`", "digest")
     lessons = Lessons(
         head.count("runs"),
         [_read_trip(each) for each in head.objects("trips")],

@@ -13,7 +13,9 @@ from ezskiros.learning.traces import Execution, Trace
 
 
 def learn(runs: Sequence[Run], locations: Set[str]) -> Lessons:
-    """The lessons of some runs; `locations` are the IRIs of what counts as a place."""
+    """The lessons of some runs. `locations` are the IRIs of the individuals that count as
+    places.
+    """
     gathering = _Gathering(runs, lambda execution: _places(execution, locations))
     return Lessons(
         len(runs),
@@ -30,7 +32,7 @@ def _places(execution: Execution, locations: Set[str]) -> Places:
 
 @dataclass(frozen=True, eq=False)
 class _Blame:
-    """A hit, and one of the executions that ran innermost: None if none ran."""
+    """A hit, and one of the innermost running executions; None if no skill ran."""
 
     run: int
     hit: Hit
@@ -43,7 +45,7 @@ class _Gathering:
         self._hits = [list(hits(run)) for run in runs]
 
     def costs(self) -> Iterator[Cost]:
-        """The costs of skills on all levels: a plan may call any of them."""
+        """The costs of skills on all levels, because a plan may call any of them."""
         executions: Counter[tuple[str, Places]] = Counter()
         losses: defaultdict[tuple[str, Places], list[float]] = defaultdict(list)
         for run in self._runs:
@@ -92,8 +94,8 @@ class _Gathering:
         )
 
     def _ran(self, number: int, skill: str | None) -> Iterator[Places]:
-        """The places with which a skill ran in a run: none is one as well. A run counts for what
-        happens while no skill runs.
+        """The places with which a skill ran in a run, including the case without any place. Times
+        without a running skill count as a run of no skill.
         """
         if skill is None:
             yield ()
@@ -111,7 +113,7 @@ class _Gathering:
         return {each: Share(len(runs[each]), counts[each]) for each in in_order}
 
     def stale(self) -> Iterator[Stale]:
-        """The rules that became active for lack of an input."""
+        """The rules that became active because of a stale input."""
         counts = Counter(
             rule
             for run in self._runs
@@ -124,7 +126,7 @@ class _Gathering:
     # --- failures ---------------------------------------------------------------------------------
 
     def failures(self) -> Iterator[Failure]:
-        """The skills that failed of themselves."""
+        """The skills that failed by themselves."""
         reasons: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
         started: Counter[str] = Counter()
         for number, run in enumerate(self._runs):
@@ -142,7 +144,7 @@ def _runs(found: Iterable[_Blame]) -> int:
 
 
 def _within(found: Iterable[_Blame]) -> Mapping[str, int]:
-    """The activations by the skills right above those that ran innermost."""
+    """The number of activations by the parents of the innermost skills."""
     counts: Counter[str] = Counter()
     for each in found:
         if each.execution is None:
@@ -153,7 +155,7 @@ def _within(found: Iterable[_Blame]) -> Mapping[str, int]:
 
 
 def _failed(trace: Trace) -> Iterator[Execution]:
-    """The executions that failed, without those that failed because one below them had."""
+    """The failed executions, except those that failed because of a child."""
     explained: set[tuple[str, ...]] = set()
     for each in trace.executions:
         above = each.path[:-1]

@@ -1,4 +1,4 @@
-"""Lessons as data: costs of skills at places, rules that they tripped, and their failures."""
+"""Lessons as data: costs of skills at places, the rules that became active, and failures."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 Places: TypeAlias = tuple[tuple[str, str], ...]
-"""Parameters and the IRIs of the locations that they stood for, sorted."""
+"""Parameters and the IRIs of their locations, sorted."""
 
 
 @dataclass(frozen=True)
 class Share:
-    """Some of `all` runs."""
+    """A number of runs, of `all` runs."""
 
     runs: int
     all: int
@@ -23,8 +23,8 @@ class Share:
 
 @dataclass(frozen=True)
 class Cost:
-    """One skill with some places: how often it ran, how often a rule became active meanwhile, and
-    for how many seconds such rules stayed active.
+    """One skill with some places: the number of its executions, the number of activations during
+    them, and the seconds for which the rules stayed active.
     """
 
     skill: str
@@ -35,17 +35,17 @@ class Cost:
 
     @property
     def expected_s(self) -> float:
-        """The seconds that one more execution is expected to lose."""
+        """The expected loss of one more execution in seconds."""
         return self.lost_s / self.executions if self.executions else 0.0
 
 
 @dataclass(frozen=True)
 class Trip:
-    """One rule, and the skill that ran innermost when it became active: None if none ran.
+    """One rule, and the innermost running skill when the rule became active; None if no skill ran.
 
-    `share` is of the runs of the skill that the rule watched; `at` has those with each of its
-    places or none, `within` the activations by the skills right above it, and `evidence` the cause
-    of the first one.
+    `share` counts the runs of the skill that the rule monitored. `at` counts the runs with each
+    place, or with none. `within` counts the activations by the parents of the skill. `evidence` is
+    the cause of the first activation.
     """
 
     rule: str
@@ -60,8 +60,8 @@ class Trip:
 
 @dataclass(frozen=True)
 class Failure:
-    """One skill that failed in some of the runs in which it was started, and most often why. A
-    skill that failed because one below it did is not counted.
+    """One skill that failed in some of its runs, with the most frequent reason. Failures because of
+    a child are not counted.
     """
 
     skill: str
@@ -71,7 +71,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class Stale:
-    """A rule that became active in some runs for lack of an input."""
+    """A rule that became active in some runs because of a stale input."""
 
     rule: str
     share: Share
@@ -79,7 +79,7 @@ class Stale:
 
 @dataclass(frozen=True)
 class Lessons:
-    """All that some runs teach."""
+    """All lessons of some runs."""
 
     runs: int
     trips: Sequence[Trip]

@@ -1,7 +1,7 @@
 """Proposals for users, each with its evidence: rules that look ahead, and pre-conditions.
 
-There is one only where places make a difference: a rule became active with some things, in several
-runs, and never with others.
+There is a proposal only if places make a difference: a rule became active with some individuals, in
+several runs, and never with others.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from ezskiros.learning.report import places_text
 from ezskiros.learning.scene import Map
 
 _LEAST_RUNS = 2
-"""Runs in which a rule became active: one may be by chance."""
+"""The least number of runs in which a rule became active: one may be a coincidence."""
 
 
 @dataclass(frozen=True)
 class Difference:
-    """A parameter by which runs differ: with all things of `tripped` a rule became active, with
-    none of `free`. Both are IRIs of locations.
+    """A parameter that distinguishes runs. With all individuals of `tripped` a rule became active,
+    with none of `free`. Both are IRIs of locations.
     """
 
     trip: Trip
@@ -43,8 +43,8 @@ def differences(lessons: Lessons) -> Iterator[Difference]:
 
 
 def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
-    """The things of a parameter with which a rule became active, and the others: none of either if
-    it became active at times with one thing, or without any.
+    """The individuals of a parameter with which a rule became active, and the others. Both are
+    empty if the rule became active only sometimes with one individual, or without any.
     """
     runs: dict[str, list[int]] = {}
     for places, share in trip.at.items():
@@ -56,23 +56,23 @@ def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
 
 
 def proposals(lessons: Lessons, known: Map) -> Iterator[str]:
-    """The proposals as texts: comments with the evidence, and what to paste."""
+    """The proposals as texts: comments with the evidence, and code to paste."""
     for found in differences(lessons):
         yield "\n".join(visible(each) for each in _rule(found, known))
         yield "\n".join(visible(each) for each in _pre_condition(found, known))
 
 
 def _rule(found: Difference, known: Map) -> Iterator[str]:
-    """A rule that acts before the robot is there."""
+    """A rule that acts before the robot is at the place."""
     owl_class = _class_of(found, known)
     things = listed([known.short(each) for each in found.tripped])
     yield from _evidence(found, known, "//")
     if owl_class is None:
-        yield f"// CLASS is to be a class of its own of {things}, in the ontology and the scene."
+        yield f"// Declare a new CLASS in the ontology, and give it to {things} in the scene."
     lost = [known.short(iri) for iri in found.tripped if not known.is_placed(iri)]
     if lost:
-        yield f"// The scene has to say where {listed(lost)} lies."
-    yield "// Fill in POSE, MOTION, SPEED and ACTION; `rossmarie check` says whether it is in time."
+        yield f"// Add the location of {listed(lost)} to the scene."
+    yield "// Fill in POSE, MOTION, SPEED and ACTION; `rossmarie check` reports a late rule."
     name = owl_class or "CLASS"
     yield f"rule ahead_of_{found.trip.rule}: if distance(POSE, {name}) < stopping(MOTION, SPEED)"
     yield "    then { ACTION; }"
@@ -80,12 +80,12 @@ def _rule(found: Difference, known: Map) -> Iterator[str]:
 
 
 def _pre_condition(found: Difference, known: Map) -> Iterator[str]:
-    """A pre-condition by which plans and tasks leave the places alone."""
+    """A pre-condition with which plans and tasks avoid the places."""
     yield from _evidence(found, known, "#")
     free = listed([known.short(each) for each in found.free])
     tripped = listed([known.short(each) for each in found.tripped])
-    yield f"# This is for the description of {found.trip.skill}. PROPERTY is to be a data property:"
-    yield f"# True of {free}, and False of {tripped}."
+    yield f"# Add this to the description of {found.trip.skill}. PROPERTY is a new data property:"
+    yield f"# True for {free}, False for {tripped}."
     yield f"self.pre_conditions += {found.parameter}.PROPERTY == True"
 
 
@@ -94,11 +94,13 @@ def _evidence(found: Difference, known: Map, sign: str) -> Iterator[str]:
     yield f"{sign} `{trip.rule}` became active during {trip.skill} in {trip.share}:"
     for places, share in trip.at.items():
         yield f"{sign}   {share} with {places_text(places, known.short) or 'no place'}"
-    yield f"{sign} It found this, first: {' '.join(trip.evidence.split())}"
+    yield f"{sign} First cause: {' '.join(trip.evidence.split())}"
 
 
 def _class_of(found: Difference, known: Map) -> str | None:
-    """A class that all things have that make the difference, and no other; by its name in rules."""
+    """The name, in rules, of a class with exactly the individuals that make the difference; None if
+    there is none.
+    """
     classes = [frozenset(known.classes(iri)) for iri in found.tripped]
     others = frozenset().union(*(known.classes(iri) for iri in found.free))
     shared = frozenset.intersection(*classes) - others

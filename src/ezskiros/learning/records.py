@@ -1,7 +1,6 @@
 """Reading of JSON lines from external files, with errors that name the place.
 
-Sizes are limited, and nothing is taken for what it is not: a number for a text, or NaN for a
-number.
+Sizes are limited, and types are strict: no number is accepted as a text, and NaN is not a number.
 """
 
 from __future__ import annotations
@@ -17,9 +16,9 @@ from dslkit.source import SourceFile, Span, shown
 from ezskiros.learning.errors import NoKnowledge, NoRecord
 
 LARGEST_RECORD = 1 << 26
-"""Bytes of a file: a run of a day has less."""
+"""The most bytes of a file. A run of a day has fewer."""
 LATEST_NS = (1 << 63) - 1
-"""The last stamp: clocks count nanoseconds in 64 bits."""
+"""The last stamp. Clocks count nanoseconds in 64 bits."""
 Fault: TypeAlias = type[NoRecord] | type[NoKnowledge]
 _Kind = TypeVar("_Kind")
 _KINDS: dict[type, str] = {
@@ -32,7 +31,7 @@ _KINDS: dict[type, str] = {
 
 
 class RecordError(Exception):
-    """A file that cannot be learnt from: the diagnostic says why."""
+    """A file that cannot be used. The diagnostic gives the reason."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.title)
@@ -41,7 +40,7 @@ class RecordError(Exception):
 
 @dataclass(frozen=True)
 class Line:
-    """An object of JSON, on one line of a file or in it. All methods raise `RecordError` with a
+    """A JSON object: a line of a file, or an object in it. All methods raise `RecordError` with a
     `fault`.
     """
 
@@ -50,7 +49,7 @@ class Line:
     fault: Fault = NoRecord
 
     def fail(self, reason: str, key: str = "", help: Remark | None = None) -> NoReturn:
-        """Raise the error for this object, at a key of it if that is there."""
+        """Raise the error for this object, at one of its keys if the key exists."""
         at = self.span.text.find(f'"{key}"') if key else -1
         place = self.span
         if at >= 0:
@@ -60,12 +59,12 @@ class Line:
         raise RecordError(found.at(place, help=help))
 
     def below(self, values: dict[str, Any]) -> Line:
-        """An object that lies in this one."""
+        """A nested object."""
         return replace(self, values=values)
 
     def _located(self, values: dict[str, Any], after: int) -> Line:
-        """An object that lies in this one, with its place if it is written there as Python writes
-        JSON.
+        """A nested object, with its place if the text is in the format of Python's `json`
+        module.
         """
         text = json.dumps(values)
         start = self.span.file.text.find(text, after, self.span.end)
@@ -73,10 +72,10 @@ class Line:
         return Line(span, values, self.fault)
 
     def get(self, key: str, kind: type[_Kind]) -> _Kind:
-        """The value of a key, which has to be there and of this type."""
+        """The value of a key, which must exist and have this type."""
         value = self.values.get(key)
         if type(value) is not kind:
-            there = "is not there" if key not in self.values else f"is not {_KINDS[kind]}"
+            there = "is missing" if key not in self.values else f"is not {_KINDS[kind]}"
             self.fail(f"`{key}` {there}", key)
         return value
 
@@ -88,7 +87,7 @@ class Line:
         return found
 
     def count(self, key: str) -> int:
-        """A number of things."""
+        """A number of items."""
         found = self.get(key, int)
         if found < 0:
             self.fail(f"`{key}` is less than 0", key)
@@ -103,7 +102,9 @@ class Line:
         return float(found)  # type: ignore[arg-type]
 
     def objects(self, key: str) -> Iterator[Line]:
-        """A list of objects. They have their own places up to the first that is not found."""
+        """A list of objects. They have their own places, up to the first one that is not found in
+        the text.
+        """
         after, is_found = self.span.start, True
         for each in self.get(key, list):
             if not isinstance(each, dict):
@@ -121,7 +122,7 @@ class Line:
 
 
 def read_text(path: Path, fault: Fault = NoRecord) -> SourceFile:
-    """A file from outside. Raises `RecordError`, and `OSError` if it cannot be read."""
+    """An external file. Raises `RecordError`, and `OSError` if it cannot be read."""
     file = SourceFile(shown(str(path)), "")
     with path.open("rb") as opened:
         content = opened.read(LARGEST_RECORD + 1)
@@ -135,7 +136,7 @@ def read_text(path: Path, fault: Fault = NoRecord) -> SourceFile:
 
 
 def lines(file: SourceFile) -> Iterator[Line]:
-    """The lines of a file, each an object of JSON. Raises `RecordError`."""
+    """The lines of a file, each a JSON object. Raises `RecordError`."""
     start = 0
     for text in file.text.split("\n"):
         span = Span(file, start, start + len(text))
@@ -145,7 +146,7 @@ def lines(file: SourceFile) -> Iterator[Line]:
 
 
 def parsed(text: str) -> Any:
-    """A text of JSON. Raises `json.JSONDecodeError`, `ValueError` and `RecursionError`."""
+    """Parse JSON. Raises `json.JSONDecodeError`, `ValueError` and `RecursionError`."""
     return json.loads(text, parse_constant=_refuse_constant)
 
 

@@ -13,16 +13,16 @@ from dslkit.diagnostics.visible import visible
 from ezskiros.learning.lessons import Cost, Lessons, Places, Trip
 
 _UNBROKEN = 1_000_000
-"""A width, in columns, in which no plain line has to be broken."""
+"""A width in columns at which no plain line is wrapped."""
 _MOST_COSTS = 20
-"""Rows of costs that are shown: the file has all of them."""
+"""The most rows of costs in the output. The file has all of them."""
 
 Spell = Callable[[str], str]
-"""The name of a thing, by its IRI."""
+"""Gives the name of an individual, by its IRI."""
 
 
 def print_report(lessons: Lessons, console: Console, spell: Spell) -> None:
-    """Print what runs teach: what became active, what failed, and what it costs."""
+    """Print the lessons of runs: activations, failures and costs."""
     runs = f"{lessons.runs} run{'s' if lessons.runs != 1 else ''}"
     if not (lessons.trips or lessons.failures or lessons.stale):
         console.print(f"{runs}: no rule became active while skills ran, and no skill failed")
@@ -35,7 +35,7 @@ def print_report(lessons: Lessons, console: Console, spell: Spell) -> None:
 
 
 def places_text(places: Places, spell: Spell) -> str:
-    """Places as they are read: `Target = skiros:Location-2`."""
+    """Places for readers: `Target = skiros:Location-2`."""
     return ", ".join(f"{name} = {spell(iri)}" for name, iri in places)
 
 
@@ -46,16 +46,16 @@ def _tables(
     header = ("Rule", "Skill", "Within", "With", "Runs", "Times", "Lost")
     yield "Rules that became active", header, trips
     failures = [(each.skill, str(each.share), each.reason) for each in lessons.failures]
-    yield "Skills that failed", ("Skill", "Runs", "Most often because"), failures
+    yield "Skills that failed", ("Skill", "Runs", "Most frequent reason"), failures
     costly = [each for each in lessons.costs if each.lost_s > 0][:_MOST_COSTS]
     costs = [_cost_row(each, spell) for each in costly]
     yield "Time lost to rules", ("Skill", "With", "Each time", "Executions"), costs
     stale = [(each.rule, str(each.share)) for each in lessons.stale]
-    yield "Rules that lacked an input", ("Rule", "Runs"), stale
+    yield "Rules with a stale input", ("Rule", "Runs"), stale
 
 
 def _trip_rows(trip: Trip, spell: Spell) -> Iterator[Sequence[str]]:
-    """A row for the skill, and one for each of its places at which the rule became active."""
+    """A row for the skill, and a row for each of its places at which the rule became active."""
     skill = trip.skill if trip.skill is not None else "(none)"
     within = ", ".join(trip.within)
     counts = (str(trip.share), str(trip.activations), f"{trip.lost_s:.1f} s")
@@ -73,7 +73,7 @@ def _cost_row(cost: Cost, spell: Spell) -> Sequence[str]:
 def _print_table(
     title: str, header: Sequence[str], rows: Iterable[Sequence[str]], console: Console
 ) -> None:
-    """Print a table fitted to the width of a terminal, one line for each row elsewhere."""
+    """Print a table: on a terminal fitted to its width, otherwise with one line per row."""
     styled = console.is_terminal
     table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
     for each in header:

@@ -1,4 +1,6 @@
-"""Runs: each trace with the verdicts of the same time. Time stamps pair them, not file names."""
+"""Runs: each trace with the verdicts of the same time. The time stamps pair them, not the file
+names.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from ezskiros.learning.traces import Trace, is_event, read_trace
 from ezskiros.learning.verdicts import Verdicts, is_header, read_verdicts
 
 _MOST_FINDINGS = 10
-"""Runs that are alone are reported up to this number: they have one cause mostly."""
+"""The most reported runs without a partner. Usually they have one cause."""
 _Record = TypeVar("_Record", Trace, Verdicts)
 
 
@@ -31,8 +33,8 @@ class Run:
 
 
 def read_runs(paths: Iterable[Path]) -> tuple[Sequence[Run], Sequence[Diagnostic]]:
-    """The runs of verdicts and traces in any order, and what is wrong with them: then there is
-    none. Raises `OSError` for a file that cannot be read.
+    """The runs of verdicts and traces in any order, and the findings. After a finding there are no
+    runs. Raises `OSError` for a file that cannot be read.
     """
     collector = Collector()
     found = [_read(path) for path in dict.fromkeys(paths)]
@@ -51,7 +53,7 @@ def read_runs(paths: Iterable[Path]) -> tuple[Sequence[Run], Sequence[Diagnostic
 
 
 def _read(path: Path) -> Trace | Verdicts | Diagnostic:
-    """The record in a file, or the finding that there is none."""
+    """The record in a file, or the finding for an invalid file."""
     try:
         return _record(read_text(path))
     except RecordError as problem:
@@ -71,12 +73,12 @@ def _record(file: SourceFile) -> Trace | Verdicts:
 
 
 def _is_shared(one: Trace | Verdicts, other: Trace | Verdicts) -> bool:
-    """Say whether two files have some time in common."""
+    """Say whether the times of two files overlap."""
     return one.start_ns <= other.end_ns and other.start_ns <= one.end_ns
 
 
 def _twice(records: Sequence[_Record], kind: str) -> Iterator[Diagnostic]:
-    """The files that are of the time of one before them."""
+    """Findings for files that overlap with a file before them."""
     in_order = sorted(records, key=lambda each: each.start_ns)
     longest: _Record | None = None
     for each in in_order:
@@ -111,7 +113,7 @@ def _lonely(record: Trace | Verdicts, others: Sequence[Trace | Verdicts], kind: 
 
 
 def _spelled(stamp_ns: int) -> str:
-    """A stamp for a reader: the time in UTC, to the millisecond."""
+    """A stamp for readers: the time in UTC, to the millisecond."""
     try:
         moment = datetime.fromtimestamp(stamp_ns // 1_000_000 / 1000, timezone.utc)
     except (OverflowError, ValueError):

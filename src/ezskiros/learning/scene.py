@@ -20,33 +20,33 @@ from ezskiros.skills.load_errors import NoFile
 
 @dataclass(frozen=True)
 class Map:
-    """Locations by their IRIs, and the ontology that has names for them."""
+    """Locations by IRI, and the ontology with names for them."""
 
     locations: Mapping[str, Location] = field(default_factory=dict)
     ontology: Ontology | None = None
 
     def short(self, iri: str) -> str:
-        """The name of a thing, with its prefix if the ontology knows one."""
+        """The name of an individual, with its prefix if the ontology knows one."""
         return self.ontology.model.short(iri) if self.ontology is not None else iri
 
     def name(self, owl_class: str) -> str:
-        """The name of a class, as rules have it."""
+        """The name of a class in rules."""
         return name_in(self.ontology, owl_class) if self.ontology is not None else owl_class
 
     def classes(self, iri: str) -> Sequence[str]:
-        """The classes of a location, as the scene names them; empty if the thing is not a
+        """The classes of a location, as the scene names them; empty if the individual is not a
         location.
         """
         return self.locations[iri].types if iri in self.locations else ()
 
     def is_placed(self, iri: str) -> bool:
-        """Say whether the scene says where a location is."""
+        """Say whether the scene contains the position of a location."""
         return iri in self.locations and bool(self.locations[iri].corners)
 
 
 def read_map(path: Path) -> tuple[Map | None, Sequence[Diagnostic]]:
-    """The locations of a scene, None with errors, and what is wrong with it. Its ontology is that
-    which `load()` loads. Raises `OSError` if it cannot be read.
+    """The locations of a scene, None after an error, and the findings. The ontology is the one that
+    `load()` loads. Raises `OSError` if the scene cannot be read.
     """
     nowhere = Span(SourceFile(str(path), ""), 0, 0)
     if not is_file(path):

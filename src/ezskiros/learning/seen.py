@@ -12,7 +12,7 @@ from ezskiros.learning.verdicts import Activation
 
 @dataclass(frozen=True, eq=False)
 class Hit:
-    """An activation with the executions that ran: the `innermost` ones, and all their parents.
+    """An activation with the running executions: the `innermost` ones, and all their parents.
     `lost_s` is the time for which it stayed active within the run (s). If several rules are active,
     the time counts for the first.
     """
@@ -24,7 +24,7 @@ class Hit:
 
 
 def hits(run: Run) -> Iterator[Hit]:
-    """The activations of a run by what the rules look for, in the order of time."""
+    """The activations of a run with the skills that the rules monitored, in the order of time."""
     found = [each for each in activations(run) if not each.is_stale]
     covered = run.trace.start_ns
     stamps = (each.start_ns for each in found)
@@ -36,7 +36,7 @@ def hits(run: Run) -> Iterator[Hit]:
 
 
 def activations(run: Run) -> Iterator[Activation]:
-    """The activations while the task of a run was there."""
+    """The activations during the task of a run."""
     for each in run.verdicts.activations:
         if run.trace.start_ns <= each.start_ns <= run.trace.end_ns:
             yield each
@@ -45,8 +45,8 @@ def activations(run: Run) -> Iterator[Activation]:
 def _running_at(
     executions: Iterable[Execution], stamps: Iterable[int]
 ) -> Iterator[Sequence[Execution]]:
-    """The executions at each of some instants that never decrease. What is preempted at the very
-    instant still ran: the rule asked for that.
+    """The executions at each of some instants that never decrease. An execution that is preempted
+    at the same instant counts as running, because the rule requested the preemption.
     """
     waiting = sorted(executions, key=lambda each: each.start_ns, reverse=True)
     running: list[Execution] = []
@@ -63,8 +63,8 @@ def _ran_at(execution: Execution, at: int) -> bool:
 
 
 def _of_one_tree(running: Sequence[Execution], at: int) -> Sequence[Execution]:
-    """The executions of the tree that started last: a recovery runs in the place of the task. One
-    that starts at the very instant, while another tree runs, is what the rule asked for.
+    """The executions of the tree that started last, because a recovery runs instead of the task. A
+    tree that starts at the same instant as the activation is its consequence, if another tree runs.
     """
     roots = [each for each in running if len(each.path) == 1]
     if not roots:

@@ -12,15 +12,15 @@ from ezskiros.learning.records import Line
 _ENDS = ("succeeded", "failed", "preempted")
 _EVENTS = ("started", "running", "chosen", "context", *_ENDS)
 _LONGEST_REASON = 300
-"""Characters of the reason of a failure that are kept."""
+"""The most characters of the reason of a failure."""
 
 
 @dataclass(frozen=True)
 class Execution:
-    """One run of a skill, from its start to its end, in nanoseconds. `values` are the texts among
-    the values of its parameters, IRIs of things included. `outcome` is `succeeded`, `failed` or
-    `preempted`; `reason` says why it failed. One that failed before it started has no duration and
-    no values.
+    """One run of a skill, from its start to its end, in nanoseconds. `values` are the values of its
+    parameters that are texts, including IRIs of individuals. `outcome` is `succeeded`, `failed` or
+    `preempted`; `reason` is the reason of a failure. An execution that failed before its start has
+    no duration and no values.
     """
 
     path: tuple[str, ...]
@@ -43,7 +43,7 @@ class Trace:
 
 
 def is_event(line: Line) -> bool:
-    """Say whether a first line is that of a trace."""
+    """Say whether a first line belongs to a trace."""
     return line.values.get("event") in _EVENTS
 
 
@@ -56,7 +56,7 @@ def read_trace(first: Line, rest: Iterable[Line]) -> Trace:
 
 
 class _Reader:
-    """The executions up to the line that is read."""
+    """The executions up to the current line."""
 
     def __init__(self, first: Line) -> None:
         self._first = self._last_line = first
@@ -88,13 +88,13 @@ class _Reader:
             self._running[path] = Execution(path, skill, at, at, _texts(line))
         elif path in self._running:
             self._end(path, at, event, text)
-        elif event == "failed":  # it could not start
+        elif event == "failed":  # the skill could not start
             self._found.append(Execution(path, skill, at, at, {}, event, text))
 
     def _end(
         self, path: tuple[str, ...], at: int, outcome: str = "preempted", text: str = ""
     ) -> None:
-        """The end of what runs at a path, and of all below it."""
+        """End the execution at a path, and all executions below it."""
         for other in self._below(path):
             ended = replace(self._running.pop(other), end_ns=at)
             if other == path:
@@ -113,7 +113,7 @@ def _stamp(line: Line) -> int:
 
 
 def _texts(line: Line) -> Mapping[str, str]:
-    """The values that are texts. A skill without parameters has none."""
+    """The values that are texts; empty for a skill without parameters."""
     if "parameters" not in line.values:
         return {}
     found = line.get("parameters", dict)

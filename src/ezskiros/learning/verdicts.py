@@ -11,7 +11,7 @@ from ezskiros.learning.records import Line
 
 SCHEMA = 1
 _LONGEST_REASON = 300
-"""Characters of a cause that are kept."""
+"""The most characters of a cause."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Activation:
 
 @dataclass(frozen=True)
 class Verdicts:
-    """The verdicts of one recording: the rules that watched, and their activations."""
+    """The verdicts of one recording: the monitored rules, and their activations."""
 
     file: SourceFile
     start_ns: int
@@ -40,7 +40,7 @@ class Verdicts:
 
 
 def is_header(line: Line) -> bool:
-    """Say whether a first line is that of verdicts."""
+    """Say whether a first line is the header of verdicts."""
     return line.values.get("type") == "header"
 
 
@@ -48,7 +48,7 @@ def read_verdicts(header: Line, rest: Iterable[Line]) -> Verdicts:
     """Verdicts from their lines. Raises `RecordError`."""
     schema = header.get("schema", int)
     if schema != SCHEMA:
-        header.fail(f"its `schema` is {schema}, and this EzSkiROS reads {SCHEMA}", "schema")
+        header.fail(f"its `schema` is {schema}, but this EzSkiROS reads {SCHEMA}", "schema")
     start, end = header.stamp("start_ns"), header.stamp("end_ns")
     if start > end:
         header.fail("it ends before it starts", "end_ns")
@@ -60,7 +60,9 @@ def read_verdicts(header: Line, rest: Iterable[Line]) -> Verdicts:
 def _activations(
     rest: Iterable[Line], rules: Sequence[str], start: int, end: int
 ) -> Iterator[Activation]:
-    """The activations of the rules, each when it is over. An exemption is none: it is no rule."""
+    """The activations of the rules, each when it is over. Exemptions are left out, because they are
+    not rules.
+    """
     active: dict[str, tuple[int, Line]] = {}
     last = start
     for line in rest:

@@ -1,4 +1,6 @@
-"""The locations of a scene: the positions of its things in the plane, for rules that look ahead."""
+"""The locations of a scene: the positions of its individuals in the plane, for rules that look
+ahead.
+"""
 
 from ezskiros.locations.find import Found, find_locations
 from ezskiros.locations.location import Location, Point

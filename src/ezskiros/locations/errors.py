@@ -1,4 +1,4 @@
-"""EZS61x: positions and sizes of the things in a scene."""
+"""EZS61x: positions and sizes of the individuals in a scene."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class WrongPolygon(Error, code="EZS610", name="wrong-polygon"):
 
 
 class HalfKnown(Warning, code="EZS611", name="half-known-location"):
-    """A thing with an incomplete position or size."""
+    """An individual with an incomplete position or size."""
 
     title = "{thing} has {found} but no {missing}"
     label = "rules cannot locate {thing}"

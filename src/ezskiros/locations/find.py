@@ -1,7 +1,7 @@
-"""The positions of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
+"""The positions of the individuals of a scene, with the properties of SkiROS2 and of GeoSPARQL.
 
-A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size that
-SkiROS2's ontology has for things, and a thing with a position alone is a point. Frames are those of
+A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size of
+SkiROS2's ontology. An individual with only a position is a point. Frames are values of
 `skiros:BaseFrameId`.
 """
 
@@ -33,7 +33,7 @@ _SIZE = tuple(f"{_SKIROS}Size{axis}" for axis in "XYZ")
 _UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 _Values = Mapping[str, Sequence[str]]
-"""The texts of the values of a thing, by the IRIs of properties."""
+"""The texts of the values of an individual, by the IRIs of properties."""
 
 
 @dataclass(frozen=True)
@@ -45,15 +45,16 @@ class Found:
 
 
 def find_locations(document: Document, model: Model) -> Found:
-    """The things of a scene that have a position, and those that should have one: things of the
-    class `skiros:Location`, and things with an incomplete position. The latter have no corners.
+    """The individuals of a scene with a position, and those that should have one: individuals of
+    the class `skiros:Location`, and individuals with an incomplete position. The latter have no
+    corners.
     """
     finder = _Finder(document, model)
     return Found([*finder.find()], finder.wrong)
 
 
 class _WrongError(Exception):
-    """Something that is wrong with a thing: the diagnostic."""
+    """A mistake about an individual: the diagnostic."""
 
     def __init__(self, found: Diagnostic) -> None:
         super().__init__(found.title)
@@ -62,7 +63,7 @@ class _WrongError(Exception):
 
 @dataclass
 class _Thing:
-    """A thing of a scene with its values."""
+    """An individual of a scene with its values."""
 
     iri: str
     types: Sequence[str]
@@ -98,10 +99,11 @@ class _Finder:
         return Location(thing.iri, label, types, frame, corners, span)
 
     def _corners(self, thing: _Thing) -> tuple[Point, ...]:
-        """The corners of a thing; none if the scene does not say where it is."""
+        """The corners of an individual; none if the scene has no position for it."""
         text = self._one(thing, AS_WKT)
         if text is not None:
-            # Shapely takes as long as the check of a file, and few scenes have polygons.
+            # The import of Shapely takes as long as the check of a file, and few scenes have
+            # polygons.
             from ezskiros.locations.polygon import corners_of
 
             try:
@@ -123,11 +125,11 @@ class _Finder:
         edges = (*size, 0.0 if height is None else height)
         for edge, iri in zip(edges, _SIZE, strict=True):
             if edge < 0 or (edge == 0 and iri != _SIZE[2]):
-                raise self._odd(thing, iri, f"is {edge:g}; a size is more than 0 m")
+                raise self._odd(thing, iri, f"is {edge:g}; a size must be more than 0 m")
         found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
         x, y, z, w = found
         if not math.hypot(x, y, z, w) > 0.5:
-            raise self._odd(thing, _ORIENTATION[3], "does not belong to a quaternion of length 1")
+            raise self._odd(thing, _ORIENTATION[3], "is not part of a quaternion of length 1")
         try:
             return footprint(position, (x, y, z, w), edges)
         except NoPolygonError as problem:
@@ -136,7 +138,7 @@ class _Finder:
     # --- values -----------------------------------------------------------------------------------
 
     def _numbers(self, thing: _Thing, iris: Sequence[str]) -> Sequence[float] | None:
-        """The values of some properties that go together; None if there is none of them."""
+        """The values of properties that belong together; None if all are missing."""
         found = [self._number(thing, iri) for iri in iris]
         known = [each for each in found if each is not None]
         if not known:
@@ -190,7 +192,7 @@ class _Finder:
 
 
 def _things(document: Document) -> Iterator[_Thing]:
-    """The things that a scene describes, in the order of the file, without its classes."""
+    """The individuals that a scene describes, in the order of the file, without its classes."""
     types: dict[str, list[str]] = defaultdict(list)
     values: dict[str, dict[str, list[str]]] = {}
     for triple in document.triples:

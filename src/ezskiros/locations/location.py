@@ -1,4 +1,4 @@
-"""A location: a thing of a scene with a position in the plane of a frame."""
+"""A location: an individual of a scene with a position in the plane of a frame."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ Point = tuple[float, float]
 """x and y in m."""
 
 FARTHEST = 1e6
-"""The greatest coordinate in m: an ulp of it is a ten-millionth of a millimetre."""
+"""The greatest coordinate in m. Its floating-point resolution is a ten-millionth of a millimetre.
+"""
 
 
 class NoPolygonError(ValueError):
@@ -19,10 +20,10 @@ class NoPolygonError(ValueError):
 
 @dataclass(frozen=True)
 class Location:
-    """A thing that stands at a point, or that covers a polygon.
+    """An individual at a point, or one that covers a polygon.
 
     `types` are the IRIs of its classes, sorted. `corners` are in m, in the x-y plane of `frame`
-    (REP 105: such as `map`): one corner is a point, three or more go around a polygon
+    (REP 105, such as `map`): one corner is a point; three or more go around a polygon
     anticlockwise, and the last one is not the first again.
     """
 

@@ -22,14 +22,12 @@ _CROSSING = re.compile(r"(?:Ring )?Self-intersection\[(\S+) (\S+)\]")
 def corners_of(text: str) -> tuple[Point, ...]:
     """The corners of a polygon, anticlockwise. Raises `NoPolygonError`."""
     if text.lstrip().startswith("<"):
-        raise NoPolygonError("names a coordinate system; use the frame of the thing")
+        raise NoPolygonError("names a coordinate system; use the frame of the individual")
     kind = _KIND.match(text)
-    if (
-        kind is None or kind[1].upper() != "POLYGON"
-    ):  # others lie in each other, as deep as one likes
+    if kind is None or kind[1].upper() != "POLYGON":  # other types can be nested without limit
         raise NoPolygonError("does not begin with POLYGON")
     try:
-        with np.errstate(all="ignore"):  # NaN is refused below
+        with np.errstate(all="ignore"):  # NaN is rejected below
             found = shapely.from_wkt(text)
     except shapely.errors.ShapelyError as problem:
         raise NoPolygonError(f"is not well-known text: {_said(problem)}") from None
@@ -39,7 +37,7 @@ def corners_of(text: str) -> tuple[Point, ...]:
     if found.has_z:
         raise NoPolygonError("has heights; use two coordinates per corner")
     if len(found.interiors) > 0:
-        raise NoPolygonError("has a hole; split it into two polygons, each of its own thing")
+        raise NoPolygonError("has a hole; split the area into two polygons of two individuals")
     return around(found)
 
 

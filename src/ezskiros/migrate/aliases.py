@@ -14,7 +14,9 @@ from ezskiros.migrate.parameter_uses import PARAMS, own
 
 
 def without_aliases(method: cst.FunctionDef) -> cst.FunctionDef:
-    """A method without variables that are set once, in its own lines, to a parameter."""
+    """A method whose parameter variables, if they are set once in lines of their own, are replaced
+    by the parameters.
+    """
     found = {}
     for statement in method.body.body:
         name, value = _alias(statement)
@@ -26,7 +28,7 @@ def without_aliases(method: cst.FunctionDef) -> cst.FunctionDef:
 
 
 def _alias(statement: cst.CSTNode) -> tuple[str, cst.BaseExpression | None]:
-    """The variable that a line sets to a parameter, and the parameter."""
+    """The variable and the parameter, if a line sets a variable to a parameter."""
     match statement:
         case cst.SimpleStatementLine(
             body=[
@@ -45,7 +47,7 @@ def _alias(statement: cst.CSTNode) -> tuple[str, cst.BaseExpression | None]:
 
 
 def _is_only_asked(method: cst.FunctionDef, name: str) -> bool:
-    """Say whether all that is done with a variable, once it is set, is `name.attribute`."""
+    """Say whether each use of a variable, after it is set, is `name.attribute`."""
     named = m.findall(method, m.Name(name))
     asked = m.findall(method, m.Attribute(value=m.Name(name)))
     attributes = m.findall(method, m.Attribute(attr=m.Name(name)))
@@ -73,7 +75,9 @@ class _Inlined(cst.CSTTransformer):
         original_node: cst.IndentedBlock,
         updated_node: cst.IndentedBlock,
     ) -> cst.IndentedBlock:
-        """Without the lines that set the variables; their comments are those of the next."""
+        """Remove the lines that set the variables. The comments of these lines move to the next
+        line.
+        """
         waiting: list[cst.EmptyLine] = []
         body: list[cst.BaseStatement] = []
         for old, new in zip(original_node.body, updated_node.body, strict=True):

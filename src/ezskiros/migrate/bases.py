@@ -1,7 +1,7 @@
 """Base classes of skills in all files: those that become mixins, and those that stay unchanged.
 
-A base class of SkiROS2's primitives that describes nothing becomes a class without SkiROS2's own
-base. What is derived from the same class is translated together or not at all.
+A base class of SkiROS2's primitives without a description becomes a class without SkiROS2's own
+base. All classes that are derived from one class are translated together, or none of them.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ ClassId = tuple[str, str]
 class BuiltClass:
     """A class of a file, and its base classes.
 
-    `bases` are called as where they are from. One that `is_native` has a base of SkiROS2's own;
-    one that `is_described` has a description, or `implements` one: it has the name of the skill,
-    which is empty if that is computed.
+    `bases` have the names of their own modules. A class that `is_native` has a base of SkiROS2's
+    own. A class that `is_described` has a description, or `implements` a skill: `implements` is the
+    name of the skill, which is empty for a computed name.
     """
 
     path: str
@@ -35,33 +35,35 @@ class BuiltClass:
 
     @property
     def id(self) -> ClassId:
-        """Its file and its name: others may have the same name."""
+        """The file and the name of the class, because several classes may have the same name."""
         return self.path, self.name
 
 
 class Root(enum.Enum):
-    """The kind of class that another is derived from in the end."""
+    """The kind of the last base class."""
 
     NATIVE = enum.auto()
     """A base of SkiROS2's own."""
     DESCRIBED = enum.auto()
     """A class that describes or implements a skill."""
     UNKNOWN = enum.auto()
-    """A class that is in no file."""
+    """A class that is not in the files."""
     PLAIN = enum.auto()
-    """Nothing of SkiROS2: a mixin already, or any other class."""
+    """A class without relation to SkiROS2: an existing mixin, or any other class."""
 
 
 @dataclass(frozen=True)
 class Cause:
-    """The class for which others are left, and the codes for which it is left itself."""
+    """The class because of which others stay unchanged, and the codes of its own findings."""
 
     id: ClassId
     codes: Sequence[str]
 
 
 class Bases:
-    """The classes of some files. `left` are those that stay unchanged, each with its cause."""
+    """The classes of some files. `left` are the classes that stay unchanged, each with its
+    cause.
+    """
 
     def __init__(
         self,
@@ -78,11 +80,11 @@ class Bases:
     # --- queries --------------------------------------------------------------------------------
 
     def is_mixin(self, found: ClassId) -> bool:
-        """Say whether a class is a base of skills that loses SkiROS2's own."""
+        """Say whether a class is a base of skills that loses SkiROS2's own base."""
         return found in self._mixins
 
     def below(self, name: str, path: str) -> tuple[Root, str]:
-        """The root of the class that a file calls so, and its name."""
+        """The root and the name of the class with this name in a file."""
         return self._below(name, path, set())
 
     def on_top(self, found: ClassId) -> list[BuiltClass]:
@@ -90,7 +92,7 @@ class Bases:
         return [each for each in self._classes if each.implements and found in self._all_of(each)]
 
     def robots(self) -> set[str]:
-        """The skills of whose robot a class speaks that their implementations are built on."""
+        """The skills whose robot is used in a base class of their implementations."""
         return {
             each.implements
             for each in self._classes
@@ -99,27 +101,27 @@ class Bases:
             if base.is_about_robot
         }
 
-    # --- what is left -----------------------------------------------------------------------------
+    # --- unchanged classes ------------------------------------------------------------------------
 
     def with_left(self, causes: Mapping[ClassId, Sequence[str]]) -> Bases:
-        """The same, where the classes that are `causes` keep all others around them as they are;
-        the codes are those for which they are left.
+        """The same bases with more unchanged classes. The classes in `causes` keep all related
+        classes unchanged; the codes are those of their findings.
         """
         left = {}
         for group in self._groups:
             found = [each.id for each in group if each.id in causes]
-            # A class that others are built on says more than one of these.
+            # A class that is a base of others is a better cause than one of these.
             found.sort(key=lambda each: each not in self._mixins)
             for each in group if found else ():
                 left[each.id] = Cause(found[0], tuple(causes[found[0]]))
         return Bases(self._classes, left)
 
     def changed(self, before: Bases) -> set[ClassId]:
-        """The classes whose result is unknown before the migration."""
+        """The classes with another result than before."""
         both = {*self.left, *before.left}
         return {each for each in both if self.left.get(each) != before.left.get(each)}
 
-    # --- how they hang together -------------------------------------------------------------------
+    # --- relations of classes ---------------------------------------------------------------------
 
     def _called(self, name: str, path: str) -> BuiltClass | None:
         found = self._by_name.get(name, [])
@@ -143,7 +145,7 @@ class Bases:
         return min(found, key=lambda each: each[0].value, default=(Root.PLAIN, name))
 
     def _bases_of(self, found: BuiltClass) -> Iterator[BuiltClass]:
-        """All classes that describe nothing and that a class is derived from."""
+        """All base classes of a class that have no description."""
         work, seen = [found], {found.id}
         while work:
             each = work.pop()
@@ -176,11 +178,11 @@ class Bases:
         ]
 
     def _is_on_native(self, found: BuiltClass) -> bool:
-        """Say whether SkiROS2's own base is below a class, and no other skill between them."""
+        """Say whether SkiROS2's own base is below a class, without another skill between them."""
         roots = (self.below(base, found.path)[0] for base in found.bases)
         return found.is_native or Root.NATIVE in roots
 
 
 def _may_be(found: BuiltClass) -> bool:
-    """Say whether a class describes nothing, and can become a mixin."""
+    """Say whether a class has no description, and can become a mixin."""
     return not found.is_described

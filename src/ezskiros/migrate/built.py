@@ -17,7 +17,9 @@ from ezskiros.migrate.robots import is_about_robot
 def built_in(
     classes: Iterable[cst.ClassDef], path: str, names: Mapping[str, str]
 ) -> Iterator[BuiltClass]:
-    """Descriptions of some classes for other files; `names` are those that the file imports."""
+    """Some classes as possible base classes for other files. `names` are the imported names of the
+    file.
+    """
     for node in classes:
         called = [last_name(each.value) or "" for each in node.bases]
         bases = [names.get(each, each) for each in called]

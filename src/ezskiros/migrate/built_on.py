@@ -13,7 +13,7 @@ from ezskiros.migrate.implementation_errors import OtherBase
 from ezskiros.migrate.tree_context import Context
 
 SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
-"""The classes of SkiROS2 from which implementations are derived."""
+"""The SkiROS2 classes from which implementations are derived."""
 
 
 def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:
@@ -40,7 +40,9 @@ def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -
 
 
 def left_with(node: cst.ClassDef, context: Context) -> OtherBase | None:
-    """For which other class a class is left; None if it is not."""
+    """The finding that names the other class because of which a class stays unchanged; None if
+    there is none.
+    """
     own = (context.path, node.name.value)
     cause = context.skills.bases.left.get(own)
     if cause is None or cause.id == own:

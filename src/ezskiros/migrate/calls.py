@@ -57,7 +57,9 @@ def method(expression: cst.BaseExpression, owner: str = "self") -> str | None:
 
 
 def condition_maker(expression: cst.BaseExpression) -> str | None:
-    """The method that makes a condition, also where its class is called instead."""
+    """The method that makes a condition, also if the code calls the class of the condition
+    instead.
+    """
     if isinstance(expression, cst.Call) and method(expression) is None:
         return CONDITION_CLASSES.get(last_name(expression.func) or "")
     return method(expression)
@@ -87,18 +89,18 @@ class Arguments:
         return self._found[key]
 
     def get(self, key: str) -> cst.BaseExpression | None:
-        """An argument that may miss."""
+        """An optional argument."""
         return self._found.get(key)
 
     def text(self, key: str) -> str:
-        """A text that is written out. Raises `LeftError` if it is computed."""
+        """A literal text. Raises `LeftError` if it is computed."""
         found = literal_text(self[key])
         if found is None:
             raise self._computed(key, "the text")
         return found
 
     def truth(self, key: str) -> bool:
-        """True or False, written out. Raises `LeftError` if it is computed."""
+        """A literal True or False. Raises `LeftError` if it is computed."""
         match self[key]:
             case cst.Name(value="True" | "False" as found):
                 return found == "True"
@@ -119,6 +121,8 @@ def literal_text(expression: cst.BaseExpression) -> str | None:
 
 
 def last_name(node: cst.CSTNode) -> str | None:
-    """`Element` of `Element` and of `world_element.Element`; None for anything without a name."""
+    """The last part of a name, such as `Element` of `Element` and of `world_element.Element`; None
+    for other expressions.
+    """
     full = get_full_name_for_node(node) if isinstance(node, (cst.Name, cst.Attribute)) else None
     return full.rpartition(".")[2] if full else None

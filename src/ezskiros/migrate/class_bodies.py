@@ -13,7 +13,7 @@ from ezskiros.migrate.docstrings import Text
 
 
 def with_lines(part: cst.CSTNode, comments: Sequence[str], *, is_first: bool) -> cst.CSTNode:
-    """A part of a class with more comments above it, and without blank lines if it is the first."""
+    """A part of a class with more comments above it. The first part has no blank lines above it."""
     own_lines = list(part.leading_lines)  # type: ignore[attr-defined]
     while is_first and own_lines and own_lines[0].comment is None:
         own_lines.pop(0)
@@ -23,12 +23,12 @@ def with_lines(part: cst.CSTNode, comments: Sequence[str], *, is_first: bool) ->
 
 
 def empty_lines(comments: Sequence[str]) -> list[cst.EmptyLine]:
-    """Lines with nothing but comments."""
+    """Lines that contain only comments."""
     return [cst.EmptyLine(comment=cst.Comment(each)) for each in comments]
 
 
 def behind(part: cst.CSTNode) -> list[str]:
-    """The comment behind a statement of one line."""
+    """The comment at the end of a one-line statement."""
     comment = getattr(getattr(part, "trailing_whitespace", None), "comment", None)
     return [comment.value] if comment else []
 
@@ -40,7 +40,7 @@ def lines_of(text: Text) -> list[str]:
 
 
 class _Marks(cst.CSTTransformer):
-    """Puts marks above statements, instead of those that are there."""
+    """Puts marks above statements, and replaces existing ones."""
 
     def __init__(self, templates: Mapping[int, Sequence[Template]]) -> None:
         self._templates = templates
@@ -58,7 +58,7 @@ class _Marks(cst.CSTTransformer):
 
 
 def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
-    """A class that is left, with a comment above each statement that has no translation."""
+    """A class that stays unchanged, with a comment above each statement without a translation."""
     templates: dict[int, list[Template]] = {}
     for finding in findings:
         templates.setdefault(id(finding.statement), []).append(finding.template)
@@ -68,14 +68,14 @@ def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
 
 
 def without_old_marks(part: cst.CSTNode) -> cst.CSTNode:
-    """A part of a class without the marks of an earlier migration."""
+    """A part of a class, without the marks of an earlier migration."""
     found = part.visit(_Marks({}))
     assert isinstance(found, cst.CSTNode)
     return found
 
 
 def switch(name: str, comments: Sequence[str], *, is_first: bool) -> cst.SimpleStatementLine:
-    """The line `name = False` of a class, below comments."""
+    """The line `name = False` of a class, with comments above it."""
     value = cst.Assign([cst.AssignTarget(cst.Name(name))], cst.Name("False"))
     blank = [] if is_first else [cst.EmptyLine(indent=False)]
     return cst.SimpleStatementLine([value], leading_lines=[*blank, *empty_lines(comments)])

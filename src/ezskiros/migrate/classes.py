@@ -30,7 +30,7 @@ class _Classes(cst.CSTVisitor):
 
 
 def classes_of(module: cst.Module) -> list[cst.ClassDef]:
-    """All classes, also those inside others that describe nothing."""
+    """All classes, including those inside classes without a description."""
     visitor = _Classes()
     module.visit(visitor)
     return visitor.found
@@ -45,7 +45,7 @@ class _Calls(cst.CSTVisitor):
 
 
 def self_calls(function: cst.FunctionDef) -> set[str]:
-    """The methods of itself that a method calls."""
+    """The methods of its own class that a method calls."""
     visitor = _Calls()
     function.visit(visitor)
     return visitor.found
@@ -62,7 +62,7 @@ class _Replacer(cst.CSTTransformer):
 
 
 def with_classes(module: cst.Module, changed: Mapping[int, cst.ClassDef]) -> cst.Module:
-    """The module with new classes, by the identities of the old ones."""
+    """The module with new classes, by the identities of the old classes."""
     found = module.visit(_Replacer(changed))
     assert isinstance(found, cst.Module)
     return found

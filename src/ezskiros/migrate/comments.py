@@ -13,24 +13,24 @@ _MARK = re.compile(r"# EZS7\d\d: ")
 
 
 def mark(template: Template) -> str:
-    """The comment above something that is left as it is."""
+    """The comment above an unchanged part."""
     return f"# {template.code}: {template.title.format(**vars(template))}"
 
 
 def is_mark(line: cst.EmptyLine) -> bool:
-    """Say whether a line is a comment that a migration has left."""
+    """Say whether a line is a comment of a migration."""
     return line.comment is not None and bool(_MARK.match(line.comment.value))
 
 
 def without_marks(lines: Iterable[cst.EmptyLine]) -> list[cst.EmptyLine]:
-    """Lines above a statement, without what an earlier migration has left."""
+    """The lines above a statement, without the comments of an earlier migration."""
     return [line for line in lines if not is_mark(line)]
 
 
 def marked(
     lines: Iterable[cst.EmptyLine], templates: Iterable[Template]
 ) -> Sequence[cst.EmptyLine]:
-    """Lines above a statement, with marks for it."""
+    """The lines above a statement, with marks for it."""
     marks = dict.fromkeys(map(mark, templates))
     new = [cst.EmptyLine(comment=cst.Comment(text)) for text in marks]
     return [*without_marks(lines), *new]
@@ -50,7 +50,7 @@ class _Comments(cst.CSTVisitor):
 
 
 def inner_comments(node: cst.CSTNode) -> list[str]:
-    """The comments inside a statement that goes over several lines."""
+    """The comments inside a statement that covers several lines."""
     visitor = _Comments()
     node.visit(visitor)
     return visitor.found

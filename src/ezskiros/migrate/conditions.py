@@ -1,4 +1,4 @@
-"""Translation of `getRelationCond` and the like to EzSkiROS expressions."""
+"""Translation of calls such as `getRelationCond` to EzSkiROS expressions."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ class Expression:
     is_atom: bool = True
 
     def without_labels(self) -> Expression:
-        """The same, where its labels are said elsewhere."""
+        """The same condition without labels, if they are written elsewhere."""
         return Expression(self.text, (), self.is_atom)
 
     @property
     def part(self) -> str:
-        """Its text as part of a larger expression."""
+        """The text for use inside a larger expression."""
         return self.text if self.is_atom else f"({self.text})"
 
 
@@ -51,8 +51,8 @@ class OrBuilder:
 class ConditionReader:
     """Reads the conditions of one description.
 
-    `things` are its parameters that stand for things, `others` its other parameters: their names by
-    their keys; `mentioned` are the names of those that a condition is about.
+    `things` are its parameters for individuals, `others` its other parameters: names by key.
+    `mentioned` are the names of parameters in conditions.
     """
 
     names: Names
@@ -80,7 +80,7 @@ class ConditionReader:
         return maker(self, Arguments(node, name))
 
     def part(self, node: cst.BaseExpression) -> Expression:
-        """Read a part of an `or`, which may be used after a variable is changed."""
+        """Read a part of an `or`, which may be used after a variable has changed."""
         if isinstance(node, cst.Name):
             found = self.variables.get(node.value)
             if isinstance(found, Expression):
@@ -97,7 +97,7 @@ class ConditionReader:
         return _stated(Expression(text, labels, is_atom=False), is_true=builder.is_true)
 
     def relation(self, given: Arguments) -> Expression:
-        """`Robot.at(Location)`."""
+        """A relation, such as `Robot.at(Location)`."""
         subject, other = self._thing(given, "subj"), self._thing(given, "obj")
         light, node = given.text("olabel"), given["olabel"]
         attribute = self.names.attribute(subject, light, node)
@@ -109,7 +109,7 @@ class ConditionReader:
         return _stated(Expression(text, labels), is_true=is_true)
 
     def abstract_relation(self, given: Arguments) -> Expression:
-        """`abstract(Container.partReference(Object))`."""
+        """An abstract relation, such as `abstract(Container.partReference(Object))`."""
         found = self.relation(given)
         is_true = given.truth("desired_state")
         inner = found.text.removeprefix("~")
@@ -117,7 +117,7 @@ class ConditionReader:
         return _stated(Expression(text, found.labels), is_true=is_true)
 
     def comparison(self, given: Arguments) -> Expression:
-        """`Gripper.ContainerState == "Empty"`."""
+        """A comparison, such as `Gripper.ContainerState == "Empty"`."""
         operator = given.text("operator")
         if operator not in _OPERATORS:
             raise LeftError(errors.NoOperator(found=operator), given["operator"])
@@ -131,23 +131,23 @@ class ConditionReader:
         return _stated(compared, is_true=is_true)
 
     def has_property(self, given: Arguments) -> Expression:
-        """`Object.Position`."""
+        """A property with any value, such as `Object.Position`."""
         is_true = given.truth("desired_state")
         labels = self._labels(given, self._said(given), is_true=is_true)
         return _stated(Expression(self._property(given), labels), is_true=is_true)
 
     def of_type(self, given: Arguments) -> Expression:
-        """`of_type(Object, skiros.Product)`."""
+        """A class, such as `of_type(Object, skiros.Product)`."""
         subject, light = self._thing(given, "subj"), given.text("value")
         text = f"{self.names.our('of_type')}({subject}, {self.names.entity(light, given['value'])})"
         return Expression(text, self._labels(given, (subject, light, "type"), is_true=True))
 
     def specified(self, given: Arguments) -> Expression:
-        """`specified(Object)`."""
+        """A required value, such as `specified(Object)`."""
         return self._about(given, "specified", ("specified", "set", "unset"))
 
     def generated(self, given: Arguments) -> Expression:
-        """`generated(Object)`."""
+        """A new individual, such as `generated(Object)`."""
         return self._about(given, "generated", ("generated", "generate", "consume"))
 
     def _about(self, given: Arguments, function: str, words: tuple[str, ...]) -> Expression:
@@ -165,7 +165,7 @@ class ConditionReader:
         return given.text("subj"), given.text("olabel")
 
     def _value(self, value: cst.BaseExpression) -> str:
-        """A value that something is compared with. Raises `LeftError` if it may be none."""
+        """A compared value. Raises `LeftError` if it may not be a value."""
         code = self.code(value)
         hidden = {*self.things.values(), *self.others.values(), *self.variables}
         names = {each.value for each in m.findall(value, m.Name()) if isinstance(each, cst.Name)}
@@ -176,16 +176,20 @@ class ConditionReader:
         return code if is_plain and not value.lpar else f"({code})"
 
     def _thing(self, given: Arguments, key: str) -> str:
-        """The parameter that a condition is about. Raises `LeftError` if it is no thing."""
+        """The parameter in a condition. Raises `LeftError` if it does not stand for an
+        individual.
+        """
         wanted = given.text(key)
         if name := self.things.get(wanted):
             self.mentioned.add(name)
             return name
-        found = "does not stand for a thing" if wanted in self.others else "is no parameter"
+        found = (
+            "does not stand for an individual" if wanted in self.others else "is not a parameter"
+        )
         raise LeftError(errors.NotAThing(key=wanted, found=found), given[key])
 
     def _labels(self, given: Arguments, said: tuple[str, ...], *, is_true: bool) -> tuple[str, ...]:
-        """The label, if it says more; the code of one that is computed."""
+        """The label, if it adds information; the code of a computed label."""
         label = literal_text(given["clabel"])
         if label is None:
             return (" ".join(self.code(given["clabel"]).split()),)
@@ -194,7 +198,7 @@ class ConditionReader:
 
 
 def _stated(found: Expression, *, is_true: bool) -> Expression:
-    """The condition, or its opposite."""
+    """The condition, or its negation."""
     return found if is_true else Expression(f"~{found.part}", found.labels)
 
 

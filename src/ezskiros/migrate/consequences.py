@@ -15,9 +15,9 @@ from ezskiros.migrate.skills import SkillId
 
 @dataclass(frozen=True)
 class Follower:
-    """An implementation that is left for a skill, or for another class, and the finding that says
-    so at its place. What is in none of the files has no `path`; with the same `reason` it is
-    reported once.
+    """An implementation that stays unchanged because of a skill or another class, with the finding
+    at its place. If the cause is in none of the files, it has no `path`; consequences with the same
+    `reason` are reported once.
     """
 
     name: str
@@ -29,7 +29,7 @@ class Follower:
 
 @dataclass(frozen=True)
 class LeftSkill:
-    """A description that is left, or another class: where, and for which findings."""
+    """An unchanged description or other class: its place, and its findings."""
 
     span: Span
     codes: Sequence[str]
@@ -42,7 +42,7 @@ def follows(template: Template) -> bool:
 
 
 def is_about_base(template: Template) -> bool:
-    """Say whether a finding is that another class is not translated, or is not there."""
+    """Say whether a finding is that another class is not translated or is missing."""
     return isinstance(template, implementation_errors.OtherBase) and bool(template.base)
 
 
@@ -60,10 +60,10 @@ _FOLLOWING = (
 def consequences(
     followers: Iterable[Follower], left: Mapping[SkillId, LeftSkill]
 ) -> list[Diagnostic]:
-    """The findings for the implementations that follow."""
+    """The findings for the implementations that stay unchanged as a consequence."""
     groups: dict[tuple[str, str, str], list[Follower]] = {}
     for each in followers:
-        # A skill that is not there is reported as that, by the first that needs it.
+        # A missing skill is reported as missing, at the first place that needs it.
         why = "" if (each.path, each.skill) in left else each.reason or each.finding.title
         groups.setdefault((each.path if not why else "", each.skill, why), []).append(each)
     return [

@@ -27,7 +27,7 @@ from ezskiros.migrate.steps import Step, keys_of, statements_of, steps_of
 from ezskiros.migrate.values import Known
 
 LENGTH = 100
-"""Lines are not longer, as far as it depends on us."""
+"""The longest line, as far as possible."""
 _CONDITIONS = {
     "addPreCondition": "pre_conditions",
     "addHoldCondition": "hold_conditions",
@@ -46,7 +46,9 @@ class Finding:
 
 @dataclass
 class Translation:
-    """The new method, line by line, and its parameters; with `findings` there is none."""
+    """The new method, line by line, and its parameters. If there are `findings`, there is no
+    method.
+    """
 
     lines: list[str] = field(default_factory=list)
     parameters: list[Parameter] = field(default_factory=list)
@@ -66,9 +68,9 @@ def translate(
 ) -> Translation:
     """The method `description` for a method `createDescription`.
 
-    `code` gives the text of an expression. `indents` are the space before the method, and the space
-    by which its body has more. With `has_robot` the robot is written out, which SkiROS2 adds.
-    `added` are the classes and types of parameters that children share, by their keys.
+    `code` gives the text of an expression. `indents` are the indentation of the method, and the
+    additional indentation of its body. With `has_robot`, the robot that SkiROS2 adds is written as
+    a parameter. `added` are the classes and types of parameters that children share, by key.
     """
     return _Translator(function, names, known, code, indents, has_robot, added).translated()
 
@@ -128,7 +130,7 @@ class _Translator:
         self._found.findings.append(Finding(left.template, left.node, statement))
 
     def _add(self, parameters: Iterable[Parameter]) -> None:
-        """Parameters that no statement declares."""
+        """Add parameters that no statement declares."""
         self._parameters += [(Step(cst.Pass(), self._function, []), each) for each in parameters]
 
     def _read_parameters(self, steps: Sequence[Step], called: Mapping[str, str]) -> None:
@@ -164,7 +166,7 @@ class _Translator:
             try:
                 self._read_step(step, reader)
             except LeftError as left:
-                # A statement about a parameter that is left is not wrong for that.
+                # A statement about an untranslated parameter is not wrong because of that.
                 about = getattr(left.template, "key", None)
                 if not (isinstance(left.template, errors.NotAThing) and about in unclear):
                     self._leave(left, step.statement)
@@ -176,7 +178,7 @@ class _Translator:
                 self._leave(_unused(name, builder), builder.statement)
 
     def _read_step(self, step: Step, reader: ConditionReader) -> None:
-        """One statement that is no parameter. Raises `LeftError`."""
+        """Read a statement that is not a parameter. Raises `LeftError`."""
         match step.node:
             case cst.Pass():
                 self._wait(step)
@@ -204,7 +206,7 @@ class _Translator:
                 if builder.is_used:
                     found_or = errors.UnusableOr(found="is changed after it is added")
                     raise LeftError(found_or, call)
-                builder.parts.append(Expression("..."))  # also counts if it cannot be read
+                builder.parts.append(Expression("..."))  # counts even if it cannot be read
                 builder.parts[-1] = reader.part(Arguments(call, "addCondition")["condition"])
                 self._wait(step)
                 return
@@ -226,7 +228,7 @@ class _Translator:
         self._emit(step, f"{name} = {found.text}", found.labels)
 
     def _wait(self, step: Step) -> None:
-        """The comments of a statement that goes are those of the next one."""
+        """Keep the comments of a removed statement for the next one."""
         behind = [step.behind] if step.behind else []
         self._waiting += [*step.above, *inner_comments(step.node), *behind]
 
@@ -255,7 +257,7 @@ class _Translator:
         return [*self._signature(), *inside]
 
     def _signature(self) -> list[str]:
-        """In one line if it fits and has no comments."""
+        """The signature, in one line if it fits and has no comments."""
         parameters = [each for _, each in self._parameters]
         star = ["*"] if _needs_star(parameters) else []
         one = f"def description({', '.join(['self', *star, *map(str, parameters)])}):"
@@ -276,7 +278,9 @@ class _Translator:
 
 
 def _needs_star(parameters: Sequence[Parameter]) -> bool:
-    """Python wants parameters with defaults last, unless all are given by their names."""
+    """Say whether parameters need a `*`, because a parameter without a default follows one with a
+    default.
+    """
     seen = False
     for each in parameters:
         if seen and each.default is None:
@@ -286,7 +290,7 @@ def _needs_star(parameters: Sequence[Parameter]) -> bool:
 
 
 def _single_blanks(lines: Sequence[str]) -> list[str]:
-    """Without blank lines at both ends, and with one where there are several."""
+    """The lines without blank lines at both ends, and without repeated blank lines."""
     found: list[str] = []
     for line in lines:
         if line or (found and found[-1]):

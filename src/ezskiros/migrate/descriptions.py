@@ -21,7 +21,7 @@ from ezskiros.migrate.steps import statements_of
 
 @dataclass
 class Description:
-    """A class that describes a skill, by the node of its class."""
+    """A class that describes a skill, with the node of the class."""
 
     node: cst.ClassDef
     method: cst.FunctionDef
@@ -39,21 +39,21 @@ class Description:
         return self.translation.findings
 
     def skill(self, path: str) -> Skill:
-        """The skill, as far as implementations can speak of it."""
+        """The facts about the skill that implementations use."""
         if self.findings:
             codes = [each.template.code for each in self.findings]
             return Skill(self.name, path, left_for=codes)
         return skill_of(self.name, path, self.translation.parameters)
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:
-        """The class as a whole has no translation."""
+        """Keep the whole class unchanged."""
         self.translation.findings.append(Finding(template, node, self.node))
 
 
 class Descriptions:
-    """Knows the descriptions of a module, and writes the classes that come for them.
+    """Finds the descriptions of a module, and writes the classes that replace them.
 
-    Those whose names are in `inherited` are left: others are built on them elsewhere.
+    Descriptions in `inherited` stay unchanged, because classes elsewhere are derived from them.
     """
 
     def __init__(self, module: cst.Module, inherited: Collection[str]) -> None:
@@ -63,7 +63,7 @@ class Descriptions:
         }
 
     def of(self, classes: Sequence[cst.ClassDef]) -> list[Description]:
-        """Those among some classes; the others implement skills, or something else."""
+        """The descriptions among some classes."""
         return [each for node in classes if (each := self._description(node))]
 
     def _description(self, node: cst.ClassDef) -> Description | None:
@@ -82,10 +82,10 @@ class Descriptions:
         name = last_name(argument.value)
         return name == "SkillDescription" or name in self._aliases
 
-    # --- those that are built on others -----------------------------------------------------------
+    # --- derived descriptions ---------------------------------------------------------------------
 
     def leave_related(self, found: Sequence[Description]) -> None:
-        """Leave descriptions that inherit from others, and their base descriptions."""
+        """Keep descriptions unchanged that inherit from others, and their base descriptions."""
         by_name = {each.name: each for each in found}
         for each in found:
             for base, node in self._bases(each):
@@ -97,7 +97,7 @@ class Descriptions:
                 _derived(each, "is the base of a description elsewhere", each.node.name)
 
     def _bases(self, each: Description) -> Iterator[tuple[str, cst.BaseExpression]]:
-        """The classes that a description is built on, besides SkiROS2's own."""
+        """The base classes of a description, besides SkiROS2's own."""
         for argument in each.node.bases:
             name = last_name(argument.value)
             if not self._is_base(argument) and name != "object":
@@ -106,7 +106,7 @@ class Descriptions:
     # --- new classes ------------------------------------------------------------------------------
 
     def new_class(self, each: Description, base: str) -> cst.ClassDef:
-        """The class derived from `base`; the old one, with marks, if it is left."""
+        """The class derived from `base`; for an unchanged description the old class, with marks."""
         if each.findings:
             return _marked(each)
         newline = self._module.default_newline

@@ -13,7 +13,7 @@ _TRIPLE = ('"""', "'''")
 
 
 def docstring_of(statement: cst.CSTNode) -> Text | None:
-    """The text of a statement that is nothing else; None for other statements."""
+    """The text of a statement that is only a text; None for other statements."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Expr(value=cst.SimpleString() | cst.ConcatenatedString() as text)]
@@ -29,9 +29,9 @@ def with_arguments(
     arguments: Sequence[tuple[str, str]],
     indents: tuple[str, str],
 ) -> str:
-    """A docstring, of which `code` is the text, that tells of arguments as well.
+    """A docstring with the text `code`, extended by arguments.
 
-    `indents` are the space before its lines, and the space by which arguments have more.
+    `indents` are the indentation of its lines, and the additional indentation of arguments.
     """
     if not arguments:
         return code

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.diagnostics import Error, Template, Warning
 
-if TYPE_CHECKING:  # the catalog of all diagnostics does without it
+if TYPE_CHECKING:  # the catalog of all diagnostics does not need it
     import libcst
 
 
@@ -63,7 +63,7 @@ class NoKind(Error, code="EZS705", name="no-parameter-kind"):
 class InferredBasic(Error, code="EZS706", name="inferred-basic"):
     """An inferred parameter with a basic type."""
 
-    title = "`{key}` is inferred, but SkiROS2 only infers things of the world model"
+    title = "`{key}` is inferred, but SkiROS2 only infers individuals of the world model"
     help = "use ParamTypes.Required with the default, or ParamTypes.Optional"
     key: str
 
@@ -105,7 +105,7 @@ class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
 
 
 class NotAThing(Error, code="EZS711", name="not-a-thing"):
-    """A condition about a parameter that does not stand for a thing."""
+    """A condition about a parameter that does not stand for an individual."""
 
     title = "a condition uses `{key}`, which {found}"
     note = "SkiROS2 would fail when the skill starts"
@@ -159,10 +159,10 @@ class DerivedDescription(Error, code="EZS716", name="derived-description"):
 
 
 class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
-    """Options of a parameter that does not stand for a thing."""
+    """Options of a parameter that does not stand for an individual."""
 
     title = "the options of `{key}` are dropped: SkiROS2 ignores them"
-    label = "options are for parameters that stand for things"
+    label = "options are for parameters that stand for individuals"
     key: str
 
 

@@ -37,11 +37,11 @@ class MigratedFile:
 
     @property
     def is_changed(self) -> bool:
-        """Say whether there is anything to write."""
+        """Say whether the text has changed."""
         return self.migrated.text != self.migrated.file.text
 
     def diff(self) -> str:
-        """The changes, as `patch` takes them."""
+        """The changes, in the format of `patch`."""
         name = self.path.as_posix().lstrip("/")
         before, after = self.migrated.file.text, self.migrated.text
         lines = difflib.unified_diff(
@@ -56,7 +56,7 @@ class MigratedFile:
         )
 
     def write(self) -> None:
-        """Put the new text into the file. Raises `OSError`."""
+        """Write the new text to the file. Raises `OSError`."""
         write_whole(self.path, self.migrated.text.encode(self.encoding))
 
 
@@ -83,7 +83,7 @@ class Migration:
         return f"{said}; {_counted(changed, 'file')} {done}{rest}"
 
     def result(self, *, is_written: bool) -> dict[str, Any]:
-        """The files as JSON: the path of each, with the change as `patch` takes it."""
+        """The files as JSON data: the path of each, with its change in the format of `patch`."""
         return {
             "is_written": is_written,
             "files": [
@@ -96,8 +96,8 @@ class Migration:
 def migrate_paths(
     paths: Iterable[Path], world: str = "world", ambiguous: Collection[str] = ()
 ) -> Migration:
-    """Migrate the Python files of files and folders; `world` is the module with the ontology, of
-    which several namespaces have the properties that are `ambiguous`.
+    """Migrate the Python files of files and folders. `world` is the module with the ontology.
+    `ambiguous` are the properties that several namespaces of the ontology have.
     """
     paths = list(paths)
     sources: list[_Source] = []
@@ -124,7 +124,7 @@ def migrate_paths(
 
 @dataclass(frozen=True)
 class _Source:
-    """A file that can be read."""
+    """A readable file."""
 
     path: Path
     encoding: str
@@ -132,7 +132,7 @@ class _Source:
 
 
 class _Migrations:
-    """The migrations of some files, done again with what was learned from all of them."""
+    """The migrations of some files, repeated with the results of all of them."""
 
     def __init__(self, sources: Sequence[_Source], world: str, ambiguous: Collection[str]) -> None:
         self._sources, self._world, self._ambiguous = sources, world, ambiguous
@@ -162,8 +162,8 @@ class _Migrations:
         return self._found
 
     def _settled(self, skills: Skills, inherited: Sequence[set[str]]) -> Skills:
-        """Migrate the files with implementations and their bases, and those whose descriptions get
-        parameters; the skills as they are then.
+        """Migrate the files with implementations and their bases, and the files whose descriptions
+        get parameters. Returns the resulting skills.
         """
         last = skills
 
@@ -191,7 +191,9 @@ class _Migrations:
     def _again(
         self, wanted: Callable[[int, Migrated], tuple[Skills, set[str], Collection[str]] | None]
     ) -> None:
-        """Migrate the files for which something is `wanted`: skills, what is left, late imports."""
+        """Migrate the files for which `wanted` gives new input: skills, unchanged classes, late
+        imports.
+        """
         for number, (source, found) in enumerate(zip(self._sources, self._found, strict=True)):
             asked = wanted(number, found)
             if asked is not None:
@@ -211,12 +213,14 @@ class _Migrations:
         )  # fmt: skip
 
     def _inherited(self, own: Migrated) -> set[str]:
-        """The skills and implementations of a file that classes of other files are built on."""
+        """The skills and implementations of a file from which classes of other files are
+        derived.
+        """
         others = {base for each in self._found if each is not own for base in each.bases}
         return others & {*own.translated, *own.unimplemented}
 
     def _late(self) -> list[set[str]]:
-        """For each file those whose skills it can only name once all are imported."""
+        """For each file, the files whose skills it can only import when all are loaded."""
         files = [str(each.path) for each in self._sources]
         imports = {
             path: imported_files(path, each.sources, files) | {*each.wanted}
@@ -229,7 +233,7 @@ class _Migrations:
 
 
 def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], thing: str) -> str:
-    """Tell how many things are translated, and how many are left."""
+    """Report the numbers of translated and unchanged parts."""
     translated = sum(len(each) for each, _ in found)
     left = sum(len(each) for _, each in found)
     return f"{_counted(translated + left, thing)}: {translated} translated, {left} left as they are"

@@ -13,9 +13,9 @@ from ezskiros.migrate.tree_context import Wanted as WantedSkills
 
 
 class ForeignSkills:
-    """The skills that the trees of the file `path` name; `found` has them by how it calls them.
+    """The skills in trees of the file `path`. `found` has them by their local names.
 
-    What is in the files `late` is imported where a tree needs it, and not before.
+    The skills of the files `late` are imported inside the trees that need them.
     """
 
     def __init__(self, path: str, module: cst.Module, late: Collection[str]) -> None:
@@ -25,19 +25,19 @@ class ForeignSkills:
         self.found: dict[str, Skill] = {}
 
     def wanted(self) -> WantedSkills:
-        """For the skills of one tree, which count only if that is translated."""
+        """The skills of one tree, which count only if the tree is translated."""
         return WantedSkills(self._spell)
 
     def add(self, wanted: WantedSkills) -> None:
-        """A tree is translated, and needs its skills."""
+        """Add the skills of a translated tree."""
         self.found |= wanted.found
 
     def files(self) -> set[str]:
-        """The other files that have skills which are needed."""
+        """The other files with needed skills."""
         return {each.path for each in self.found.values()} - {self._path}
 
     def _spell(self, skill: Skill) -> str:
-        """As it is imported, or by its name if that is free."""
+        """The name of a skill: the imported name, or its own name if it is free."""
         if skill.path == self._path:
             return skill.name
         for name, original in self._imported.items():
@@ -52,14 +52,14 @@ class ForeignSkills:
         return name
 
     def late_import(self, name: str, skill: Skill) -> str | None:
-        """The import of a skill that has to wait until a tree needs it; None for others."""
+        """The import of a skill inside the tree that needs it; None for other skills."""
         if skill.path not in self._late or skill.path == self._path:
             return None
         wanted = Wanted(import_of(self._path, skill.path), {skill.name: name})
         return "\n".join(wanted.text())
 
     def imports(self) -> list[Wanted]:
-        """The names that have to be imported besides, by modules."""
+        """The additional names to import, by module."""
         by_module: dict[str, dict[str, str]] = {}
         for name, skill in self.found.items():
             is_there = skill.path in (self._path, *self._late)

@@ -33,12 +33,12 @@ from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.trees import OLD, TreeUses
 
 PLANNED = "available_for_planning"
-"""The attribute of EzSkiROS for SkiROS2's `setAvailableForPlanning`."""
+"""The EzSkiROS attribute for SkiROS2's `setAvailableForPlanning`."""
 
 
 @dataclass
 class Implementation:
-    """A class that implements a skill, its translation, and the reason if it is left."""
+    """A class that implements a skill, its translation, and the reasons if it stays unchanged."""
 
     node: cst.ClassDef
     new: cst.ClassDef
@@ -48,15 +48,15 @@ class Implementation:
     children: Sequence[SharingChild] = ()
 
     def sharing(self) -> SharingTree | None:
-        """The tree with the keys that its children share; None if its skill is not known."""
+        """The tree with the keys that its children share; None if its skill is unknown."""
         if self.skill is None:
             return None
         can_be = all(isinstance(each.template, _SHARED) for each in self.findings)
         return SharingTree(self.node.name.value, self.skill, self.children, can_be)
 
     def leave_out(self) -> None:
-        """Forget undeclared keys that are no reason to leave it, if there are others, and keep each
-        once.
+        """Drop undeclared keys that are not a reason to stay unchanged, if there are other reasons,
+        and keep each key once.
         """
         others = [each for each in self.findings if not _is_open(each.template)]
         reported: dict[object, Finding] = {}
@@ -70,7 +70,9 @@ _SHARED = implementation_errors.SharedName
 
 
 def _is_open(template: Template) -> bool:
-    """Say whether a finding is of an undeclared key that a description may get as a parameter."""
+    """Say whether a finding is about an undeclared key that a description may get as a
+    parameter.
+    """
     return isinstance(template, _SHARED) and not template.why
 
 
@@ -88,12 +90,12 @@ def described_by(node: cst.ClassDef) -> cst.Call | None:
 
 
 def _small(statement: cst.CSTNode) -> Sequence[cst.CSTNode]:
-    """The small statements of a line, or else the statement itself."""
+    """The small statements of a line, otherwise the statement itself."""
     return statement.body if isinstance(statement, cst.SimpleStatementLine) else [statement]
 
 
 def label_of(call: cst.Call) -> str | None:
-    """The name that an implementation gives itself, if that is written out."""
+    """The name that an implementation gives itself, if it is a literal."""
     try:
         label = Arguments(call, "setDescription").get("label")
     except LeftError:
@@ -102,7 +104,7 @@ def label_of(call: cst.Call) -> str | None:
 
 
 def description_name(call: cst.Call) -> str | None:
-    """`Pick` of `self.setDescription(Pick(), ...)`."""
+    """The name of the description, such as `Pick` in `self.setDescription(Pick(), ...)`."""
     match call.args:
         case [cst.Arg(value=cst.Call(func=func)), *_]:
             return last_name(func)
@@ -118,8 +120,8 @@ def translate_implementation(
 ) -> Implementation:
     """The class derived from the `SkillBase` of its skill.
 
-    `code` gives the text of an expression; `names` are those that the file imports, and what they
-    are called where they are from.
+    `code` gives the text of an expression. `names` maps the imported names of the file to their
+    original names.
     """
     return _Class(node, context, code, names).translated()
 
@@ -166,7 +168,7 @@ class _Class:
     # --- its skill ----------------------------------------------------------------------------
 
     def _skill(self) -> tuple[Skill, cst.BaseExpression]:
-        """The skill, and what it is called here. Raises `LeftError` if it is not known."""
+        """The skill, and its local name. Raises `LeftError` if the skill is unknown."""
         call = described_by(self._node)
         assert call is not None
         given = Arguments(call, "setDescription")
@@ -188,7 +190,7 @@ class _Class:
         return found[0], made.func
 
     def _bases(self, skill: cst.BaseExpression) -> list[cst.Arg]:
-        """The classes that it is derived from, with that of the skill instead of SkiROS2's."""
+        """The base classes, with that of the skill instead of SkiROS2's."""
         new = cst.Attribute(skill.deep_clone(), cst.Name("SkillBase"))
         bases = []
         is_plain = False
@@ -200,13 +202,15 @@ class _Class:
         if not is_plain and (found := other_base(self._node, self._context, self._names)):
             self._leave(found, self._node.name, self._node)
         elif not is_plain:
-            bases.append(cst.Arg(new))  # behind: what the others define hides what it has
+            bases.append(cst.Arg(new))  # last, because the other base classes override it
         if (left := left_with(self._node, self._context)) is not None:
             self._leave(left, self._node.name, self._node)
         return bases
 
     def _description(self) -> list[str]:
-        """The comments of `createDescription`, which goes: there is nothing else in it."""
+        """The comments of `createDescription`, which is removed because it contains nothing
+        else.
+        """
         function = _functions(self._node)[OLD_DESCRIPTION]
         call = described_by(self._node)
         label = label_of(call) if call is not None else None
@@ -237,7 +241,7 @@ class _Class:
     # --- its methods --------------------------------------------------------------------------
 
     def _methods(self, skill: Skill) -> tuple[dict[int, cst.CSTNode | None], set[str]]:
-        """The new parts of the class by the old ones, None for those that go, and the methods that
+        """The new parts of the class by the old parts, None for removed parts; and the methods that
         became part of the tree.
         """
         new: dict[int, cst.CSTNode | None] = {}
@@ -264,7 +268,7 @@ class _Class:
         return new, used
 
     def _own_conditions(self, function: cst.FunctionDef, skill: Skill) -> cst.FunctionDef | None:
-        """The method `conditions`; None if it would add nothing."""
+        """The method `conditions`; None if it would be empty."""
         context = self._context
         found, left = own_conditions.translate_own(
             function, skill, context.names, context.known, self._code
@@ -282,7 +286,7 @@ class _Class:
     def _body(
         self, parts: Mapping[int, cst.CSTNode | None], comments: Sequence[str], used: set[str]
     ) -> cst.BaseSuite:
-        """The body, with the comments of what goes above what comes behind it."""
+        """The body. The comments of removed parts move above the next part."""
         waiting: list[str] = []
         body: list[cst.CSTNode] = []
         for part in self._node.body.body:
@@ -309,9 +313,7 @@ class _Class:
 
 
 def _planning(statement: cst.CSTNode) -> bool | None:
-    """Say whether the statement makes a skill available for planning; None if it says nothing of
-    that.
-    """
+    """Say whether the statement makes a skill available for planning; None for other statements."""
     match statement:
         case cst.Expr(
             value=cst.Call(args=[cst.Arg(value=cst.Name(value="True" | "False" as said))]) as call
@@ -328,12 +330,12 @@ def _functions(node: cst.ClassDef) -> dict[str, cst.FunctionDef]:
 
 
 def helpers_of(node: cst.ClassDef) -> Mapping[str, cst.FunctionDef]:
-    """The methods of a class that its others may call."""
+    """The methods of a class that its other methods may call."""
     return _functions(node)
 
 
 def labels_in(classes: Iterable[cst.ClassDef]) -> dict[str, str]:
-    """The names that classes of implementations give themselves, and their names in Python."""
+    """The names that classes of implementations give themselves, with their Python names."""
     found = {}
     for node in classes:
         call = described_by(node)

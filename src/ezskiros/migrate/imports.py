@@ -16,9 +16,9 @@ from ezskiros.migrate.processors import NAMES as PROCESSORS
 OLD_API = frozenset(
     {"SkillDescription", "ParamTypes", "ParamOptions", "Element", *CONDITION_CLASSES}
 )
-"""The names that descriptions import of SkiROS2."""
+"""The SkiROS2 names that descriptions import."""
 _IMPLEMENTING = frozenset({"SkillBase", "PrimitiveBase", "State", *PROCESSORS})
-"""The names that implementations import of it, and no file needs for another reason."""
+"""The SkiROS2 names that only implementations import."""
 _OLD_MODULES = frozenset(
     {"params", "world_element", "conditions", "abstract_skill", "skill", "primitive", "processors"}
 )
@@ -28,7 +28,7 @@ Line: TypeAlias = cst.SimpleStatementLine | cst.BaseCompoundStatement
 
 
 class _Used(cst.CSTVisitor):
-    """The names that a module refers to, and those of `__all__`, outside its imports."""
+    """The names that a module uses outside its imports, including those of `__all__`."""
 
     def __init__(self) -> None:
         self.found: set[str] = set()
@@ -59,7 +59,7 @@ class _Used(cst.CSTVisitor):
 
 
 def used_names(module: cst.CSTNode) -> set[str]:
-    """The names that a module, or a part of it, refers to, outside its imports."""
+    """The names that a module, or a part of it, uses outside its imports."""
     visitor = _Used()
     module.visit(visitor)
     return visitor.found
@@ -87,7 +87,7 @@ def imported_names(module: cst.Module) -> dict[str, str]:
 
 
 def sources(module: cst.Module) -> set[str]:
-    """The modules that a module imports, or imports something from."""
+    """The modules that a module imports, or from which it imports names."""
     found = set()
     for node in _imports(module):
         source = module_name(node) if isinstance(node, cst.ImportFrom) else ""
@@ -99,7 +99,7 @@ def sources(module: cst.Module) -> set[str]:
 
 
 def bound_names(module: cst.Module, without: Sequence[str]) -> set[str]:
-    """The names that imports give, except those from some modules."""
+    """The names that imports bind, except imports from some modules."""
     found = set()
     for node in _imports(module):
         if isinstance(node.names, cst.ImportStar):
@@ -111,7 +111,7 @@ def bound_names(module: cst.Module, without: Sequence[str]) -> set[str]:
 
 
 def has_star(module: cst.Module, source: str) -> bool:
-    """Say whether a module imports all that a module of some package has."""
+    """Say whether a module has an `import *` from a module of some package."""
     return any(
         isinstance(node.names, cst.ImportStar) and module_name(node).startswith(source)
         for node in _imports(module)
@@ -120,7 +120,7 @@ def has_star(module: cst.Module, source: str) -> bool:
 
 
 def module_name(node: cst.ImportFrom) -> str:
-    """`.world` of `from .world import cora`."""
+    """The module of an import, such as `.world` of `from .world import cora`."""
     name = get_full_name_for_node(node.module) if node.module else ""
     return "." * len(node.relative) + (name or "")
 
@@ -137,19 +137,19 @@ def _imports(module: cst.Module) -> list[cst.Import | cst.ImportFrom]:
 
 
 def _bound(alias: cst.ImportAlias) -> str:
-    """The name that an import gives."""
+    """The name that an import binds."""
     return alias.evaluated_alias or alias.evaluated_name.partition(".")[0]
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """Names to be imported from one module; the values are how they are called here."""
+    """Names to import from one module, with their local names."""
 
     source: str
     names: Mapping[str, str]
 
     def text(self) -> list[str]:
-        """The import, over several lines if it is long."""
+        """The import statement, over several lines if it is long."""
         if not self.names:
             return [f"import {self.source}"]
         parts = [
@@ -163,20 +163,20 @@ class Wanted:
 
 
 def _order(name: str) -> tuple[int, str]:
-    """Constants, then classes, then functions, as isort has them."""
+    """A sort key: constants, then classes, then functions, as in isort."""
     return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)
 
 
 def with_imports(
     module: cst.Module, wanted: Sequence[Wanted], before: Collection[str]
 ) -> cst.Module:
-    """A module with other imports: without those of SkiROS2's API that nothing refers to.
+    """A module with other imports, without unused imports of SkiROS2's API.
 
-    What is wanted of a module without any names is the module itself. `before` are the names that
-    were referred to before.
+    If no names of a module are wanted, the module itself is imported. `before` are the names that
+    the module used before.
     """
     new_names = {name for each in wanted for name in each.names.values()}
-    # The former meaning of these names is not needed any more.
+    # The former meanings of these names are no longer needed.
     cleaner = _Cleaner(used_names(module) - new_names, before)
     body: list[Line] = []
     above: Sequence[cst.EmptyLine] = ()
@@ -208,13 +208,13 @@ def _above(statement: cst.CSTNode) -> Sequence[cst.EmptyLine]:
 
 @dataclass(frozen=True)
 class _Cleaner:
-    """Drops imports of SkiROS2's API that are not in `used`, though they were in `before`."""
+    """Removes imports of SkiROS2's API that are not in `used`, but were in `before`."""
 
     used: Collection[str]
     before: Collection[str]
 
     def line(self, statement: Line) -> Line | None:
-        """A line without what is dropped; None if nothing is left of it."""
+        """A line without the removed names; None if the line becomes empty."""
         if not isinstance(statement, cst.SimpleStatementLine):
             return statement
         cleaned = [self._statement(small) for small in statement.body]
@@ -250,7 +250,7 @@ class _Cleaner:
 
 
 def _merged(wanted: Wanted, body: list[Line]) -> list[list[str]]:
-    """The import as new lines; none if one that is there can take the names."""
+    """The import as new lines; no lines if an existing import can take the names."""
     if not wanted.names:
         return [] if _has_import(body, wanted.source) else [wanted.text()]
     for number, line in enumerate(body):
@@ -265,7 +265,7 @@ def _merged(wanted: Wanted, body: list[Line]) -> list[list[str]]:
 
 
 def _imported_by(line: Line, source: str) -> dict[str, str] | None:
-    """The names that a line imports from a module; None if it does more, or not in plain form."""
+    """The names that a line imports from a module; None for other or more complex lines."""
     match line:
         case cst.SimpleStatementLine(body=[cst.ImportFrom(lpar=None) as small]):
             if module_name(small) == source and not isinstance(small.names, cst.ImportStar):
@@ -285,7 +285,7 @@ def _has_import(body: Sequence[Line], name: str) -> bool:
 
 
 def _after_imports(body: Sequence[Line]) -> int:
-    """Behind the imports at the top, or else behind the docstring."""
+    """The position after the imports at the top, otherwise after the docstring."""
     places = [number for number, each in enumerate(body) if _is_import(each)]
     if places:
         return places[-1] + 1
@@ -294,7 +294,7 @@ def _after_imports(body: Sequence[Line]) -> int:
 
 
 def _after_stars(body: Sequence[Line]) -> int:
-    """Behind the last import of all that a module has: it would hide what comes before."""
+    """The position after the last `import *`, which would hide earlier names."""
     places = [
         number
         for number, line in enumerate(body)
@@ -312,7 +312,7 @@ def _is_import(statement: cst.CSTNode) -> bool:
 
 
 def is_module(text: str) -> bool:
-    """Say whether a text is what can stand behind `from`: `world`, `.world`, `skills.world`."""
+    """Say whether a text is valid after `from`: `world`, `.world`, `skills.world`."""
     name = text.lstrip(".")
     parts = name.split(".") if name else []
     is_fine = all(part.isidentifier() and not keyword.iskeyword(part) for part in parts)

@@ -10,12 +10,12 @@ from itertools import chain, count
 from ezskiros.migrate.names import is_name
 
 ROBOT = "Robot"
-"""The parameter that each skill of SkiROS2 has, declared or not."""
+"""The parameter that each SkiROS2 skill has, declared or not."""
 _RESERVED = {"self", "ezskiros"}
 
 
 def parameter_names(keys: Iterable[str]) -> dict[str, str]:
-    """For each key the name of its parameter: the key itself, if Python takes it."""
+    """The parameter name of each key: the key itself, if it is a valid Python name."""
     keys = list(dict.fromkeys(keys))
     found = {key: key for key in keys if _is_parameter_name(key)}
     for key in keys:
@@ -25,7 +25,7 @@ def parameter_names(keys: Iterable[str]) -> dict[str, str]:
 
 
 def more_names(called: Mapping[str, str], keys: Iterable[str]) -> dict[str, str]:
-    """The names of parameters that come to others, whose names stay, by their keys."""
+    """The names of additional parameters by key. Existing parameters keep their names."""
     found: dict[str, str] = {}
     for key in keys:
         name = key if _is_parameter_name(key) else _made_of(key)
@@ -34,18 +34,18 @@ def more_names(called: Mapping[str, str], keys: Iterable[str]) -> dict[str, str]
 
 
 def _is_parameter_name(key: str) -> bool:
-    """Say whether a parameter can be called so. Python changes names that begin with `__`."""
+    """Say whether a key is a valid parameter name. Python changes names that begin with `__`."""
     return is_name(key) and not key.startswith("__") and key not in _RESERVED
 
 
 def _made_of(key: str) -> str:
-    """A name for a key that is none: `StartPose` for `Start Pose`."""
+    """A name for an invalid key, such as `StartPose` for `Start Pose`."""
     words = re.findall(r"[^\W_]+", unicodedata.normalize("NFKC", key))
     name = "".join(word[:1].upper() + word[1:] for word in words)
     return name if is_name(name) else f"Parameter{name}"
 
 
 def _free(name: str, taken: Collection[str]) -> str:
-    """The name, with a number behind it if it is taken."""
+    """The name, with a number appended if it is taken."""
     numbered = (f"{name}_{number}" for number in count(2))
     return next(each for each in chain([name], numbered) if each not in taken)

@@ -11,9 +11,10 @@ _OPPOSITE = {"no", "not", "non", "un"}
 
 
 def says_more(label: str, said: Iterable[str], *, is_true: bool) -> bool:
-    """Say whether a label has a word, not just a letter, that is not among those of its condition.
+    """Say whether a label has a word, not just a letter, that is not among the words of its
+    condition.
 
-    `RobotAt` says no more than that the robot is at a location; `EmptyHanded` does.
+    `RobotAt` only repeats that the robot is at a location; `EmptyHanded` adds information.
     """
     known = {word for text in said for word in _words(text)}
     allowed = _FILLING if is_true else _FILLING | _OPPOSITE
@@ -26,13 +27,13 @@ def says_more(label: str, said: Iterable[str], *, is_true: bool) -> bool:
 
 
 def _words(text: str) -> list[str]:
-    """`EEHasGripper2` has the words ee, has, gripper and 2."""
+    """The words of a text: `EEHasGripper2` has the words ee, has, gripper and 2."""
     found = re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_a-zA-Z]+", text)
     return [word.lower() for word in found]
 
 
 def _is_form_of(word: str, other: str) -> bool:
-    """Say whether two words are forms of one: contained and contain, obj and object."""
+    """Say whether two words are forms of one word: contained and contain, obj and object."""
     return other.startswith(word) or (len(other) > 2 and word in _forms(other))
 
 

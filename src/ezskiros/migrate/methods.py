@@ -13,7 +13,7 @@ from ezskiros.migrate.states import MEMBERS, PLACEHOLDER
 
 
 class Methods(ParameterUses):
-    """Translates a part of the class `node`; `states` are its names for SkiROS2's `State`."""
+    """Translates a part of the class `node`. `states` are its names for SkiROS2's `State`."""
 
     def __init__(
         self,
@@ -67,7 +67,7 @@ def translated_part(
     if uses.findings and isinstance(part, cst.FunctionDef):
         other = uses_of()
         without = without_aliases(part).visit(other)
-        if not other.findings:  # else they would be at places that the file does not have
+        if not other.findings:  # otherwise their places would not exist in the file
             new, uses.findings = without, []
     assert isinstance(new, cst.CSTNode)
     return new, uses

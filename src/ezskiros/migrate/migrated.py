@@ -18,14 +18,16 @@ from ezskiros.migrate.skills import Skill, SkillId
 class Migrated:
     """A file after its migration. `text` is the original text if nothing has changed.
 
-    `translated` and `left` are the classes that describe skills, `implemented` and `unimplemented`
-    those that implement them, `bases` those that any class is built on. `built` are all classes,
-    `obstacles` those for which others of the same base are left, with the codes for which they are.
+    `translated` and `left` are the names of description classes, `implemented` and `unimplemented`
+    those of implementation classes, and `bases` those of base classes. `built` are all classes.
+    `obstacles` are the classes because of which related classes stay unchanged, with the codes of
+    their findings.
 
-    `skills` are what is described, `robots` what is said of their robots, `labels` what
-    implementations call themselves, with the names of their classes, `sources` the modules that are
-    imported, `wanted` the files that trees need besides, `trees` what their children share,
-    `left_skills` the skills that are left, `followers` the implementations that are left for them.
+    `skills` are the described skills, and `robots` the uses of their robots. `labels` are the names
+    that implementations give themselves, with their class names. `sources` are the imported
+    modules, and `wanted` the files that trees additionally need. `trees` are the shared keys of
+    trees. `left_skills` are the unchanged skills, and `followers` the implementations that stay
+    unchanged because of them.
     """
 
     file: SourceFile

@@ -28,7 +28,7 @@ def translate_mixin(
     code: Callable[[cst.CSTNode], str],
     names: Mapping[str, str],
 ) -> Implementation:
-    """The class without SkiROS2's own base; its parameters are those of the skills on top of it."""
+    """The class without SkiROS2's own base. Its parameters are those of the derived skills."""
     found = Implementation(node, node)
     skills = _skills_on_top(node, context)
     parts = []
@@ -50,7 +50,7 @@ def translate_mixin(
 
 
 def _skills_on_top(node: cst.ClassDef, context: Context) -> list[Skill]:
-    """The skills whose implementations are derived from a class, as far as they are translated."""
+    """The translated skills whose implementations are derived from a class."""
     found = []
     for each in context.skills.bases.on_top((context.path, node.name.value)):
         skills = context.skills.called(each.implements or "", each.path)
@@ -59,7 +59,7 @@ def _skills_on_top(node: cst.ClassDef, context: Context) -> list[Skill]:
 
 
 def _without_base(node: cst.ClassDef, names: Mapping[str, str]) -> cst.ClassDef:
-    """A class without SkiROS2's own among its bases."""
+    """The class without SkiROS2's own base."""
     called = [(each, last_name(each.value) or "") for each in node.bases]
     bases = [each for each, name in called if names.get(name, name) not in SKIROS2_BASES]
     if bases:
@@ -71,7 +71,7 @@ def _without_base(node: cst.ClassDef, names: Mapping[str, str]) -> cst.ClassDef:
 
 
 def _no_mixin(part: cst.CSTNode) -> list[Finding]:
-    """Methods that only a class with one description can have."""
+    """Findings for methods that only a class with one description can have."""
     if not isinstance(part, cst.FunctionDef):
         return []
     name = f"`def {part.name.value}`"
@@ -101,7 +101,7 @@ def _on_top(
     code: Callable[[cst.CSTNode], str],
     context: Context,
 ) -> Callable[[], _MixinMethods]:
-    """A translator of methods for the parameters that all of some skills have."""
+    """A translator of methods for the common parameters of some skills."""
     things = [{key for key, name in each.names.items() if name in each.things} for each in skills]
     both = set.intersection(*things) if things else set()
     names = {key: skills[0].names[key] for key in both}
@@ -110,17 +110,19 @@ def _on_top(
 
 
 class _MixinMethods(Methods):
-    """The methods of a class whose parameters are those of several skills."""
+    """The methods of a class with the parameters of several skills."""
 
     _skills: Sequence[Skill] = ()
 
     def of(self, skills: Sequence[Skill]) -> _MixinMethods:
-        """The same, with the skills on top of the class."""
+        """The same methods, for the skills derived from the class."""
         self._skills = skills
         return self
 
     def name_of(self, key: cst.BaseExpression) -> str:
-        """The name that all the skills have for a parameter. Raises `LeftError` if one has none."""
+        """The common name of a parameter in all skills. Raises `LeftError` if a skill has no such
+        parameter.
+        """
         text = literal_text(key)
         if text is None:
             computed = errors.ComputedArgument(argument="key", call="params", wanted="the text")

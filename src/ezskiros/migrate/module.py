@@ -68,12 +68,12 @@ def migrate_text(
     skills: Skills | None = None,
     late: Collection[str] = (),
 ) -> Migrated:
-    """Translate the skills of a file; `world` is the module that has its ontology.
+    """Translate the skills of a file. `world` is the module with its ontology.
 
-    Classes whose names are in `inherited` are left: others are built on them elsewhere. Of
-    properties that are `ambiguous` the namespace is said. `skills` are those that trees can name;
-    without them these are the ones of the file itself. What is in the files `late` is imported
-    where a tree needs it, and not before.
+    Classes in `inherited` stay unchanged, because classes elsewhere are derived from them.
+    Properties in `ambiguous` are written with their namespace. `skills` are the skills that trees
+    can name; by default those of the file itself. The skills of the files `late` are imported
+    inside the trees that need them.
     """
     file = SourceFile(path, text)
     deep = too_deep(text)
@@ -93,7 +93,7 @@ def migrate_text(
         return Migrated(file, text, diagnostics=[errors.UnreadableSource(said=said).at(span)])
     try:
         return _translated(file, module, world, inherited, ambiguous, skills, late)
-    except RecursionError:  # a name behind a name behind a name, hundreds of them
+    except RecursionError:  # hundreds of nested attributes
         return Migrated(file, text, diagnostics=[_TOO_DEEP.at(Span(file, 0, 0))])
 
 
@@ -210,19 +210,19 @@ class _File:
 
     def _named(self, found: list[Description]) -> Names:
         """Translate the descriptions with names that have no other meaning in the file."""
-        # With the names of EzSkiROS qualified it shows which other meanings they have here.
+        # With qualified EzSkiROS names, the other meanings in the file become visible.
         names = self._translate(found, Names(is_qualified=True))
         spelling = self._spelled(self._replaced(found, names), names)
         names = self._translate(found, spelling)
-        if names.clashes:  # of namespaces that only unclear properties are written with
+        if names.clashes:  # the namespaces that only ambiguous properties need
             names = self._translate(found, spelling.without(names.clashes))
         return names
 
     def _obstacles(
         self, mixins: Sequence[Implementation], implementing: Sequence[Implementation]
     ) -> dict[SkillId, LeftSkill]:
-        """The classes that keep those of the same base as they are: bases that are left, and what
-        goes on working in SkiROS2, since its description is left.
+        """The classes because of which related classes stay unchanged: unchanged bases, and
+        implementations that still work in SkiROS2, because their description stays unchanged.
         """
         found = {}
         for each in (*mixins, *implementing):
@@ -239,7 +239,9 @@ class _File:
         return finding.template.at(self._positions.span(finding.node))
 
     def _followers(self, each: Implementation) -> Iterator[Follower]:
-        """The skills and bases for which an implementation is left, besides its own findings."""
+        """The skills and bases because of which an implementation stays unchanged, besides its own
+        findings.
+        """
         name = each.node.name.value
         for finding in each.findings:
             match finding.template:
@@ -259,7 +261,7 @@ class _File:
     def _implementations(
         self, classes: Sequence[cst.ClassDef], names_of_file: Names
     ) -> list[Implementation]:
-        """Translate the classes that implement skills; the file gets the names that they use."""
+        """Translate the classes that implement skills. The file gets the names that they use."""
         names = imported_names(self._module)
         found = []
         for node in classes:
@@ -277,7 +279,7 @@ class _File:
         return found
 
     def _mixins(self, classes: Sequence[cst.ClassDef]) -> list[Implementation]:
-        """The translations of the classes that implementations are built on."""
+        """The translations of the base classes of implementations."""
         names = imported_names(self._module)
         return [
             translate_mixin(
@@ -295,7 +297,7 @@ class _File:
         )  # fmt: skip
 
     def _leave_inherited(self, each: Implementation, classes: Sequence[cst.ClassDef]) -> None:
-        """A class that others are derived from is left."""
+        """Keep a base class of other classes unchanged."""
         name = each.node.name.value
         below = [
             node.name.value
@@ -311,7 +313,7 @@ class _File:
             each.new = with_marks(each.node, each.findings)
 
     def _translate(self, found: Sequence[Description], spelling: Names) -> Names:
-        """Translate all; the names that the translated ones use."""
+        """Translate all descriptions, and return the names that the translated ones use."""
         for each in found:
             each.names = spelling.like()
             each.names.our("SkillDescription")
@@ -333,7 +335,7 @@ class _File:
         return used
 
     def _tell_added(self, each: Description) -> None:
-        """Say which parameters a description gets, for which implementations."""
+        """Report the added parameters of a description, with the implementations that need them."""
         keys, skill = self._skills.keys, (self._file.path, each.name)
         for key, kind in keys.added.get(skill, {}).items():
             value = kind if kind in BASIC else f'Element("{kind}")'
@@ -343,7 +345,7 @@ class _File:
             each.translation.warnings.append(Finding(template, each.node.name, each.node))
 
     def _spelled(self, first: cst.Module, names: Names) -> Names:
-        """Spell the names, now that it is known which of them mean something else."""
+        """Spell the names, after their other meanings are known."""
         ours, world = imported(first, "ezskiros"), imported(first, self._world)
         others = bound_names(first, ("skiros2", "ezskiros", self._world))
         own = {name for name, what in ours.items() if name == what}
@@ -361,14 +363,16 @@ class _File:
         names: Names,
         implementing: Sequence[Implementation] = (),
     ) -> cst.Module:
-        """The module with new classes, and marks where old ones are left."""
+        """The module with new classes, and with marks in unchanged ones."""
         base = "ezskiros.SkillDescription" if names.is_qualified else "SkillDescription"
         changed = {id(each.node): self._descriptions.new_class(each, base) for each in found}
         changed |= {id(each.node): each.new for each in implementing}
         return with_classes(self._module, changed)
 
     def _wanted(self, names: Names, state: str) -> list[Wanted]:
-        """The imports that the file needs; `state` is the name of EzSkiROS's `State`, if any."""
+        """The imports that the file needs. `state` is the local name of EzSkiROS's `State`, if it
+        is used.
+        """
 
         def named(found: Collection[str]) -> dict[str, str]:
             return {} if names.is_qualified else {name: name for name in found}

@@ -9,7 +9,9 @@ from ezskiros.skills.importing import module_name
 
 
 def import_of(path: str, target: str) -> str:
-    """The module of the file `target`, as the file `path` imports it: `.arm_skills`."""
+    """The relative module name under which the file `path` imports the file `target`, such as
+    `.arm_skills`.
+    """
     own, own_root = module_name(Path(path).resolve())
     other, other_root = module_name(Path(target).resolve())
     package = own.split(".")[:-1]
@@ -25,7 +27,7 @@ def import_of(path: str, target: str) -> str:
 
 
 def imported_files(path: str, sources: Iterable[str], files: Collection[str]) -> set[str]:
-    """The files among some that a file with imports of some modules imports when it is run."""
+    """The files that a file imports when it runs, given the names of its imported modules."""
     by_name = {module_name(Path(each).resolve()): each for each in files}
     own, root = module_name(Path(path).resolve())
     found = set()
@@ -39,7 +41,7 @@ def imported_files(path: str, sources: Iterable[str], files: Collection[str]) ->
 
 
 def reaches(start: str, end: str, imports: Mapping[str, Iterable[str]]) -> bool:
-    """Say whether a file imports another one, itself or through others."""
+    """Say whether a file imports another file, directly or indirectly."""
     seen, waiting = set[str](), [start]
     while waiting:
         found = waiting.pop()

@@ -1,4 +1,4 @@
-"""The names of things of an ontology and of EzSkiROS in a translated file."""
+"""The names of ontology entities and of EzSkiROS in a translated file."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.errors import LeftError
 
 DEFAULT_PREFIX = "skiros"
-"""The prefix of names without a prefix: SkiROS2 looks them up in its own ontology."""
+"""The prefix of names without a prefix, which SkiROS2 looks up in its own ontology."""
 _RESERVED = {"rdf", "rdfs", "owl", "xsd", "xml"}
 _NO_ATTRIBUTES = {"iri", "vocabulary"}
-"""The names that the Python classes of things have besides the properties of the ontology."""
+"""The attributes of entity classes that are not properties of the ontology."""
 
 
 @dataclass
 class Names:
-    """The names that a file uses of EzSkiROS and of its ontology.
+    """The names of EzSkiROS and of the ontology that a file uses.
 
-    `taken` are names that mean something else there, `ambiguous` properties that several namespaces
-    have, `hidden` the parameters of the description whose conditions are read; `clashes` are
-    namespaces that are called like one of them. With `is_qualified` the names of EzSkiROS are
-    written `ezskiros.INFERRED`.
+    `taken` are names with another meaning in the file, `ambiguous` properties of several
+    namespaces, and `hidden` the parameters of the description whose conditions are read. `clashes`
+    are namespaces with the name of such a parameter. With `is_qualified`, the names of EzSkiROS are
+    written as `ezskiros.INFERRED`.
     """
 
     is_qualified: bool = False
@@ -41,11 +41,11 @@ class Names:
     properties: set[tuple[str, str]] = field(default_factory=set)
 
     def like(self) -> Names:
-        """The same spelling, with nothing used yet."""
+        """The same spelling, without any used names."""
         return Names(self.is_qualified, self.taken, self.ambiguous)
 
     def without(self, names: Collection[str]) -> Names:
-        """The same spelling, in which these mean something else as well."""
+        """The same spelling, with more names that have another meaning."""
         return Names(self.is_qualified, {*self.taken, *names}, self.ambiguous)
 
     def add(self, other: Names) -> None:
@@ -57,7 +57,7 @@ class Names:
         self.properties |= other.properties
 
     def unclear(self) -> set[str]:
-        """Names of properties that are used of several namespaces."""
+        """The names of properties that are used from several namespaces."""
         names = [name for _, name in self.properties]
         return {name for name in names if names.count(name) > 1}
 
@@ -67,27 +67,27 @@ class Names:
         return f"ezskiros.{name}" if self.is_qualified else name
 
     def with_key(self, annotation: str, key: str) -> str:
-        """The type of a parameter whose key is not its name."""
+        """The type of a parameter whose key differs from its name."""
         self.typing.add("Annotated")
         annotated = "typing.Annotated" if self.is_qualified else "Annotated"
         return f"{annotated}[{annotation}, {self.our('Key')}({_quoted(key)})]"
 
     def entity(self, light: str, node: cst.CSTNode) -> str:
-        """A class or property in Python: `skiros.Product` of `skiros:Product`.
+        """The Python name of a class or property, such as `skiros.Product` for `skiros:Product`.
 
-        Raises `LeftError` for names that no ontology of robots has.
+        Raises `LeftError` for names that no robot ontology has.
         """
         prefix, name = split(light, node)
         namespace = self.namespaces.setdefault(prefix, self._free(prefix))
         self.clashes |= {namespace} & {*self.hidden}
-        is_attribute = is_name(name) and not name.startswith("_")  # namespaces have such, too
+        is_attribute = is_name(name) and not name.startswith("_")  # also used by namespaces
         return f"{namespace}.{name}" if is_attribute else f'{namespace}["{name}"]'
 
     def attribute(self, subject: str, light: str, node: cst.CSTNode) -> str | None:
-        """A property as an attribute: `Robot.at` of `skiros:at`.
+        """A property as an attribute, such as `Robot.at` for `skiros:at`.
 
-        None if it has to be said by its namespace: other ontologies may have names that SkiROS2's
-        own has as well. Raises `LeftError`.
+        None if the property needs its namespace: other ontologies may have names of SkiROS2's own
+        ontology as well. Raises `LeftError`.
         """
         prefix, name = split(light, node)
         self.properties.add((prefix, name))
@@ -103,12 +103,12 @@ class Names:
 
 
 def _quoted(text: str) -> str:
-    """A text as Python code, in double quotes if it has none."""
+    """A text as a Python literal, in double quotes if it contains none."""
     return repr(text) if '"' in text else f'"{repr(text)[1:-1]}"'
 
 
 def split(light: str, node: cst.CSTNode) -> tuple[str, str]:
-    """The prefix and the name of `skiros:Product`. Raises `LeftError`."""
+    """The prefix and the name in a text such as `skiros:Product`. Raises `LeftError`."""
     prefix, colon, name = light.rpartition(":")
     prefix = prefix if colon and prefix else DEFAULT_PREFIX
     is_odd = prefix in _RESERVED or not is_name(prefix) or re.search(r'["\\#/\s]', name)
@@ -118,6 +118,6 @@ def split(light: str, node: cst.CSTNode) -> tuple[str, str]:
 
 
 def is_name(text: str) -> bool:
-    """Say whether Python takes a text for a name, and keeps it as it is."""
+    """Say whether a text is a Python name that Python does not change."""
     is_plain = text.isidentifier() and not keyword.iskeyword(text)
     return is_plain and unicodedata.normalize("NFKC", text) == text

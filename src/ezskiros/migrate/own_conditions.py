@@ -31,9 +31,9 @@ def translate_own(
     known: Known,
     code: Callable[[cst.CSTNode], str],
 ) -> tuple[cst.FunctionDef | None, list[Finding]]:
-    """The new method, None if there is nothing in it, and what has no translation.
+    """The new method, None if it would be empty, and the findings.
 
-    `names` get those that the method uses.
+    The used names are added to `names`.
     """
     return _Method(function, skill, names, known, code).translated()
 
@@ -70,7 +70,7 @@ class _Method:
         return self._written(), []
 
     def _try(self, step: Step) -> None:
-        """One statement, or the finding for it."""
+        """Translate one statement, or add the finding."""
         try:
             self._read(step)
         except LeftError as left:
@@ -84,7 +84,7 @@ class _Method:
         self._findings.append(Finding(found, node, statement))
 
     def _read(self, step: Step) -> None:
-        """One statement. Raises `LeftError` if a condition has no translation."""
+        """Translate one statement. Raises `LeftError` if a condition has no translation."""
         doc = docstring_of(step.statement)
         call = step.call
         if call is not None and method(call, self._argument) == "addPreCondition":
@@ -101,8 +101,8 @@ class _Method:
             self._leave(step.node, step.statement)
 
     def _is_declared(self, call: cst.Call | None) -> bool:
-        """Tell whether a call adds an optional parameter, which the children that share it declare
-        in the description.
+        """Say whether a call adds an optional parameter. The sharing children declare such a
+        parameter in the description.
         """
         if call is None or method(call, self._argument) != "addParam":
             return False

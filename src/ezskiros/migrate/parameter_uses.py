@@ -22,11 +22,11 @@ _OF_SKIROS2 = {
     *("progress_code", "_progress_code", "progress_msg", "_progress_msg", "_setProgress"),
     *("hasState", "waitState"),
 }
-"""The names that SkiROS2's base classes of skills have, and those of EzSkiROS do not."""
+"""The names that SkiROS2's base classes of skills have, but those of EzSkiROS do not."""
 
 
 def _unset_key(call: cst.BaseExpression) -> cst.BaseExpression | None:
-    """The key in a call that takes the value of a parameter away."""
+    """The key in a call that removes the value of a parameter."""
     match call:
         case cst.Call(
             func=cst.Attribute(
@@ -47,7 +47,7 @@ Node = TypeVar("Node", bound=cst.CSTNode)
 
 
 def own(node: cst.CSTNode, names: Collection[str]) -> bool:
-    """Say whether something is `self.name`."""
+    """Say whether an expression is `self.name`, for one of some names."""
     match node:
         case cst.Attribute(value=cst.Name(value="self"), attr=cst.Name(value=name)):
             return name in names
@@ -56,7 +56,7 @@ def own(node: cst.CSTNode, names: Collection[str]) -> bool:
 
 
 def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
-    """The expression for the key in an expression for the value of a parameter."""
+    """The expression for the key, in an expression for the value of a parameter."""
     match node:
         case cst.Attribute(
             value=cst.Subscript(
@@ -108,10 +108,10 @@ def _setting(call: cst.Call) -> tuple[cst.BaseExpression, cst.BaseExpression] | 
 
 
 class ParameterUses(cst.CSTTransformer):
-    """Translates how the methods of an implementation of `skill` use its parameters.
+    """Translates the uses of parameters in the methods of an implementation of `skill`.
 
-    What is wrong is in `findings`, what is to be known in `warnings`; each with the statement that
-    it is in. `code` gives the text of an expression.
+    `findings` are the mistakes, and `warnings` the hints, each with its statement. `code` gives the
+    text of an expression.
     """
 
     def __init__(self, skill: Skill, code: Callable[[cst.CSTNode], str]) -> None:
@@ -123,17 +123,17 @@ class ParameterUses(cst.CSTTransformer):
         self._reported: set[int] = set()
         self._place: cst.CSTNode | None = None
 
-    # --- what is said -----------------------------------------------------------------------------
+    # --- findings ---------------------------------------------------------------------------------
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:
-        """Something has no translation."""
+        """Report a part without a translation."""
         self.findings.append(self._finding(template, node))
 
     def _finding(self, template: Template, node: cst.CSTNode) -> Finding:
         return Finding(template, self._place or node, self._statements[-1])
 
     def on_visit(self, node: cst.CSTNode) -> bool:
-        """Keep the statement that is being read."""
+        """Record the current statement."""
         if isinstance(node, (cst.SimpleStatementLine, cst.BaseCompoundStatement)):
             self._statements.append(node)
         return super().on_visit(node)
@@ -141,20 +141,20 @@ class ParameterUses(cst.CSTTransformer):
     def on_leave(  # type: ignore[override]
         self, original_node: cst.CSTNode, updated_node: cst.CSTNode
     ) -> cst.CSTNode | cst.RemovalSentinel | cst.FlattenSentinel[cst.CSTNode]:
-        """The statement has been read."""
+        """Leave the current statement."""
         found = super().on_leave(original_node, updated_node)
         if self._statements and self._statements[-1] is original_node:
             self._statements.pop()
         return found
 
-    # --- what is read -----------------------------------------------------------------------------
+    # --- visited expressions ----------------------------------------------------------------------
 
     def params(self) -> cst.BaseExpression:
-        """The expression that has the parameters."""
+        """The expression for the parameters."""
         return cst.Attribute(cst.Name("self"), cst.Name("params"))
 
     def of_skiros2(self, node: cst.Attribute) -> None:
-        """Something that EzSkiROS does not have: it stays."""
+        """Report an attribute that EzSkiROS does not have; it stays unchanged."""
         self._warn_of(f"self.{node.attr.value}", node)
 
     def _warn_of(self, found: str, node: cst.CSTNode) -> None:
@@ -174,13 +174,15 @@ class ParameterUses(cst.CSTTransformer):
         return None
 
     def _unsets_thing(self, node: cst.BaseExpression) -> bool:
-        """Say whether it is a parameter for a thing that gets nothing; values cannot be nothing."""
+        """Say whether an assignment removes the value of a parameter for an individual. Other
+        parameters cannot be without a value.
+        """
         key = _unset_key(node)
         name = self._skill.names.get(literal_text(key) or "") if key is not None else None
         return name in self._skill.things
 
     def _remember(self, node: cst.BaseExpression) -> None:
-        """The `self.params` in it is read as a part of it."""
+        """Treat `self.params` in an expression as a part of it."""
         if parameter_key(node) is not None:
             self._remember_params(node)
 
@@ -214,7 +216,7 @@ class ParameterUses(cst.CSTTransformer):
             return updated
 
     def _parameter(self, key: cst.BaseExpression) -> cst.Attribute:
-        """`self.params.Speed`. Raises `LeftError`."""
+        """The translated parameter, such as `self.params.Speed`. Raises `LeftError`."""
         return cst.Attribute(self.params(), cst.Name(self.name_of(key)))
 
     def name_of(self, key: cst.BaseExpression) -> str:
@@ -253,7 +255,9 @@ class ParameterUses(cst.CSTTransformer):
     def leave_SimpleStatementLine(  # noqa: N802
         self, original_node: cst.SimpleStatementLine, updated_node: cst.SimpleStatementLine
     ) -> cst.BaseStatement | cst.FlattenSentinel[cst.BaseStatement]:
-        """`return self.startError(...)` in two steps: the failure, and that the start fails."""
+        """Split `return self.startError(...)` into two statements: the failure, and the result of
+        the start.
+        """
         match original_node.body, updated_node.body:
             case [cst.Return() as old], [cst.Return(value=cst.Call() as call) as new]:
                 if _start_error(old) is None:
@@ -270,7 +274,7 @@ class ParameterUses(cst.CSTTransformer):
                 return updated_node
 
     def shown(self) -> str:
-        """The statement that is being read, cut short."""
+        """The text of the current statement, shortened."""
         bare = self._statements[-1].with_changes(leading_lines=())
         first = self._code(bare).strip().partition("\n")[0]
         return f"`{first}`" if len(first) <= 50 else f"`{first[:47]}...`"

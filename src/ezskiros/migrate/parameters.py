@@ -22,8 +22,9 @@ _OPTIONS = {option.value: option for option in Option}
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter in source form, and its documentation; `key` is its SkiROS2 key. If
-    `is_required`, the caller must set it. `kind` is such as `skiros:Product` or `float`, if known.
+    """A parameter in source form, and its documentation. `key` is its SkiROS2 key. If
+    `is_required`, the caller must set it. `kind` is a class or type such as `skiros:Product` or
+    `float`, if known.
     """
 
     key: str
@@ -40,14 +41,14 @@ class Parameter:
 
 
 def implicit_robot(names: Names) -> Parameter:
-    """The parameter that SkiROS2 adds to each skill that has none of this name."""
+    """The parameter that SkiROS2 adds to each skill without a parameter of this name."""
     agent = names.entity("sumo:Agent", cst.Name(ROBOT))
     inferred = f"{names.our('INFERRED')}[{agent}]"
     return Parameter(ROBOT, ROBOT, inferred, is_thing=True, kind="sumo:Agent")
 
 
 def optional_parameter(names: Names, key: str, name: str, kind: str) -> Parameter:
-    """A parameter that children share, and that the description does not have."""
+    """A parameter that children share, and that the description does not declare."""
     is_thing = kind not in BASIC
     annotation = names.entity(kind, cst.Name(name)) if is_thing else kind
     annotation = f"{names.our(Kind.OPTIONAL.name)}[{annotation}]"
@@ -57,8 +58,8 @@ def optional_parameter(names: Names, key: str, name: str, kind: str) -> Paramete
 
 @dataclass
 class ParameterReader:
-    """Reads the parameters of one description; `code` is the text of an expression, `called` are
-    the names of the parameters by their keys.
+    """Reads the parameters of one description. `code` gives the text of an expression, `called` the
+    names of the parameters by key.
     """
 
     names: Names
@@ -97,14 +98,14 @@ class ParameterReader:
         return Parameter(key, name, annotation, default, doc, is_thing, is_required, of_kind)
 
     def _marked(self, key: str, annotation: str, marks: Sequence[Kind | Option]) -> str:
-        """A class or basic type with all that stands around it."""
+        """A class or basic type with all its markers."""
         for mark in marks:
             if mark is not Kind.REQUIRED:
                 annotation = f"{self.names.our(mark.name)}[{annotation}]"
         return annotation if self.called[key] == key else self.names.with_key(annotation, key)
 
     def _basic(self, key: str, value: cst.BaseExpression) -> tuple[str, str | None]:
-        """The type and the default of a parameter that is no thing. Raises `LeftError`."""
+        """The type and the default of a parameter that is not an individual. Raises `LeftError`."""
         if isinstance(value, cst.Name) and value.value in (*BASIC, *self.known.enumerations):
             return value.value, None
         found = self.known.type_of(value)
@@ -125,7 +126,7 @@ class ParameterReader:
 
 
 def _kind(node: cst.BaseExpression) -> Kind:
-    """Raises `LeftError` for one that SkiROS2 does not have."""
+    """The kind of a parameter. Raises `LeftError` for a kind that SkiROS2 does not have."""
     found = last_name(node) or "this expression"
     is_one = isinstance(node, cst.Attribute) and last_name(node.value) == "ParamTypes"
     if is_one and found in _KINDS:
@@ -134,7 +135,9 @@ def _kind(node: cst.BaseExpression) -> Kind:
 
 
 def _element_class(key: str, element: cst.Call) -> tuple[str, cst.BaseExpression]:
-    """The class of `Element("skiros:Product")`, and where it is. Raises `LeftError`."""
+    """The class in an expression such as `Element("skiros:Product")`, and its place. Raises
+    `LeftError`.
+    """
     if not element.args:
         raise LeftError(errors.ParticularElement(key=key, found="an element of no class"), element)
     first, *others = element.args
@@ -150,9 +153,10 @@ def _element_class(key: str, element: cst.Call) -> tuple[str, cst.BaseExpression
 
 
 def _options(node: cst.BaseExpression | None) -> list[Option]:
-    """The options. Raises `LeftError` for those that SkiROS2 does not have.
+    """The options. Raises `LeftError` for options that SkiROS2 does not have.
 
-    A text in their place is a description: SkiROS2 goes through its letters, which are no options.
+    A text instead of options is a description: SkiROS2 goes through its letters, which are not
+    options.
     """
     if node is None or literal_text(node) is not None:
         return []
@@ -168,7 +172,9 @@ def _options(node: cst.BaseExpression | None) -> list[Option]:
 
 
 def _output_alone(node: cst.BaseExpression | None) -> list[Option]:
-    """The option Output, if it is the only one: those of parameters that are no things."""
+    """The option Output, if it is the only one; otherwise no option. For parameters that are not
+    individuals.
+    """
     try:
         found = _options(node)
     except LeftError:
@@ -177,7 +183,7 @@ def _output_alone(node: cst.BaseExpression | None) -> list[Option]:
 
 
 def _does_something(options: cst.BaseExpression) -> bool:
-    """Say whether options would do something for a thing."""
+    """Say whether options would have an effect on an individual."""
     try:
         return bool(_options(options))
     except LeftError:
@@ -185,7 +191,9 @@ def _does_something(options: cst.BaseExpression) -> bool:
 
 
 def _doc(given: Arguments) -> str:
-    """The text about the parameter, in one line: also where options should be."""
+    """The documentation of the parameter, in one line, even if it is at the place of the
+    options.
+    """
     options = given.get("options")
     text = given.text("description") if given.get("description") is not None else ""
     if not text and options is not None:

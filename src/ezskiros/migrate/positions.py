@@ -12,7 +12,7 @@ from ezskiros.migrate.tree_context import Place
 
 
 class Positions:
-    """The places of all parts of a module."""
+    """The positions of all parts of a module."""
 
     def __init__(self, file: SourceFile, module: cst.Module) -> None:
         wrapper = MetadataWrapper(module, unsafe_skip_copy=True)
@@ -20,7 +20,7 @@ class Positions:
         self._places: Mapping[cst.CSTNode, CodeRange] = wrapper.resolve(PositionProvider)
 
     def span(self, node: cst.CSTNode) -> Span:
-        """For findings."""
+        """The span of a part, for findings."""
         place = self._places[node]
         return Span(self._file, self._offset(place.start), self._offset(place.end))
 
@@ -29,7 +29,7 @@ class Positions:
         return min(self._file.line_starts[line - 1] + column, len(self._file.text))
 
     def place(self, node: cst.CSTNode) -> Place:
-        """The column, and the space that the line begins with."""
+        """The column of a part, and the indentation of its line."""
         start = self._places[node].start
         line = self._file.line_text(start.line)
         return Place(start.column, line[: len(line) - len(line.lstrip())])

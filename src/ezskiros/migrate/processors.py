@@ -19,16 +19,16 @@ METHODS: Mapping[str, str] = {
     "ParallelFf": "parallelff",
     "ParallelFs": "parallelfs",
 }
-"""Those that take nothing."""
+"""The processors without arguments."""
 NAMES = frozenset({*METHODS, "NoFail", "RetryOnFail"})
 DEFAULT = cst.Call(cst.Name("SerialStar"))
-"""The processor of a compound that names none."""
+"""The processor of a compound that chooses none."""
 
 Wrapper = Callable[[cst.Call], cst.Call]
 
 
 def wrapper(processor: cst.BaseExpression) -> Wrapper:
-    """Give the function that makes a call of a method of a call with the children of a processor.
+    """Return a function that builds the call of a processor, given a call with its children.
 
     Raises `LeftError` for a processor that EzSkiROS does not have.
     """
@@ -55,14 +55,16 @@ def _calls(name: str) -> Wrapper:
 
 
 def _no_fail(inside: Wrapper, inner: cst.BaseExpression) -> Wrapper:
-    """A failure counts as success. SkiROS2's takes a processor, ours runs one after the other."""
+    """A `nofail`. SkiROS2's `NoFail` takes a processor; EzSkiROS's runs its children one after the
+    other.
+    """
     if isinstance(inner, cst.Call) and METHODS.get(last_name(inner.func) or "") == "serialstar":
         return _calls("nofail")
     return lambda call: cst.Call(_method("nofail"), [cst.Arg(inside(call))])
 
 
 def _tries(value: cst.BaseExpression) -> int | None:
-    """The number of all tries, of the number of times that SkiROS2 tries again."""
+    """The total number of tries, from SkiROS2's number of repetitions."""
     match value:
         case cst.Integer(value=text):
             return int(text, 0) + 1
@@ -71,7 +73,7 @@ def _tries(value: cst.BaseExpression) -> int | None:
 
 
 def _retry(tries: int) -> Wrapper:
-    """`self.retry(child, 4)`; several children are one after the other."""
+    """A retry, such as `self.retry(child, 4)`. Several children run one after the other."""
 
     def wrapped(call: cst.Call) -> cst.Call:
         count = cst.Arg(cst.Integer(str(tries)))
@@ -90,7 +92,7 @@ def _retry(tries: int) -> Wrapper:
 
 
 def _without_comment(space: cst.BaseParenthesizableWhitespace) -> cst.BaseParenthesizableWhitespace:
-    """The space between two arguments, as that before the first."""
+    """The space between two arguments, equal to the space before the first one."""
     match space:
         case cst.ParenthesizedWhitespace(
             first_line=cst.TrailingWhitespace(comment=None), empty_lines=[]

@@ -16,8 +16,8 @@ from ezskiros.migrate.skills import Skill
 
 @dataclass(frozen=True)
 class Robots:
-    """The robots of the implementations of a file: the skills whose robots they speak of, and for
-    each skill the names of the children that do it.
+    """The uses of robots in the implementations of a file: the skills whose robot is used, and for
+    each skill the names of its children.
     """
 
     spoken_of: Collection[str] = ()
@@ -25,7 +25,7 @@ class Robots:
 
 
 def robots_in(classes: Iterable[cst.ClassDef]) -> Robots:
-    """Find all that the classes which implement skills say of robots."""
+    """Find all uses of robots in the classes that implement skills."""
     spoken_of: set[str] = set()
     children: dict[str, set[str]] = {}
     for node in classes:
@@ -43,8 +43,8 @@ def robots_in(classes: Iterable[cst.ClassDef]) -> Robots:
 
 
 def with_robots(said: Iterable[Robots], skills: Iterable[Skill]) -> set[str]:
-    """The skills that have to say their robots: somebody speaks of it, or a child has to be given
-    one, and in SkiROS2 gets it, as all children have the parameters of what they are part of.
+    """The skills that must declare their robot. Code uses the robot, or a child needs one, which
+    SkiROS2 passes because all children have the parameters of their parents.
     """
     said, needing = list(said), {each.name for each in skills if each.needs_robot}
     found = {name for each in said for name in each.spoken_of}
@@ -53,15 +53,15 @@ def with_robots(said: Iterable[Robots], skills: Iterable[Skill]) -> set[str]:
 
 
 def is_about_robot(node: cst.ClassDef) -> bool:
-    """Say whether a class speaks of the robot."""
+    """Say whether a class uses the robot."""
     found = _Visitor()
     node.visit(found)
     return found.is_spoken_of
 
 
 class _Visitor(cst.CSTVisitor):
-    """A visitor that finds out if a class speaks of the robot, its children, and those whose robot
-    it gives.
+    """A visitor that finds uses of the robot, the children, and the children with an explicit
+    robot.
     """
 
     def __init__(self) -> None:

@@ -9,15 +9,15 @@ from ezskiros.migrate.shared_keys import shared_keys
 from ezskiros.migrate.skills import Skills
 
 _MOST_PASSES = 10
-"""Each is for skills one level higher in the trees."""
+"""The most passes. Each pass handles skills one level higher in the trees."""
 
 
 def until_settled(
     skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
 ) -> Sequence[Migrated]:
     """The files, migrated so that descriptions have the keys that children share, and that classes
-    on the same base are left together. Each pass shows which other descriptions need keys, and
-    which other classes are left.
+    with the same base stay unchanged together. Each pass shows further descriptions that need keys,
+    and further classes that stay unchanged.
     """
     found = migrated(skills)
     for _ in range(_MOST_PASSES):

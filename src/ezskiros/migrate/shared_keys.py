@@ -1,8 +1,8 @@
 """Undeclared keys that the children of a compound skill share, and the parameters that its
 description gets for them.
 
-SkiROS2 has one set of keys for all that runs. So a key that a remap says is the one of every child
-with it, and of the children below those, as long as all the descriptions between have it.
+SkiROS2 has one set of keys for all running skills. So a key that a remap names is the key of every
+child with this key, and of the children below, if all descriptions between have the key.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from dataclasses import dataclass, field
 from ezskiros.migrate.skills import SharedKeys, Skill, SkillId
 
 GENERAL = "sumo:Object"
-"""The class of all things: who names it takes anything."""
+"""The class of all individuals. A parameter of this class accepts anything."""
 
 
 @dataclass(frozen=True)
 class SharingChild:
-    """A child of a tree. `shared` are the keys that its parameters have, with their classes or
-    types, and `renamed` those of them that a remap says; its own keys that are `hidden` are others
+    """A child of a tree. `shared` are the keys of its parameters, with their classes or types, and
+    `renamed` the remapped ones among them. Its own keys that are `hidden` have another meaning
     outside.
     """
 
@@ -31,8 +31,8 @@ class SharingChild:
 
 @dataclass(frozen=True)
 class SharingTree:
-    """The tree of the implementation `name`; one that `can_be` is translated as soon as its
-    description has all the keys.
+    """The tree of the implementation `name`. If it `can_be` translated, only keys of its
+    description are missing.
     """
 
     name: str
@@ -42,12 +42,14 @@ class SharingTree:
 
     @property
     def skills(self) -> list[Skill]:
-        """The skill of the tree, and those of its children."""
+        """The skill of the tree, and the skills of its children."""
         return [self.skill, *(each.skill for each in self.children)]
 
     @property
     def undeclared(self) -> list[str]:
-        """The keys that remaps say and the description has not, unless it got them here."""
+        """The keys in remaps that the description does not have, except keys that were added
+        here.
+        """
         declared = {*self.skill.names} - {*self.skill.added}
         renamed = [key for child in self.children for key in child.renamed]
         return [key for key in dict.fromkeys(renamed) if key not in declared]
@@ -55,8 +57,8 @@ class SharingTree:
 
 @dataclass
 class _Need:
-    """A key that a description needs: the children that have it, each with its class or type; the
-    implementations with these children; and the skills whose trees ask for it.
+    """A key that a description needs: the children with the key, each with its class or type; the
+    implementations with these children; and the skills whose trees need the key.
     """
 
     uses: list[tuple[str, str]] = field(default_factory=list)
@@ -103,7 +105,7 @@ class _Sharing:
         return SharedKeys(added, {skill: why for skill, why in refused.items() if why}, sharing)
 
     def _able(self, refused: Mapping[SkillId, Mapping[str, str]]) -> list[SharingTree]:
-        """The trees that are translated if they get all their keys, and that do."""
+        """The trees that can be translated if they get all their keys, and that do get them."""
         return [
             tree
             for tree in self._trees
@@ -111,8 +113,8 @@ class _Sharing:
         ]
 
     def _want(self, tree: SharingTree, key: str, asking: SharingTree) -> None:
-        """A description needs a key for the tree `asking`, and so do those between it and the
-        children that have the key.
+        """Add a key to a description for the tree `asking`, and to the descriptions between it and
+        the children with the key.
         """
         need = self._needs.setdefault((tree.skill.id, key), _Need())
         need.asking.setdefault(asking.skill.id)
@@ -121,7 +123,7 @@ class _Sharing:
         for child in tree.children:
             use = (child.skill.name, child.shared.get(key, ""))
             if key in child.shared and use not in need.uses:
-                # A name that a child has itself says more than one that others have for it.
+                # The name in the child itself is more precise than names that others use for it.
                 need.uses.insert(len(need.uses) if key in child.renamed else 0, use)
             is_own = key in child.shared and key not in child.skill.added
             if not (is_known or is_own or key in child.hidden or child.skill.is_new):
@@ -129,7 +131,7 @@ class _Sharing:
                     self._want(below, key, asking)
 
     def _below(self, skill: Skill, key: str) -> Iterator[SharingTree]:
-        """The trees of a skill somewhere in which a child has a key."""
+        """The trees of a skill with a child that has a key, on any level."""
         for tree in self._of.get(skill.id, ()):
             if self._has(tree, key, set()):
                 yield tree
@@ -148,8 +150,8 @@ class _Sharing:
 
 
 def _kind(uses: Sequence[tuple[str, str]]) -> tuple[str, str]:
-    """The class or type of a shared key, or else why it is not known. Who takes anything takes
-    what the others do.
+    """The class or type of a shared key, or the reason why it is unknown. Children that accept
+    anything follow the others.
     """
     by_kind = {kind: name for name, kind in reversed(uses)}
     if len(by_kind) > 1:
@@ -182,12 +184,12 @@ def _refused(tree: SharingTree, key: str) -> str:
 
 
 def _is_slip(written: str, meant: str) -> bool:
-    """Say whether two texts differ by one letter, or by two that are swapped."""
+    """Say whether two texts differ by one letter or by two exchanged letters."""
     short, long = sorted((written, meant), key=len)
     if len(long) - len(short) > 1 or short == long:
         return False
     start = next((i for i, (a, b) in enumerate(zip(short, long)) if a != b), len(short))  # noqa: B905
-    if long[start].isdigit():  # `Waste1` and `Waste2` are two
+    if long[start].isdigit():  # `Waste1` and `Waste2` are different
         return False
     is_swapped = short[start : start + 2] == long[start : start + 2][::-1]
     is_other = short[start + (len(short) == len(long)) :] == long[start + 1 :]

@@ -20,17 +20,16 @@ _NOT_REQUIRED = {Kind.INFERRED.name, Kind.OPTIONAL.name, Option.OUTPUT.name}
 SkillId = tuple[str, str]
 """The file and the name of a skill."""
 NEW = "description"
-"""The method by which EzSkiROS describes a skill."""
+"""The method that describes a skill in EzSkiROS."""
 
 
 @dataclass(frozen=True)
 class Skill:
-    """A skill: the names of its parameters by their keys, and the parameters that stand for things.
+    """A skill: the names of its parameters by key, and the parameters for individuals.
 
-    Of one that is left neither is known, but the codes for which it is. One that `needs_robot` has
-    to be given one. `kinds` are the classes and types of parameters by their keys, where they are
-    known. `added` are the keys of parameters that only its children have in SkiROS2; one that
-    `is_new` gets none.
+    For an unchanged skill, only the codes of its findings are known. With `needs_robot`, the skill
+    must declare a robot. `kinds` are the known classes and types of parameters by key. `added` are
+    the keys of parameters that only its children have in SkiROS2; an `is_new` skill gets none.
     """
 
     name: str
@@ -45,20 +44,20 @@ class Skill:
 
     @property
     def is_left(self) -> bool:
-        """Say whether its description is not translated."""
+        """Say whether the description stays unchanged."""
         return bool(self.left_for)
 
     def left_as(self) -> str:
-        """The words of marks and messages for a skill that is left."""
+        """The text of marks and messages for an unchanged skill."""
         return f"not translated because of {' and '.join(dict.fromkeys(self.left_for))}"
 
     @property
     def id(self) -> SkillId:
-        """Its file and its name: others may have the same name."""
+        """The file and the name of the skill, because several skills may have the same name."""
         return self.path, self.name
 
     def with_added(self, kinds: Mapping[str, str]) -> Skill:
-        """A copy with more parameters, with the given classes and types."""
+        """A copy with more parameters, of the given classes and types."""
         if not kinds:
             return self
         names = {**self.names, **more_names(self.names, kinds)}
@@ -71,7 +70,7 @@ class Skill:
 def skill_of(
     name: str, path: str, parameters: Iterable[Parameter], *, is_new: bool = False
 ) -> Skill:
-    """The skill of a description that is translated."""
+    """The skill of a translated description."""
     found = list(parameters)
     names = {each.key: each.name for each in found}
     things = {each.name for each in found if each.is_thing}
@@ -82,9 +81,9 @@ def skill_of(
 
 @dataclass(frozen=True)
 class SharedKeys:
-    """The keys that children share and that a description does not declare: parameters
-    that are `added`, with their classes or types, and why others are `refused`. `sharing` are the
-    implementations for which a description gets parameters.
+    """The keys that children share and that a description does not declare: parameters to be
+    `added`, with their classes or types, and keys to be `refused`, with the reason. `sharing` are
+    the implementations for which a description gets parameters.
     """
 
     added: Mapping[SkillId, Mapping[str, str]] = field(default_factory=dict)
@@ -92,7 +91,7 @@ class SharedKeys:
     sharing: Mapping[SkillId, Mapping[str, Sequence[str]]] = field(default_factory=dict)
 
     def changed(self, before: SharedKeys) -> set[SkillId]:
-        """The skills for which it is not as it was before."""
+        """The skills with other keys than before."""
         pairs = (
             (self.added, before.added),
             (self.refused, before.refused),
@@ -106,10 +105,9 @@ class SharedKeys:
 class Skills:
     """All skills of some files. SkiROS2 finds them by their names alone, whatever their modules.
 
-    `robots` are those that somebody speaks of the robot of, which SkiROS2 adds by itself; `labels`
-    are what implementations call themselves, and the names of their classes; `keys`
-    are those that children share and no description declares; `bases` are the classes that
-    implementations are built on.
+    `robots` are the skills whose robot is used and which SkiROS2 adds by itself. `labels` are the
+    names that implementations give themselves, with their class names. `keys` are the keys that
+    children share and no description declares. `bases` are the base classes of implementations.
     """
 
     def __init__(
@@ -129,17 +127,17 @@ class Skills:
             self._found.setdefault(each.name, []).append(each.with_added(more))
 
     def with_more(self, keys: SharedKeys, bases: Bases) -> Skills:
-        """The same skills with other parameters that only their children have in SkiROS2, and with
-        other classes that are left.
-        """
+        """The same skills with other shared keys, and with other unchanged classes."""
         return Skills(self._before, self.robots, self.labels, keys, bases)
 
     def changed(self, before: Skills) -> set[SkillId]:
-        """The skills and other classes for which something is not as it was before."""
+        """The skills and other classes with another state than before."""
         return self.keys.changed(before.keys) | self.bases.changed(before.bases)
 
     def called(self, name: str, path: str) -> list[Skill]:
-        """The skills of a name: the one of the same file, or of the same folder, before others."""
+        """The skills with a name: those of the same file first, then those of the same folder, then
+        others.
+        """
         found = self._found.get(name, [])
         same = [each for each in found if each.path == path]
         near = [each for each in found if Path(each.path).parent == Path(path).parent]
@@ -147,7 +145,7 @@ class Skills:
 
 
 def new_skills(module: cst.Module, path: str) -> Iterator[Skill]:
-    """The skills that a module describes as EzSkiROS does."""
+    """The skills that a module already describes in EzSkiROS."""
     classes = [node for node in module.body if isinstance(node, cst.ClassDef)]
     for node in classes:
         for part in node.body.body:
@@ -169,7 +167,9 @@ def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
 
 
 def _kind(annotation: cst.BaseExpression) -> str:
-    """`skiros:Product` of `skiros.Product`, `float` of `float`; an empty text for anything else."""
+    """The kind of an annotation: `skiros:Product` for `skiros.Product`, `float` for `float`;
+    otherwise empty.
+    """
     match annotation:
         case cst.Attribute(value=cst.Name(value=namespace), attr=cst.Name(value=name)):
             return f"{namespace.rstrip('_')}:{name}"
@@ -181,7 +181,9 @@ def _kind(annotation: cst.BaseExpression) -> str:
 
 
 def _marks(annotation: cst.BaseExpression) -> Iterator[str]:
-    """The names around a class: `LOCK` and `INFERRED` of `LOCK[INFERRED[skiros.Product]]`."""
+    """The markers around a class, such as `LOCK` and `INFERRED` in
+    `LOCK[INFERRED[skiros.Product]]`.
+    """
     while isinstance(annotation, cst.Subscript):
         yield last_name(annotation.value) or ""
         inner = annotation.slice[0].slice
@@ -189,12 +191,14 @@ def _marks(annotation: cst.BaseExpression) -> Iterator[str]:
 
 
 def _read(annotation: cst.BaseExpression) -> tuple[str, cst.BaseExpression]:
-    """The key of `Annotated[LOCK[skiros.Product], Key("the box")]`, if any, and its class."""
+    """The key in an annotation such as `Annotated[LOCK[skiros.Product], Key("the box")]`, if any,
+    and its class.
+    """
     key = ""
     while isinstance(annotation, cst.Subscript) and last_name(annotation.value) is not None:
         inner = [each.slice for each in annotation.slice]
         if not isinstance(inner[0], cst.Index) or literal_text(inner[0].value) is not None:
-            break  # a class that is no name of Python: `store["2nd shelf"]`
+            break  # a class without a Python name: `store["2nd shelf"]`
         key = _key(inner[1:]) or key
         annotation = inner[0].value
     return key, annotation

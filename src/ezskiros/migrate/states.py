@@ -10,9 +10,9 @@ from ezskiros.migrate.imports import bound_names, has_star, imported, used_names
 
 _STATE = "State"
 MEMBERS = {"Success": "SUCCESS", "Failure": "FAILURE", "Running": "RUNNING"}
-"""The states that a skill can tell, as SkiROS2 calls them, and EzSkiROS."""
+"""The states that a skill can report, with their SkiROS2 and EzSkiROS names."""
 PLACEHOLDER = "_state_of_ezskiros"
-"""The name of EzSkiROS's `State` until it is known which names are free."""
+"""A placeholder for EzSkiROS's `State` until the free names are known."""
 
 
 def states_in(module: cst.Module) -> frozenset[str]:
@@ -23,11 +23,11 @@ def states_in(module: cst.Module) -> frozenset[str]:
 
 
 def with_states(module: cst.Module, states: Collection[str]) -> tuple[cst.Module, str]:
-    """The module with a name for EzSkiROS's `State`, and that name; it is empty if none is used."""
+    """The module with a name for EzSkiROS's `State`, and that name; empty if it is not used."""
     used = used_names(module)
     if PLACEHOLDER not in used:
         return module, ""
-    # A name that only imports of SkiROS2 gave, and nothing uses any more, is free again.
+    # A name that only unused SkiROS2 imports bound is free again.
     taken = used | (bound_names(module, ()) - {*states})
     name = _STATE
     while name in taken:

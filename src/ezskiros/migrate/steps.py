@@ -23,7 +23,7 @@ class Step:
 
     @property
     def call(self) -> cst.Call | None:
-        """The call that it consists of."""
+        """The call, if the statement is a call."""
         match self.node:
             case cst.Expr(value=cst.Call() as found):
                 return found
@@ -32,7 +32,7 @@ class Step:
 
 
 def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
-    """The statements of a method: lines, or the small statements behind its colon."""
+    """The statements of a method: lines, or the small statements after its colon."""
     return function.body.body
 
 
@@ -52,7 +52,7 @@ def steps_of(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> It
 
 
 def keys_of(steps: Sequence[Step]) -> Set[str]:
-    """The keys of all parameters in order, also of those that cannot be translated."""
+    """The keys of all parameters in order, including those that cannot be translated."""
     found: dict[str, None] = {}
     for step in steps:
         if step.call is not None and method(step.call) == "addParam":
@@ -69,7 +69,9 @@ def _line_steps(
     comment: cst.Comment | None,
     above: list[str],
 ) -> Iterator[Step]:
-    """The statements of one line: comments above it are of the first, that behind of the last."""
+    """The small statements of one line. Comments above the line belong to the first one, a comment
+    at its end to the last one.
+    """
     for number, node in enumerate(parts):
         behind = comment.value if comment and number == len(parts) - 1 else ""
         yield Step(node, line, [] if number else above, behind)

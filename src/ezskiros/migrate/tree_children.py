@@ -24,9 +24,9 @@ _Entry = tuple[cst.BaseExpression, cst.BaseExpression]
 class Children:
     """Translates the calls of skills in the tree of `skill`.
 
-    `code` gives the text of an expression, `shown` that of the statement that is being read;
-    `params` is how the argument of `expandBT` is called, `imports` what the method has to import,
-    `sharing` what the children share.
+    `code` gives the text of an expression, `shown` the text of the current statement. `params` is
+    the name of the argument of `expandBT`, `imports` are the imports that the method needs, and
+    `sharing` the keys that children share.
     """
 
     skill: Skill
@@ -38,7 +38,9 @@ class Children:
     sharing: list[SharingChild] = field(default_factory=list)
 
     def translated(self, original: cst.Call, updated: cst.Call, place: Place) -> cst.BaseExpression:
-        """`Pick.pick_fast(Object=params.Object)`. Raises `LeftError`."""
+        """The translated call, such as `Pick.pick_fast(Object=params.Object)`. Raises
+        `LeftError`.
+        """
         old, new = Arguments(original, "skill"), Arguments(updated, "skill")
         if literal_text(old["stype"]) is None:
             raise LeftError(implementation_errors.NoTree(found=self.shown()), original)
@@ -67,7 +69,7 @@ class Children:
     def _share(
         self, child: Skill, remaps: Sequence[_Entry], values: Sequence[cst.BaseExpression]
     ) -> None:
-        """Keep which keys a child shares with others."""
+        """Record the keys that a child shares with others."""
         texts = [(literal_text(key), literal_text(target)) for key, target in remaps]
         renamed = {key: target for key, target in texts if key in child.names and target}
         hidden = {key for key, _ in texts if key} | {literal_text(each) for each in values}
@@ -78,7 +80,7 @@ class Children:
         self.sharing.append(SharingChild(child, {**own, **shared}, said, hidden_texts))
 
     def _called(self, name: str, node: cst.CSTNode) -> Skill:
-        """Raises `LeftError` if there is none, if it is left, or if there are several."""
+        """The called skill. Raises `LeftError` if it is missing, unchanged or ambiguous."""
         found = self.context.skills.called(name, self.context.path)
         if len(found) != 1 or found[0].is_left:
             said = "described in several of these files"
@@ -90,7 +92,7 @@ class Children:
         return found[0]
 
     def _remapped(self, child: Skill, remaps: Sequence[_Entry]) -> Iterator[tuple[str, str]]:
-        """The arguments that a dictionary of remaps stands for. Raises `LeftError`."""
+        """The arguments for a dictionary of remaps. Raises `LeftError`."""
         for key, target in remaps:
             text = _text(target, "remap")
             own_name = self.skill.names.get(text)
@@ -102,7 +104,9 @@ class Children:
     def _undeclared(
         self, child: Skill, key: cst.BaseExpression, target: cst.BaseExpression, shared: str
     ) -> LeftError:
-        """Tell which end of a remap is wrong, where the second is no parameter of the compound."""
+        """The finding for a remap to a key that is not a parameter of the compound, with the wrong
+        end of the remap.
+        """
         text = _text(key, "remap")
         if text in child.names:
             why = self.context.skills.keys.refused.get(self.skill.id, {}).get(shared, "")
@@ -123,7 +127,7 @@ class Children:
         new: Arguments,
         remaps: Sequence[_Entry],
     ) -> Iterator[tuple[str, str]]:
-        """The arguments that a dictionary of values stands for. Raises `LeftError`."""
+        """The arguments for a dictionary of values. Raises `LeftError`."""
         renamed = {literal_text(each) for pair in remaps for each in pair}
         for (key, _), (_, value) in zip(
             _entries(old, "specify"), _entries(new, "specify"), strict=True
@@ -138,9 +142,7 @@ class Children:
         given: set[str],
         remaps: Sequence[_Entry],
     ) -> Iterator[tuple[str, str]]:
-        """The names that are shared because the keys are the same, where the names for them are
-        not.
-        """
+        """The arguments for keys that are equal, although the names are not."""
         renamed = {literal_text(key) for key, _ in remaps}
         for key, name in child.names.items():
             own_name = self.skill.names.get(key)
@@ -149,7 +151,7 @@ class Children:
 
 
 def _entries(given: Arguments, key: str) -> Iterator[_Entry]:
-    """The entries of a dictionary; an empty text is one without anything. Raises `LeftError`."""
+    """The entries of a dictionary; none for an empty text. Raises `LeftError`."""
     value = given.get(key)
     if value is None or literal_text(value) == "":
         return
@@ -164,7 +166,7 @@ def _entries(given: Arguments, key: str) -> Iterator[_Entry]:
 
 
 def _text(node: cst.BaseExpression, argument: str) -> str:
-    """A key that is written out. Raises `LeftError`."""
+    """A literal key. Raises `LeftError`."""
     found = literal_text(node)
     if found is None:
         computed = errors.ComputedArgument(argument=argument, call="skill", wanted="the strings")
@@ -173,7 +175,7 @@ def _text(node: cst.BaseExpression, argument: str) -> str:
 
 
 def _name_of(child: Skill, key: cst.BaseExpression) -> str:
-    """The name of a parameter of a child; what it does not have, a check finds, if it is a name.
+    """The name of a parameter of a child. An unknown valid name stays: the check reports it.
 
     Raises `LeftError`.
     """

@@ -22,16 +22,16 @@ class Place:
 
 @dataclass
 class Wanted:
-    """The skills that a file names, by how it calls them.
+    """The skills that a file names, by local name.
 
-    `spell` finds out how a skill is called in the file.
+    `spell` gives the local name of a skill.
     """
 
     spell: Callable[[Skill], str]
     found: dict[str, Skill] = field(default_factory=dict)
 
     def name(self, skill: Skill) -> str:
-        """Name a skill, which is needed from now on."""
+        """The local name of a skill, which is needed from now on."""
         name = self.spell(skill)
         self.found[name] = skill
         return name
@@ -41,11 +41,11 @@ class Wanted:
 class Context:
     """The context in which a tree is translated.
 
-    `path` is the file, `skills` all that are described, `helpers` the methods of the class, `place`
-    says where a node is, `step` is the space by which the file indents. `late` gives the import
-    of a skill that cannot be imported before, None for others. `states` are the names of
-    SkiROS2's `State`. `names` are those of the ontology and of EzSkiROS that the class uses,
-    `known` the types of values.
+    `path` is the file, `skills` are all described skills, `helpers` the methods of the class.
+    `place` gives the position of a node, and `step` is the indentation step of the file. `late`
+    gives the import of a skill that must be imported inside the tree, None for others. `states` are
+    the names of SkiROS2's `State`. `names` are the names of the ontology and of EzSkiROS that the
+    class uses, `known` the types of values.
     """
 
     path: str

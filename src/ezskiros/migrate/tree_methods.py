@@ -1,4 +1,6 @@
-"""Methods of a compound skill that its tree calls: those that return one child are part of it."""
+"""Methods of a compound skill that its tree calls. Methods that return one child become part of the
+tree.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +12,11 @@ import libcst.matchers as m
 from ezskiros.migrate.calls import method
 
 MAKERS = frozenset({"skill", "getSkill", "getNode"})
-"""The methods of SkiROS2 that make a child."""
+"""The SkiROS2 methods that make a child."""
 
 
 def made_by(helper: cst.FunctionDef) -> cst.BaseExpression | None:
-    """The child that a method returns, if that is all it does."""
+    """The child that a method returns, if the method only returns a child."""
     match helper.body:
         case cst.IndentedBlock(
             body=[*_, cst.SimpleStatementLine(body=[cst.Return(value=cst.Call() as made)])] as body
@@ -27,7 +29,9 @@ def made_by(helper: cst.FunctionDef) -> cst.BaseExpression | None:
 
 
 def inlined(helper: cst.FunctionDef, call: cst.Call) -> cst.BaseExpression | None:
-    """The expression that a method returns for the arguments of a call; None if they do not fit."""
+    """The expression that a method returns, with the arguments of a call; None if they do not
+    fit.
+    """
     made, given = made_by(helper), _arguments(helper, call)
     if made is None or given is None:
         return None
@@ -37,13 +41,13 @@ def inlined(helper: cst.FunctionDef, call: cst.Call) -> cst.BaseExpression | Non
 
 
 def knows_robot(helper: cst.FunctionDef) -> bool:
-    """Say whether a method uses what only a skill that runs has."""
+    """Say whether a method uses attributes that only a running skill has."""
     own_names = m.findall(helper, m.Attribute(value=m.Name("self")))
     return bool(own_names)
 
 
 def _arguments(helper: cst.FunctionDef, call: cst.Call) -> dict[str, cst.BaseExpression] | None:
-    """The arguments of a call by the names of the parameters; None if they do not fit."""
+    """The arguments of a call by parameter name; None if they do not fit."""
     parameters = helper.params.params[1:]
     names = [each.name.value for each in parameters]
     given = {each.name.value: each.default for each in parameters if each.default is not None}
@@ -57,7 +61,7 @@ def _arguments(helper: cst.FunctionDef, call: cst.Call) -> dict[str, cst.BaseExp
 
 
 class _Filled(cst.CSTTransformer):
-    """Puts arguments in the places of the parameters of a method."""
+    """Replaces the parameters of a method by arguments."""
 
     def __init__(self, given: Mapping[str, cst.BaseExpression]) -> None:
         self._given = given

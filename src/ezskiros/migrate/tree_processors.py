@@ -1,4 +1,4 @@
-"""The processor of each call of `skill(...)` in `expand`, on all ways that lead there."""
+"""The processor of each call of `skill(...)` in `expand`, on all paths that lead there."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from ezskiros.migrate.description import Finding
 
 
 class ProcessorChoice:
-    """The processors of the trees in some statements; `argument` is the name of the argument
+    """The processors of the trees in some statements. `argument` is the name of the argument
     `skill` in `expand`.
 
-    `chosen` are the processors by the identity of the call that adds the children, `dropped` the
-    statements that choose them, `done` the names that are translated with these; what is wrong is
-    in `findings`.
+    `chosen` maps the identity of the call that adds the children to its processor. `dropped` are
+    the statements that choose processors, `done` the names that are translated with them, and
+    `findings` the mistakes.
     """
 
     def __init__(self, argument: str, statements: Sequence[cst.CSTNode]) -> None:
@@ -87,7 +87,7 @@ class ProcessorChoice:
 
 @dataclass(frozen=True)
 class _Own:
-    """A processor that a compound chooses of itself, which SkiROS2 does not look at any more."""
+    """A processor that a compound sets on itself, which SkiROS2 ignores afterwards."""
 
     line: cst.SimpleStatementLine
     call: cst.Call
@@ -99,7 +99,7 @@ class _Own:
 
 @dataclass
 class _Flow:
-    """The state at one place of a method: the processor, None where that depends on branches; and
+    """The state at one point of a method: the processor, None if it depends on branches; and
     whether there is a tree.
     """
 
@@ -108,12 +108,12 @@ class _Flow:
     is_built: bool = False
 
     def copy(self) -> _Flow:
-        """The same, for one branch."""
+        """A copy for one branch."""
         return _Flow(self.chosen, self.own, self.is_built)
 
 
 def _joined(ends: Sequence[_Flow], before: _Flow) -> _Flow:
-    """After some branches."""
+    """The state after some branches."""
     if not ends:
         return before
     first = ends[0]
@@ -123,7 +123,7 @@ def _joined(ends: Sequence[_Flow], before: _Flow) -> _Flow:
 
 
 def _is_same(one: cst.BaseExpression | None, other: cst.BaseExpression | None) -> bool:
-    """Say whether two processors are the same; one has two names."""
+    """Say whether two processors are equal. One processor has two names."""
     if one is None or other is None:
         return False
     names = [last_name(each.func) if isinstance(each, cst.Call) else None for each in (one, other)]
@@ -132,7 +132,7 @@ def _is_same(one: cst.BaseExpression | None, other: cst.BaseExpression | None) -
 
 
 def _leaves(statements: Sequence[cst.CSTNode]) -> bool:
-    """Say whether what comes after some statements is never reached."""
+    """Say whether the code after some statements is never reached."""
     match statements[-1] if statements else None:
         case cst.SimpleStatementLine(body=[*_, cst.Return() | cst.Raise()]):
             return True

@@ -1,4 +1,4 @@
-"""The method `expand` in, the method `expandBT` out: the same tree, with skills by their names."""
+"""Translation of the method `expand` to `expandBT`: the same tree, with skills by name."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ class TreeUses(ParameterUses):
         self._done: set[int] = set()
         self._things: set[str] = set()
         self._where: Place | None = None
-        # A node that is known by its identity has to live on: Python would give that to another.
+        # Nodes that are identified by `id` must be kept alive, because Python reuses the identity
+        # of a deleted object.
         self._gone: dict[int, cst.CSTNode] = {}
         self._filled: list[cst.CSTNode] = []
         self._inlining: list[cst.FunctionDef] = []
@@ -49,11 +50,11 @@ class TreeUses(ParameterUses):
         return cst.Name(self._children.params)
 
     def _unsets_thing(self, node: cst.BaseExpression) -> bool:  # noqa: ARG002
-        """No parameter changes while a tree is built."""
+        """Return False: no parameter changes while a tree is built."""
         return False
 
     def of_skiros2(self, node: cst.Attribute) -> None:
-        """A tree is known before the robot runs."""
+        """Report an attribute of SkiROS2: a tree is known before the robot runs."""
         self.leave(implementation_errors.NoTree(found=self.shown()), node)
 
     @property
@@ -107,7 +108,9 @@ class TreeUses(ParameterUses):
         original_node: cst.IndentedBlock,  # noqa: ARG002
         updated_node: cst.IndentedBlock,
     ) -> cst.IndentedBlock:
-        """Without the statements that choose a processor; their comments are those of the next."""
+        """Remove the statements that choose a processor. Their comments move to the next
+        statement.
+        """
         waiting: list[cst.EmptyLine] = []
         body: list[cst.BaseStatement] = []
         for new in updated_node.body:
@@ -134,7 +137,7 @@ class TreeUses(ParameterUses):
             self.leave(implementation_errors.NoTree(found=self.shown()), node)
 
     def visit_Arg(self, node: cst.Arg) -> None:  # noqa: D102, N802
-        self._done.add(id(node.keyword))  # it is no variable
+        self._done.add(id(node.keyword))  # not a variable
 
     def visit_Attribute(self, node: cst.Attribute) -> None:  # noqa: D102, N802
         super().visit_Attribute(node)
@@ -159,7 +162,7 @@ class TreeUses(ParameterUses):
             return None
         helper = self._context.helpers.get(name)
         if helper is not None and made_by(helper) is not None:
-            return False  # it is what it returns
+            return False  # the result of the method
         if helper is None or knows_robot(helper):
             self.leave(implementation_errors.NoTree(found=f"`self.{name}(...)`"), node)
         return None
@@ -174,7 +177,7 @@ class TreeUses(ParameterUses):
             return updated_node
 
     def _call(self, original: cst.Call, updated: cst.Call) -> cst.BaseExpression:
-        """Raises `LeftError`."""
+        """Translate a call. Raises `LeftError`."""
         if id(original) in self._chosen:
             return processors.wrapper(self._chosen[id(original)])(updated)
         if _is_group(original) and isinstance(original.func, cst.Call):
@@ -209,7 +212,7 @@ class TreeUses(ParameterUses):
         return found
 
     def _inside(self, place: Place) -> Place:
-        """A place with the space behind that which its statement begins with."""
+        """A position, with the additional indentation inside its statement."""
         before = self._context.place(self._statements[-1]).indent
         return Place(place.column, place.indent.removeprefix(before))
 
@@ -223,7 +226,7 @@ def _is_group(call: cst.Call) -> bool:
 
 
 def _comments_of(line: cst.CSTNode) -> list[cst.EmptyLine]:
-    """The comments of a statement that goes."""
+    """The comments of a removed statement."""
     assert isinstance(line, cst.SimpleStatementLine)
     behind = line.trailing_whitespace.comment
     lines = [each for each in line.leading_lines if each.comment]

@@ -18,13 +18,15 @@ _NOT_ARITHMETIC = (cst.BitOr, cst.BitAnd, cst.BitXor, cst.LeftShift, cst.RightSh
 
 @dataclass
 class Known:
-    """The names that a module gives a value itself: constants, set once, and enumerations."""
+    """The names of a module whose values are known: constants that are set once, and
+    enumerations.
+    """
 
     constants: Mapping[str, cst.BaseExpression] = field(default_factory=dict)
     enumerations: frozenset[str] = frozenset()
 
     def type_of(self, value: cst.BaseExpression) -> str | None:
-        """The name of the type; None if it is none that parameters can have, or not known."""
+        """The name of the type; None if it is unknown or not a type of parameters."""
         match value:
             case cst.SimpleString() | cst.ConcatenatedString() | cst.FormattedString():
                 is_bytes = isinstance(getattr(value, "evaluated_value", ""), bytes)
@@ -74,7 +76,7 @@ def _divides(value: cst.BinaryOperation) -> bool:
 
 
 def known_of(module: cst.Module) -> Known:
-    """Collect the names that the top level of a module gives a value."""
+    """Collect the names that the top level of a module sets to known values."""
     constants: dict[str, cst.BaseExpression | None] = {}
     enumerations = set()
     for statement in module.body:
@@ -88,7 +90,9 @@ def known_of(module: cst.Module) -> Known:
 
 
 def _assigned(statement: cst.CSTNode) -> Sequence[tuple[str, cst.BaseExpression]]:
-    """`NAME = value` of a line; names that are changed otherwise are in other statements."""
+    """The assignment in a line such as `NAME = value`. Other changes of names are in other
+    statements.
+    """
     lines = statement.body if isinstance(statement, cst.SimpleStatementLine) else ()
     return [
         (target.target.value, each.value)

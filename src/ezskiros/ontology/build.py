@@ -1,4 +1,4 @@
-"""Triples in, `Model` out."""
+"""Conversion of triples to a `Model`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _KINDS = {*_CLASSES, _DATA_PROPERTY, _RELATION, OWL + "Ontology", OWL + "NamedIn
 
 
 def build(documents: Sequence[Document]) -> Model:
-    """The model of what some documents say together."""
+    """The model of several documents together."""
     graph = Graph(documents)
     classes = {iri: _owl_class(graph, iri) for iri in graph.of_types(*_CLASSES)}
     relations = {iri: _relation(graph, iri) for iri in graph.of_types(_RELATION, *_OF_RELATIONS)}
@@ -49,10 +49,10 @@ def build(documents: Sequence[Document]) -> Model:
 
 
 def names(entities: Iterable[str], documents: Sequence[Document]) -> dict[str, str]:
-    """Short names of the namespaces in which something is declared.
+    """Short names of the namespaces with declarations.
 
-    As in SkiROS2 a namespace is called like its file, in lower case; where two would be called the
-    same, the later is called by a prefix that a file declares for it.
+    As in SkiROS2, a namespace is named after its file, in lower case. If two names would be equal,
+    the later namespace is named after the prefix that a file declares for it.
     """
     found: dict[str, str] = {}
     starts = dict.fromkeys(split(iri)[0] for iri in entities)
@@ -73,7 +73,7 @@ def names(entities: Iterable[str], documents: Sequence[Document]) -> dict[str, s
 
 
 class Graph:
-    """Triples by their subjects and predicates. Nodes are IRIs, or blank nodes behind `_:`."""
+    """Triples by subject and predicate. Nodes are IRIs, or blank nodes with the prefix `_:`."""
 
     def __init__(self, documents: Iterable[Document]) -> None:
         self._found: dict[str, dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
@@ -87,11 +87,11 @@ class Graph:
                     self._typed[value][subject] = None
 
     def all(self, subject: str, predicate: str) -> list[str]:
-        """The objects of a subject: nodes, or the texts of literals."""
+        """The objects of a subject and predicate: nodes, or the texts of literals."""
         return self._found.get(subject, {}).get(predicate, [])
 
     def annotations(self, subject: str, name: str) -> list[str]:
-        """The texts that a subject is annotated with by predicates of a name, in any namespace."""
+        """The texts of annotations with a name, in any namespace."""
         known = self._found.get(subject, {}).items()
         texts = [
             text for predicate, found in known if split(predicate)[1] == name for text in found
@@ -99,7 +99,7 @@ class Graph:
         return [text for text in texts if "://" not in text]
 
     def first(self, subject: str, predicate: str) -> str | None:
-        """One of the objects, if there is any."""
+        """One of the objects; None if there is none."""
         return next(iter(self.all(subject, predicate)), None)
 
     def of_types(self, *types: str) -> list[str]:
@@ -108,7 +108,7 @@ class Graph:
         return [iri for iri in found if not iri.startswith("_:")]
 
     def items(self, head: str | None) -> Iterator[str]:
-        """The members of an RDF list; one that runs in a circle ends where it meets itself."""
+        """The members of an RDF list. A circular list ends where it repeats."""
         seen = set()
         while head is not None and head != RDF + "nil" and head not in seen:
             seen.add(head)
@@ -116,12 +116,12 @@ class Graph:
             head = self.first(head, RDF + "rest")
 
     def comment(self, iri: str) -> str:
-        """The comment of the ontology on it, in one line."""
+        """The comment of the ontology on an entity, in one line."""
         return " ".join((self.first(iri, RDFS + "comment") or "").split())
 
     @property
     def types(self) -> Mapping[str, Mapping[str, None]]:
-        """The things that are declared to be of each type."""
+        """The individuals of each type."""
         return self._typed
 
     @cached_property
@@ -139,9 +139,7 @@ class Graph:
         return frozenset(each for each in self.all(subject, predicate) if not each.startswith("_:"))
 
     def unions(self, subject: str, predicate: str) -> tuple[Union, ...]:
-        """The classes that each statement about a domain or range allows, where it is a union of
-        classes.
-        """
+        """The classes in each declaration of a domain or range, which may be a union of classes."""
         found = (self.union(each) for each in self.all(subject, predicate))
         return tuple(dict.fromkeys(each for each in found if each))
 
@@ -155,7 +153,7 @@ class Graph:
 
 
 def _name(node: object, document: int) -> str:
-    """Blank nodes of different documents are different."""
+    """A node name that is unique: blank nodes of different documents differ."""
     if isinstance(node, pyoxigraph.BlankNode):
         return f"_:{document}.{node.value}"
     if isinstance(node, (pyoxigraph.NamedNode, pyoxigraph.Literal)):
@@ -212,7 +210,7 @@ _LIMITS_OF_DATA = (OWL + "maxQualifiedCardinality", OWL + "qualifiedCardinality"
 
 
 def _most(graph: Graph, expressions: Iterable[str]) -> dict[str, int]:
-    """The maximum number of values by property. A number of things of one class gives no limit."""
+    """The maximum number of values by property. Qualified cardinalities give no limit."""
     found: dict[str, int] = {}
     for each in expressions:
         on = graph.first(each, OWL + "onProperty")
@@ -232,7 +230,7 @@ _ASYMMETRIC = OWL + "AsymmetricProperty"
 _IRREFLEXIVE = OWL + "IrreflexiveProperty"
 _TRANSITIVE = OWL + "TransitiveProperty"
 _OF_RELATIONS = (_INVERSE_FUNCTIONAL, _SYMMETRIC, _ASYMMETRIC, _IRREFLEXIVE, _TRANSITIVE)
-"""Only relations are of these types."""
+"""Types that only relations have."""
 
 
 def _property(graph: Graph, iri: str) -> Property:
@@ -270,7 +268,7 @@ def _data_property(graph: Graph, iri: str) -> DataProperty:
 
 
 def _individuals(graph: Graph) -> Iterator[Individual]:
-    """The things of a type that is no part of OWL itself."""
+    """The individuals with a type that is not a part of OWL itself."""
     found: dict[str, set[str]] = defaultdict(set)
     for kind, members in graph.types.items():
         for iri in members:
@@ -284,7 +282,7 @@ _INDIVIDUAL = {OWL + "NamedIndividual"}
 
 
 def _with_both_sides(classes: Mapping[str, OwlClass]) -> dict[str, OwlClass]:
-    """Equivalence and disjointness hold both ways, whichever class says so."""
+    """Make equivalence and disjointness symmetric, whichever class declares them."""
     same: dict[str, set[str]] = defaultdict(set)
     other: dict[str, set[str]] = defaultdict(set)
     for iri, each in classes.items():
@@ -302,7 +300,7 @@ def _with_both_sides(classes: Mapping[str, OwlClass]) -> dict[str, OwlClass]:
 
 
 def _turned_both_ways(relations: Mapping[str, ObjectProperty]) -> dict[str, ObjectProperty]:
-    """An inverse is one of the other, too; a symmetric relation is its own."""
+    """Make inverses symmetric; a symmetric relation is its own inverse."""
     turned: dict[str, set[str]] = defaultdict(set)
     for iri, each in relations.items():
         for target in each.inverses:

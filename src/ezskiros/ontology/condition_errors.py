@@ -1,4 +1,4 @@
-"""EZS3xx: conditions about things of the world model."""
+"""EZS3xx: conditions about individuals of the world model."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ class AmbiguousProperty(Error, code="EZS302", name="ambiguous-property"):
 class OneObject(Error, code="EZS303", name="one-object"):
     """A relation with no object, or with several."""
 
-    title = "`{relation}` takes one thing in brackets, not {count}"
-    help = "write one line per thing: `{subject}.{relation}(...)`"
+    title = "`{relation}` takes one individual in brackets, not {count}"
+    help = "write one line per individual: `{subject}.{relation}(...)`"
     relation: str
     subject: str
     count: int
 
 
 class NoThing(Error, code="EZS304", name="no-thing"):
-    """A relation to a value that is not a thing of the world model."""
+    """A relation to a value that is not an individual of the world model."""
 
-    title = "`{relation}` relates things of the world model, not {found}"
+    title = "`{relation}` relates individuals of the world model, not {found}"
     label = "expected a parameter whose type is a class of the ontology"
     relation: str
     found: str
@@ -86,17 +86,17 @@ class NeedsBrackets(Error, code="EZS310", name="needs-brackets"):
 class NoRelation(Error, code="EZS311", name="no-relation-but-value"):
     """A data property that is called like a relation."""
 
-    title = "`{property}` is a data property: it has values and does not relate things"
+    title = "`{property}` is a data property: it has values and does not relate individuals"
     help = "compare it, `{subject}.{property} == value`, or remove the brackets"
     property: str
     subject: str
 
 
 class ValueRelates(Error, code="EZS312", name="value-relates"):
-    """A relation of a parameter that does not stand for a thing."""
+    """A relation of a parameter that does not stand for an individual."""
 
     title = "`{parameter}` has type {type} and has no `{spelled}`"
-    label = "only things of the world model have relations"
+    label = "only individuals of the world model have relations"
     help = "declare `{parameter}` with a class of the ontology, or use another parameter"
     parameter: str
     type: str
@@ -116,7 +116,7 @@ class Assigned(Error, code="EZS314", name="assigned-property"):
 class NoOpposite(Error, code="EZS308", name="no-opposite"):
     """`~` of a condition that SkiROS2 cannot negate."""
 
-    title = "the type of a thing cannot be negated: SkiROS2 has no such condition"
+    title = "the type of an individual cannot be negated: SkiROS2 has no such condition"
     help = "name the required type"
 
 
@@ -130,7 +130,7 @@ class NoCondition(Error, code="EZS309", name="no-condition"):
 
 
 class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
-    """`if Tool:`, or another test whether a thing exists."""
+    """`if Tool:`, or another test of whether an individual exists."""
 
     title = "before the robot runs it is unknown whether `{parameter}` exists"
     label = "Python needs the truth value here"

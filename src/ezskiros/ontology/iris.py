@@ -1,4 +1,4 @@
-"""IRIs of RDF, RDF Schema, OWL, XML Schema and GeoSPARQL, and what the parts of an IRI are."""
+"""IRIs of RDF, RDF Schema, OWL, XML Schema and GeoSPARQL, and the parts of an IRI."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ XSD = "http://www.w3.org/2001/XMLSchema#"
 THING = OWL + "Thing"
 NOTHING = OWL + "Nothing"
 AS_WKT = "http://www.opengis.net/ont/geosparql#asWKT"
-"""The geometry of a thing as well-known text."""
+"""The geometry of an individual as well-known text."""
 
 RESERVED = (RDF, RDFS, OWL, XSD, "http://www.w3.org/XML/1998/namespace")
-"""Namespaces of the language itself: nothing of theirs is a thing of the world."""
+"""Namespaces of the language itself, which contain no individuals of the world."""
 
 
 def split(iri: str) -> tuple[str, str]:
@@ -22,7 +22,7 @@ def split(iri: str) -> tuple[str, str]:
 
 
 def stem(namespace: str) -> str:
-    """The name of a namespace in SkiROS2: `http://.../RParts.owl#` is `rparts`."""
+    """The SkiROS2 name of a namespace: `http://.../RParts.owl#` is `rparts`."""
     last = namespace.rstrip("#/").rpartition("/")[2]
     bare, dot, _ = last.rpartition(".")
     return (bare if dot else last).lower()

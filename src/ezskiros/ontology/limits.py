@@ -1,7 +1,7 @@
-"""Limits of files with ontologies and scenes: no file of some bytes costs gigabytes or minutes.
+"""Limits of files with ontologies and scenes, so that no small file costs gigabytes or minutes.
 
-What a parser would take memory or its stack for is looked at before the parser sees it. The page
-docs/reference/limits.md lists these limits.
+Constructs that would use up the memory or the stack of a parser are found before the parser reads
+them. The page docs/reference/limits.md lists these limits.
 """
 
 from __future__ import annotations
@@ -13,15 +13,17 @@ from xml.parsers import expat
 import pyoxigraph
 
 LARGEST_FILE = 64 << 20
-"""Bytes of one file."""
+"""The most bytes of one file."""
 DEEPEST = 200
-"""The depth to which elements, objects, lists and triple terms may are nested."""
+"""The greatest nesting depth of elements, objects, lists and triple terms."""
 MOST_NAMESPACES = 200
-"""Declarations of namespaces that are in force at one element."""
+"""The most namespaces that are in scope at one element."""
 MOST_TRIPLES = 1_000_000
-"""Triples of one file."""
+"""The most triples of one file."""
 LONGEST_TEXT = 128 << 20
-"""Characters of all triples with their names in full: short prefixes may stand for long ones."""
+"""The most characters of all triples with full IRIs, because a short prefix may stand for a long
+IRI.
+"""
 
 _ENTITY = re.compile(r"<!ENTITY")
 _PLAIN_ENTITY = re.compile(r"""<!ENTITY\s+([^\s%&"']+)\s+(?:"([^"%&<]*)"|'([^'%&<]*)')\s*>""")
@@ -31,7 +33,7 @@ _TRIPLE_TERM = re.compile(r"(<<\()|(\)>>)")
 
 
 class LimitError(Exception):
-    """A file is beyond a limit, at an offset of its text."""
+    """A file exceeds a limit at an offset of its text."""
 
     def __init__(self, reason: str, at: int = 0) -> None:
         self.reason, self.at = reason, at
@@ -39,7 +41,7 @@ class LimitError(Exception):
 
 
 def check_text(text: str, kind: pyoxigraph.RdfFormat) -> None:
-    """Raises `LimitError` for what would cost a parser too much."""
+    """Raise `LimitError` for text that would cost a parser too much."""
     if kind is pyoxigraph.RdfFormat.RDF_XML:
         _check_entities(text)
     elif kind is pyoxigraph.RdfFormat.JSON_LD:
@@ -49,10 +51,11 @@ def check_text(text: str, kind: pyoxigraph.RdfFormat) -> None:
 
 
 def _check_entities(text: str) -> None:
-    """Entities are plain texts, as OWL files write them, and not longer than `LONGEST_TEXT` in all.
+    """Check that entities are plain texts, as in OWL files, and not longer than `LONGEST_TEXT` in
+    all.
 
-    pyoxigraph also reads declarations that a comment holds. Therefore the text is searched, and
-    the answer of an XML parser would not do.
+    pyoxigraph also reads declarations in comments. Therefore the text itself is searched; an XML
+    parser would not find these.
     """
     lengths: dict[str, int] = {}
     for declared in _ENTITY.finditer(text):
@@ -80,7 +83,7 @@ def _check_depth(text: str, bracket: re.Pattern[str], what: str) -> None:
 
 
 class XmlDepth:
-    """Follows the elements of an XML parser, up to the first that is beyond a limit."""
+    """Follows the elements of an XML parser, up to the first one that exceeds a limit."""
 
     def __init__(self, parser: expat.XMLParserType) -> None:
         self._parser = parser
@@ -108,7 +111,7 @@ class XmlDepth:
 
 
 def within_limits(triples: Iterable[pyoxigraph.Quad]) -> list[pyoxigraph.Quad]:
-    """The triples. Raises `LimitError` before there are too many, or too long ones."""
+    """The triples. Raises `LimitError` before there are too many or too long ones."""
     kept: list[pyoxigraph.Quad] = []
     length = 0
     for triple in triples:

@@ -1,4 +1,4 @@
-"""Files and folders in, an `Ontology` out, and what is wrong with them."""
+"""Reading of files and folders into an `Ontology`, with findings."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from ezskiros.ontology.read import Document, find, read
 from ezskiros.ontology.world import Ontology
 
 VARIABLE = "EZSKIROS_ONTOLOGY"
-"""Names the files and folders of the ontology, separated like those of PATH."""
+"""The variable with the files and folders of the ontology, separated like those of PATH."""
 
 _MOST_LOADED = 16
-"""Ontologies that are kept. An editor loads one more at each change of a file."""
+"""The most ontologies in the cache. An editor loads another one after each change of a file."""
 
 _IMPORTS = pyoxigraph.NamedNode(OWL + "imports")
 _TYPE = RDF + "type"
@@ -40,11 +40,12 @@ _NOTHING = Ontology((), is_whole=False)
 
 
 def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:
-    """The ontology of some files and folders; without any, that of the variable EZSKIROS_ONTOLOGY.
+    """The ontology of some files and folders; without arguments, that of the variable
+    EZSKIROS_ONTOLOGY.
 
-    `relations` adds what EzSkiROS knows of the relations of SkiROS2's own ontology, which declares
-    no domain and no range for them. The same files are loaded once. Raises `SkillError` for files
-    that cannot be read, unless findings are collected: then it goes on without them.
+    `relations` adds the domains and ranges of SkiROS2's own relations, which its ontology does not
+    declare. The same files are loaded once. Raises `SkillError` for files that cannot be read; if
+    findings are collected, it continues without them.
     """
     ontology, wrong = _read(
         tuple(Path(path) for path in paths) or _named(), session.here, relations
@@ -55,8 +56,8 @@ def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:
 
 
 def load_named() -> tuple[Ontology | None, Sequence[Diagnostic]]:
-    """The ontology that the variable EZSKIROS_ONTOLOGY names, or None if it names none, and what
-    is wrong with it.
+    """The ontology of the variable EZSKIROS_ONTOLOGY, or None if the variable is empty; and the
+    findings.
     """
     named = _named()
     return _read(named, lambda: Span(SourceFile(VARIABLE, ""), 0, 0)) if named else (None, ())
@@ -69,7 +70,7 @@ def _named() -> tuple[Path, ...]:
 def _read(
     named: tuple[Path, ...], here: Callable[[], Span], relations: bool = True
 ) -> tuple[Ontology, Sequence[Diagnostic]]:
-    """The ontology of files and folders that were named `here`, and what is wrong with it."""
+    """The ontology of files and folders that were named at `here`, and the findings."""
     try:
         found = find(named)
         states = tuple((path, path.stat().st_mtime_ns, path.stat().st_size) for path in found)
@@ -88,7 +89,7 @@ def _read(
 def _loaded(
     states: tuple[tuple[Path, int, int], ...], relations: bool
 ) -> tuple[Ontology, tuple[Diagnostic, ...]]:
-    """The ontology of files as they are; `states` tells them from what they were."""
+    """The ontology of files in their current states. `states` show changes of the files."""
     documents, wrong = [], []
     for path, _, _ in states:
         document, found = read(path)
@@ -110,7 +111,7 @@ def core_relations() -> Document:
 
 
 def _empty(documents: Iterable[Document]) -> Iterable[Diagnostic]:
-    """A finding if nothing is declared at all."""
+    """A finding if no file declares anything."""
     documents = list(documents)
     for document in documents:
         for triple in document.triples:
@@ -121,7 +122,7 @@ def _empty(documents: Iterable[Document]) -> Iterable[Diagnostic]:
 
 
 def _missing_imports(documents: list[Document]) -> Iterable[Diagnostic]:
-    """Imports that are none of the files: by the IRI of an ontology, or by the name of its file."""
+    """Findings for imports of other files, by the IRI of an ontology or by the name of its file."""
     own = {triple.subject for each in documents for triple in each.triples}
     stems = {Path(each.file.path).stem.lower() for each in documents}
     for document in documents:

@@ -1,7 +1,7 @@
 """The statements of an ontology, as plain data: classes, relations, data properties, individuals.
 
-Everything is named by its IRI. A `Union` is "one of these classes (or data types)"; several unions
-hold together. Without any, nothing is said: not that nothing fits.
+All names are IRIs. A `Union` is "one of these classes (or data types)"; several unions hold
+together. An empty tuple means that there is no statement, not that nothing fits.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ Union: TypeAlias = frozenset[str]
 
 @dataclass(frozen=True)
 class OwlClass:
-    """A class. `parents` are its direct superclasses, `equivalents` classes that mean the same."""
+    """A class. `parents` are its direct superclasses, `equivalents` its equivalent classes."""
 
     iri: str
     parents: frozenset[str] = frozenset()
     equivalents: frozenset[str] = frozenset()
     disjoint: frozenset[str] = frozenset()
     only: Mapping[str, tuple[Union, ...]] = field(default_factory=dict)
-    """For a property the classes that its values have to be of (owl:allValuesFrom)."""
+    """The allowed classes of the values of each property (owl:allValuesFrom)."""
     some: Mapping[str, tuple[Union, ...]] = field(default_factory=dict)
-    """For a property the classes that it has a value of (owl:someValuesFrom)."""
+    """The classes of the required values of each property (owl:someValuesFrom)."""
     most: Mapping[str, int] = field(default_factory=dict)
-    """For a property how many values it can have (owl:maxCardinality, owl:cardinality)."""
+    """The maximum number of values of each property (owl:maxCardinality, owl:cardinality)."""
     comment: str = ""
 
 
 @dataclass(frozen=True)
 class Property:
-    """The part that object properties and data properties have in common."""
+    """The common part of object properties and data properties."""
 
     iri: str
     parents: frozenset[str] = frozenset()
@@ -47,7 +47,7 @@ class Property:
 
 @dataclass(frozen=True)
 class ObjectProperty(Property):
-    """A relation between two things."""
+    """A relation between two individuals."""
 
     inverses: frozenset[str] = frozenset()
     is_inverse_functional: bool = False
@@ -59,9 +59,9 @@ class ObjectProperty(Property):
 
 @dataclass(frozen=True)
 class DataProperty(Property):
-    """A value of a thing. Its range are data types of XML Schema, or the literals of `values`.
+    """A property with values. Its range are data types of XML Schema, or the literals of `values`.
 
-    `unit` is what an annotation that is called `unit` says; empty if there is none.
+    `unit` is the value of an annotation with the name `unit`; empty without one.
     """
 
     values: frozenset[str] | None = None
@@ -70,7 +70,7 @@ class DataProperty(Property):
 
 @dataclass(frozen=True)
 class Individual:
-    """A thing that the ontology names."""
+    """An individual of the ontology."""
 
     iri: str
     types: frozenset[str] = frozenset()
@@ -88,13 +88,13 @@ class Model:
     names: Mapping[str, str]
 
     def above(self, iri: str) -> frozenset[str]:
-        """A class and all its superclasses, owl:Thing included."""
+        """A class and all its superclasses, including owl:Thing."""
         if iri not in self._above:
             self._above[iri] = _reached(iri, self._parents) | {THING}
         return self._above[iri]
 
     def properties_above(self, iri: str) -> frozenset[str]:
-        """A property and all that it is a special case of."""
+        """A property and all its superproperties."""
         return _reached(iri, self._properties_parents)
 
     def _parents(self, iri: str) -> Iterable[str]:
@@ -106,7 +106,7 @@ class Model:
         return found.parents if found else ()
 
     def only(self, owl_class: str, iri: str) -> tuple[Union, ...]:
-        """The statements of a class and those above it about the values of a property."""
+        """The statements of a class and its superclasses about the values of a property."""
         if iri not in self._with_only:
             return ()
         known = (self.classes[each] for each in sorted(self.above(owl_class) & self.classes.keys()))
@@ -126,8 +126,8 @@ class Model:
         return frozenset(iri for each in self.classes.values() for iri in each.only)
 
     def most(self, owl_class: str, iri: str) -> int | None:
-        """The number of values of a property that things of a class can have; None if nothing is
-        said.
+        """The maximum number of values of a property for individuals of a class; None without a
+        limit.
         """
         known = [self.classes[each] for each in self.above(owl_class) if each in self.classes]
         return min((each.most[iri] for each in known if iri in each.most), default=None)
@@ -140,11 +140,11 @@ class Model:
     )
 
     def is_a(self, iri: str, other: str) -> bool:
-        """Say whether every thing of a class is one of the other."""
+        """Say whether every individual of a class is also of the other class."""
         return other in self.above(iri)
 
     def are_disjoint(self, iri: str, other: str) -> bool:
-        """Say whether nothing can be of both classes."""
+        """Say whether no individual can be of both classes."""
         if (iri, other) not in self._disjoint:
             here, there = self.above(iri), self.above(other)
             self._disjoint[iri, other] = (
@@ -156,9 +156,9 @@ class Model:
         return self._disjoint[iri, other]
 
     def exclude(self, one: Union, other: Union) -> bool:
-        """Say whether nothing can be of one of some classes and of one of others.
+        """Say whether no individual can be of one class of each union.
 
-        Not because there is nothing at all of the ones, or of the others.
+        This is not said of unions whose classes are all empty.
         """
         if (one, other) not in self._excluded:
             self._excluded[one, other] = all(
@@ -174,7 +174,7 @@ class Model:
     )
 
     def is_empty(self, iri: str) -> bool:
-        """Say whether a class is empty: it is below disjoint ones, or below owl:Nothing."""
+        """Say whether a class is empty: a subclass of disjoint classes or of owl:Nothing."""
         if iri not in self._empty:
             self._empty[iri] = NOTHING in self.above(iri) or self.conflict(iri) is not None
         return self._empty[iri]
@@ -182,7 +182,7 @@ class Model:
     _empty: dict[str, bool] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def conflict(self, iri: str) -> tuple[str, str] | None:
-        """Two disjoint classes that a class is below, if there are any."""
+        """Two disjoint superclasses of a class, if there are any."""
         above = self.above(iri)
         for each in sorted(above & self.classes.keys()):
             if others := self.classes[each].disjoint & above:
@@ -191,7 +191,7 @@ class Model:
 
     @cached_property
     def has_disjoint_classes(self) -> bool:
-        """Say whether there is anything that cannot be of two classes, or of one."""
+        """Say whether the ontology has disjoint or empty classes."""
         known = self.classes.values()
         return any(each.disjoint or NOTHING in each.parents for each in known)
 
@@ -206,7 +206,7 @@ class Model:
         return self._bounds(iri, is_domain=True)
 
     def range(self, iri: str) -> tuple[Union, ...]:
-        """The classes that objects, or types that values, of a property have to be of."""
+        """The required classes of objects, or types of values, of a property."""
         return self._bounds(iri, is_domain=False)
 
     def _bounds(self, iri: str, *, is_domain: bool) -> tuple[Union, ...]:
@@ -223,7 +223,9 @@ class Model:
         return tuple(found)
 
     def _relatives(self, iri: str, *, is_inverse: bool) -> Iterator[Property]:
-        """The properties that one implies; with `is_inverse` those that it implies turned."""
+        """The properties that a property implies; with `is_inverse`, those that it implies with
+        exchanged sides.
+        """
         above = [self.property(each) for each in sorted(self.properties_above(iri))]
         if not is_inverse:
             yield from (each for each in above if each is not None)
@@ -233,23 +235,23 @@ class Model:
                 yield from (self.relations[i] for i in each.inverses if i in self.relations)
 
     def property(self, iri: str) -> Property | None:
-        """The relation or data property of this IRI."""
+        """The relation or data property with an IRI."""
         return self.relations.get(iri) or self.values.get(iri)
 
     def short(self, iri: str) -> str:
-        """`skiros:Product`; the IRI itself if it is in no namespace that has a name."""
+        """A short name such as `skiros:Product`; the IRI if its namespace has no name."""
         for name, start in self.names.items():
             if iri.startswith(start) and len(iri) > len(start):
                 return f"{name}:{iri[len(start) :]}"
         return iri
 
     def entities(self) -> Iterable[str]:
-        """The IRIs of all that it declares."""
+        """The IRIs of all declared entities."""
         return {**self.classes, **self.relations, **self.values, **self.individuals}
 
 
 def _reached(start: str, following: Callable[[str], Iterable[str]]) -> frozenset[str]:
-    """`start` and all that follows from it."""
+    """`start`, and all IRIs that follow from it."""
     found = {start}
     work = [start]
     while work:

@@ -1,4 +1,4 @@
-"""The places where ontology files declare a thing. The texts are searched on demand."""
+"""The places where ontology files declare an entity. The texts are searched on demand."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ezskiros.ontology.read import Document
 
 
 def declaration(documents: Sequence[Document], iri: str) -> Span | None:
-    """The first place where a file says what `iri` is; None if none is found."""
+    """The first place where a file declares `iri`; None if there is none."""
     for document in documents:
         for spelling in _spellings(document, iri):
             if found := re.search(spelling, document.file.text, re.MULTILINE):
@@ -20,7 +20,7 @@ def declaration(documents: Sequence[Document], iri: str) -> Span | None:
 
 
 def _spellings(document: Document, iri: str) -> list[str]:
-    """Patterns of the ways to write a subject in RDF/XML, Turtle and JSON-LD."""
+    """Patterns for the spellings of a subject in RDF/XML, Turtle and JSON-LD."""
     namespace, name = split(iri)
     full, short = re.escape(iri), re.escape(name)
     found = [rf'rdf:about="({full})"', rf"^\s*(<{full}>)\s", rf'"@id"\s*:\s*("{full}")']
@@ -33,7 +33,7 @@ def _spellings(document: Document, iri: str) -> list[str]:
 
 
 class Declarations:
-    """The declarations of many things, found by `declaration`. Each text is searched once."""
+    """The declarations of many entities, like `declaration`. Each text is searched once."""
 
     def __init__(self, documents: Sequence[Document]) -> None:
         self._documents = documents
@@ -49,7 +49,7 @@ class Declarations:
 
 
 _Spelling = tuple[str, str]
-"""A way to write a subject, and the text of it."""
+"""A kind of spelling of a subject, and the text."""
 _WAYS = {
     "about": re.compile(r'rdf:about="([^"]*)"'),
     "ID": re.compile(r'rdf:ID="([^"]*)"'),
@@ -68,7 +68,7 @@ def _all_spelled(text: str) -> dict[_Spelling, tuple[int, int]]:
 
 
 def _plain_spellings(document: Document, iri: str) -> list[_Spelling]:
-    """The same ways as those of `_spellings`, in their order."""
+    """The same spellings as those of `_spellings`, in the same order."""
     namespace, name = split(iri)
     found = [("about", iri), ("line", f"<{iri}>"), ("@id", f'"{iri}"')]
     if document.base and namespace.rstrip("#/") == document.base.rstrip("#/"):

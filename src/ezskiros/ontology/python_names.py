@@ -1,4 +1,4 @@
-"""The names of things of an ontology in Python."""
+"""The Python names of entities of an ontology."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from collections.abc import Iterable
 
 
 def identifier(name: str) -> str:
-    """A name that Python takes: `Large-Box` is `Large_Box`, `class` is `class_`, `3D` is `_3D`."""
+    """A valid Python name: `Large-Box` becomes `Large_Box`, `class` becomes `class_`, `3D` becomes
+    `_3D`.
+    """
     found = name
     if not name.isidentifier():
         found = "".join(each if f"_{each}".isidentifier() else "_" for each in name)
@@ -17,8 +19,8 @@ def identifier(name: str) -> str:
 
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
-    """Names by their identifiers. Of names that would be called the same, the first in alphabetical
-    order gets the identifier, unless one of them is it already; others get underscores behind it.
+    """Names by identifier. If several names have the same identifier, the name that equals it gets
+    it, otherwise the first in alphabetical order; the others get trailing underscores.
     """
     found: dict[str, str] = {}
     for name in sorted(names, key=lambda name: (identifier(name) != name, name)):

@@ -34,7 +34,9 @@ FORMATS = {
     ".json": pyoxigraph.RdfFormat.JSON_LD,
 }
 SEARCHED = (".owl", ".rdf", ".ttl", ".nt", ".jsonld")
-"""The files taken from folders: SkiROS2's scenes are `.turtle`, and are no part of the ontology."""
+"""The endings of files that are taken from folders. SkiROS2's scenes (`.turtle`) are not a part of
+the ontology.
+"""
 
 _PLACE = re.compile(
     r" ?at line \d+ (column \d+|between columns \d+ and (line \d+ column )?\d+)|^Parser error:?"
@@ -43,7 +45,7 @@ _PLACE = re.compile(
 
 @dataclass(frozen=True)
 class Document:
-    """One file: its triples, and the prefixes that it declares."""
+    """One file: its triples, and its declared prefixes."""
 
     file: SourceFile
     triples: Sequence[Quad]
@@ -52,9 +54,9 @@ class Document:
 
 
 def find(paths: Iterable[Path]) -> list[Path]:
-    """The files among some files and folders (with all that is in them), in a fixed order.
+    """The files in some files and folders, including subfolders, in a fixed order.
 
-    Raises `FileNotFoundError` for a path that leads nowhere.
+    Raises `FileNotFoundError` for a path that does not exist.
     """
     found: dict[Path, None] = {}
     for path in paths:
@@ -69,9 +71,9 @@ def find(paths: Iterable[Path]) -> list[Path]:
 
 
 def read(path: Path) -> tuple[Document | None, list[Diagnostic]]:
-    """The triples of a file, or what is wrong with it.
+    """The triples of a file, or the findings.
 
-    Raises `OSError` if it cannot be read at all.
+    Raises `OSError` if the file cannot be read at all.
     """
     kind = FORMATS.get(ending(path))
     if kind is None:
@@ -96,7 +98,7 @@ def read(path: Path) -> tuple[Document | None, list[Diagnostic]]:
 
 
 def _parsed(file: SourceFile, content: bytes, kind: pyoxigraph.RdfFormat, base: str) -> Document:
-    """Raises `LimitError`, `ExpatError`, or what pyoxigraph raises."""
+    """Parse a file. Raises `LimitError`, `ExpatError`, or an exception of pyoxigraph."""
     check_text(file.text, kind)
     is_xml = kind is pyoxigraph.RdfFormat.RDF_XML
     prefixes, written = _xml_header(content) if is_xml else ({}, None)
@@ -108,10 +110,10 @@ def _parsed(file: SourceFile, content: bytes, kind: pyoxigraph.RdfFormat, base: 
 
 
 def _xml_header(content: bytes) -> tuple[dict[str, str], str | None]:
-    """The prefixes and the base that the first element declares; pyoxigraph does not tell them.
+    """The prefixes and the base of the first element, which pyoxigraph does not report.
 
-    Raises `ExpatError` with the place where XML is not well-formed, which pyoxigraph does not tell
-    either, and `LimitError`.
+    Raises `ExpatError` with the place of malformed XML, which pyoxigraph does not report either,
+    and `LimitError`.
     """
     parser = expat.ParserCreate()
     depth = XmlDepth(parser)
@@ -131,7 +133,9 @@ def _suffix(path: Path) -> str:
 def _syntax_error(
     file: SourceFile, content: bytes, kind: pyoxigraph.RdfFormat, problem: Exception
 ) -> Diagnostic:
-    """Report what the parser says, at its place; of XML it does not know the place."""
+    """The finding for an error of the parser, at its place. For XML the parser does not give the
+    place.
+    """
     line, column = getattr(problem, "lineno", None), getattr(problem, "offset", None)
     said = _PLACE.sub("", str(getattr(problem, "msg", problem))).strip(" :")
     if kind is pyoxigraph.RdfFormat.RDF_XML:

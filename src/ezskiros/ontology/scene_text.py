@@ -1,4 +1,4 @@
-"""The text of a scene: the spellings of things, and the places of their descriptions."""
+"""The text of a scene: the spellings of individuals, and the places of their descriptions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ezskiros.ontology.read import Document
 
 
 def spelled_in(document: Document, iri: str, model: Model) -> str:
-    """`skiros:Location-3`, by the prefixes of a scene."""
+    """The name of an IRI with the prefixes of a scene, such as `skiros:Location-3`."""
     for prefix, start in document.prefixes.items():
         if start and iri.startswith(start):
             return f"{prefix}:{iri[len(start) :]}"
@@ -18,8 +18,8 @@ def spelled_in(document: Document, iri: str, model: Model) -> str:
 
 
 def place_in(document: Document, model: Model, thing: str, *parts: str) -> Span:
-    """The place where a scene describes a thing, or where another name stands in its description;
-    the beginning of the scene if it does not describe the thing.
+    """The place where a scene describes an individual, or where another name occurs in its
+    description; the beginning of the scene if there is no description.
     """
     spelled = spelled_in(document, thing, model)
     found = _find(document.file, spelled, 0, at_line_start=True)
@@ -29,7 +29,9 @@ def place_in(document: Document, model: Model, thing: str, *parts: str) -> Span:
 
 
 def _find(file: SourceFile, name: str, start: int, *, at_line_start: bool = False) -> Span:
-    """A name as a whole; from `start` on, else anywhere; the beginning of the file if nowhere."""
+    """The place of a whole name, from `start` on, otherwise anywhere; the beginning of the file if
+    there is none.
+    """
     before = r"(?m)^\s*" if at_line_start else r"(?<![\w:-])"
     pattern = re.compile(rf"{before}({re.escape(name)})(?![\w-])")
     found = pattern.search(file.text, start) or pattern.search(file.text)

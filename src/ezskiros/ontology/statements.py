@@ -1,4 +1,4 @@
-"""Statements about things: the data behind the conditions of skills.
+"""Statements about individuals: the data behind the conditions of skills.
 
 Subjects and objects are the names of parameters; relations, properties and classes are IRIs.
 """
@@ -10,12 +10,12 @@ from typing import ClassVar, TypeAlias
 
 Value: TypeAlias = "str | int | float | bool"
 TURNED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<"}
-"""The comparison that holds of numbers when the other does not."""
+"""The comparison that holds if and only if another comparison of numbers does not."""
 
 
 @dataclass(frozen=True)
 class Relation:
-    """Two things are related; `is_abstract` asks for their classes instead."""
+    """Two individuals are related. With `is_abstract`, the statement is about their classes."""
 
     subject: str
     relation: str
@@ -26,7 +26,9 @@ class Relation:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A data property has a value that compares so; `operator` is one of = < > <= >=."""
+    """A data property has a value for which the comparison holds. `operator` is one of = < > <=
+    >=.
+    """
 
     subject: str
     property: str
@@ -37,7 +39,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class HasProperty:
-    """A thing has some value of a data property."""
+    """An individual has a value of a data property."""
 
     subject: str
     property: str
@@ -46,7 +48,7 @@ class HasProperty:
 
 @dataclass(frozen=True)
 class OfType:
-    """A thing is of a class."""
+    """An individual is of a class."""
 
     subject: str
     owl_class: str
@@ -55,7 +57,7 @@ class OfType:
 
 @dataclass(frozen=True)
 class Specified:
-    """A parameter stands for a thing of the world."""
+    """A parameter has a value."""
 
     subject: str
     is_true: bool = True
@@ -63,7 +65,7 @@ class Specified:
 
 @dataclass(frozen=True)
 class Generated:
-    """A thing is in the world; as a post-condition it comes into it, or leaves it."""
+    """An individual exists in the world. As a post-condition, the skill creates or removes it."""
 
     subject: str
     is_true: bool = True
@@ -71,7 +73,7 @@ class Generated:
 
 @dataclass(frozen=True)
 class AnyOf:
-    """At least one of these holds."""
+    """At least one of these statements holds."""
 
     parts: tuple[Statement, ...]
     is_true: bool = True
@@ -83,7 +85,7 @@ Statement: TypeAlias = (
 
 
 def negated(statement: Statement) -> Statement | None:
-    """The opposite; None for a type, of which SkiROS2 knows none."""
+    """The negation; None for a type, because SkiROS2 has no negated types."""
     if isinstance(statement, OfType):
         return None
     return replace(statement, is_true=not statement.is_true)

@@ -1,5 +1,5 @@
-"""Classes of the ontology as Python classes, and symbols: things with a known class and unknown
-identity.
+"""Classes of the ontology as Python classes, and symbols: individuals with a known class and
+unknown identity.
 
 A symbol records the conditions about it. Its attributes are the relations and data properties of
 the ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. The results are
@@ -28,10 +28,10 @@ from ezskiros.ontology.statements import (
 
 
 class Vocabulary(Protocol):
-    """The ontology, as far as things need it."""
+    """The part of the ontology that classes and symbols need."""
 
     def attribute(self, thing: Thing, name: str) -> Any:
-        """The value that an attribute of a symbol stands for."""
+        """The value of an attribute of a symbol."""
         ...
 
 
@@ -40,13 +40,13 @@ class Described(ABC):
 
     @abstractmethod
     def described(self) -> str:
-        """Such as `the parameter Speed`."""
+        """A description, such as `the parameter Speed`."""
 
 
 class ThingClass(type):
     """The type of all classes of an ontology.
 
-    What it adds to classes is not seen from their instances: these have the names of the ontology.
+    Its attributes belong to classes only, because instances have the names of the ontology.
     """
 
     __iri__: str
@@ -54,12 +54,12 @@ class ThingClass(type):
 
     @property
     def iri(cls) -> str:
-        """Names the class."""
+        """The IRI of the class."""
         return cls.__iri__
 
     @property
     def vocabulary(cls) -> Vocabulary:
-        """The ontology that it is from."""
+        """The ontology of the class."""
         return cls.__vocabulary__
 
     def __repr__(cls) -> str:
@@ -79,7 +79,7 @@ class SameClass(ThingClass):
 
 
 class Thing(metaclass=ThingClass):
-    """Something in the world. Instances are symbols, made by `symbol`."""
+    """An individual. Instances are symbols, made by `symbol`."""
 
     __name: str
 
@@ -107,12 +107,12 @@ def thing_class(
     iri: str,
     vocabulary: Vocabulary,
 ) -> ThingClass:
-    """A class of an ontology."""
+    """Make a class of an ontology."""
     return ThingClass(name, bases, {**texts, "__iri__": iri, "__vocabulary__": vocabulary})
 
 
 def symbol(owl_class: ThingClass, name: str) -> Thing:
-    """The thing that the parameter `name` stands for."""
+    """The symbol for the individual of the parameter `name`."""
     found = cast("Thing", object.__new__(cast("type[object]", owl_class)))
     object.__setattr__(found, "_Thing__name", name)
     return found
@@ -127,14 +127,14 @@ class Unknown:
         return self
 
     def __call__(self, *_arguments: object, **_named: object) -> Unknown:
-        """Goes on."""
+        """Return itself, so that the check can continue."""
         return self
 
     def _same(self, _other: object = None) -> Unknown:
         return self
 
     def _equal(self, other: object) -> Unknown | bool:
-        # `typing` asks whether what it is given is one of its own classes.
+        # `typing` tests whether its argument is one of its own classes.
         return False if isinstance(other, type) else self
 
     def __iter__(self) -> Iterator[Unknown]:
@@ -152,9 +152,9 @@ UNKNOWN = Unknown()
 
 
 class Condition:
-    """Something that can be so in the world, to be added to the conditions of a skill.
+    """A statement about the world, to be added to the conditions of a skill.
 
-    `~condition` is its opposite, `first | second` holds if one of them does.
+    `~condition` is the negation; `first | second` holds if one of the two holds.
     """
 
     def __init__(self, statement: Statement, span: Span) -> None:
@@ -195,26 +195,26 @@ _asked: ContextVar[Span | None] = ContextVar("asked", default=None)
 
 
 def is_asked_here() -> bool:
-    """Say whether Python has asked a condition for its truth in the expression that the user's code
-    is at: then only one part of that came of it.
+    """Say whether Python has evaluated the truth value of a condition in the current expression of
+    the user's code, so that the result is only a part of the expression.
     """
     asked = _asked.get()
     return asked is not None and session.here().contains(asked)
 
 
 def _parts(statement: Statement) -> tuple[Statement, ...]:
-    """The alternatives that a statement consists of."""
+    """The alternatives of a statement."""
     return statement.parts if isinstance(statement, AnyOf) and statement.is_true else (statement,)
 
 
 class RelationOf:
-    """A relation of a thing, to be called with the related thing."""
+    """A relation of an individual, to be called with the related individual."""
 
     def __init__(self, subject: Thing, iri: str, name: str) -> None:
         self._subject, self._iri, self._name = subject, iri, name
 
     def __call__(self, *objects: object) -> Condition | Unknown:
-        """The condition that the thing is so related to another one."""
+        """The condition that the individual has this relation to another one."""
         span = session.here()
         if len(objects) != 1:
             found_count = errors.OneObject(
@@ -231,7 +231,7 @@ class RelationOf:
         return Condition(Relation(repr(self._subject), self._iri, repr(found)), span)
 
     def report_not_called(self, span: Span) -> None:
-        """A finding that it stands there by itself."""
+        """Report a relation without its arguments."""
         found = errors.NotCalled(relation=self._name, subject=repr(self._subject))
         session.report(found.at(span))
 
@@ -249,14 +249,14 @@ class RelationOf:
 
 
 class ValueOf(Condition):
-    """A data property of a thing. By itself it says that there is a value."""
+    """A data property of an individual. As a condition, it requires that a value exists."""
 
     def __init__(self, subject: Thing, iri: str, name: str, span: Span) -> None:
         super().__init__(HasProperty(repr(subject), iri), span)
         self._subject, self._iri, self._property = subject, iri, name
 
     def __call__(self, *_objects: object) -> Unknown:
-        """Not what one does with a value."""
+        """Report a call, which data properties do not allow."""
         found = errors.NoRelation(property=self._property, subject=repr(self._subject))
         session.report(found.at(session.here()))
         return UNKNOWN
@@ -298,7 +298,9 @@ class ValueOf(Condition):
 
 
 SYMBOL_IN_TEXT = "\ufdd0"
-"""The mark in texts that were made of symbols: no character, and in no text of a user."""
+"""The mark in texts that were made from symbols. It is a Unicode noncharacter, so users' texts do
+not have it.
+"""
 
 
 def depends_on_symbol(value: object) -> bool:
@@ -307,7 +309,7 @@ def depends_on_symbol(value: object) -> bool:
 
 
 def described(value: object) -> str:
-    """Describe something, for a message."""
+    """Describe an object, for a message."""
     if depends_on_symbol(value):
         return "a string that is unknown before the skill runs"
     if isinstance(value, Thing):
@@ -315,9 +317,9 @@ def described(value: object) -> str:
     if isinstance(value, ThingClass):
         return f"the class {value!r}"
     if isinstance(value, RelationOf):
-        return "a relation that is not called"
+        return "a relation without its arguments"
     if isinstance(value, ValueOf):
-        return "a data property of a thing"
+        return "a data property of an individual"
     if isinstance(value, Condition):
         return "another condition"
     if isinstance(value, Described):

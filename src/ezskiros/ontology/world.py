@@ -37,8 +37,8 @@ _MOST_USES = 3
 class Ontology:
     """The declarations of some files. Its attributes are the namespaces: `world.skiros.Product`.
 
-    If it is not whole, because a file could not be read, a name that is not there may be right: it
-    is reported only if it looks like one that is there.
+    If a file could not be read, the ontology is incomplete, and an unknown name may be right. Such
+    a name is reported only if it is similar to a known one.
     """
 
     def __init__(self, documents: Sequence[Document], *, is_whole: bool = True) -> None:
@@ -48,7 +48,7 @@ class Ontology:
         self._others: dict[str, ThingClass] = {}
 
     def files(self) -> list[Path]:
-        """The user's files that it is of."""
+        """The user's files of the ontology."""
         paths = (Path(each.file.path) for each in self.documents)
         return [each for each in paths if session.is_of_user(str(each.absolute()))]
 
@@ -83,7 +83,7 @@ class Ontology:
 
     @cached_property
     def spelled(self) -> dict[str, str]:
-        """The names in Python of all that is declared, such as `skiros.Product`, by their IRIs."""
+        """The Python names of all declared entities, such as `skiros.Product`, by IRI."""
         return {
             iri: f"{name}.{spelled}"
             for name, namespace in self.namespaces.items()
@@ -91,7 +91,7 @@ class Ontology:
         }
 
     def __getitem__(self, name: str) -> Namespace:
-        """A namespace, also one that is called like an attribute; raises `KeyError`."""
+        """A namespace, also one with the name of an attribute. Raises `KeyError`."""
         return self.namespaces[name]
 
     def __dir__(self) -> list[str]:
@@ -99,7 +99,7 @@ class Ontology:
 
     @cached_property
     def class_names(self) -> dict[str, str]:
-        """`cora.Robot` by `Robot`, for all classes."""
+        """The Python name of each class by its bare name: `cora.Robot` by `Robot`."""
         found: dict[str, str] = {}
         for iri in self.model.classes:
             short = self.model.short(iri)
@@ -108,7 +108,7 @@ class Ontology:
         return found
 
     def class_of(self, iri: str) -> ThingClass:
-        """The Python class of a class; one for all classes that mean the same."""
+        """The Python class of an OWL class. Equivalent classes have the same Python class."""
         if iri not in self._classes:
             same = self._meaning(iri)
             first = min(same)
@@ -117,7 +117,9 @@ class Ontology:
         return self._classes[iri]
 
     def class_as(self, iri: str) -> ThingClass:
-        """The Python class of a class, by its own name: another of the same meaning has another."""
+        """The Python class of an OWL class under its own name. Equivalent classes have different
+        ones.
+        """
         found = self.class_of(iri)
         if found.iri == iri:
             return found
@@ -127,13 +129,13 @@ class Ontology:
         return self._others[iri]
 
     def _meaning(self, iri: str) -> frozenset[str]:
-        """The classes that are subclasses of each other."""
+        """The classes that are equivalent to a class."""
         above = self.model.above(iri) - {THING}
         return frozenset(each for each in above if self.model.is_a(each, iri)) | {iri}
 
     def _made(self, iri: str) -> ThingClass:
         above = self.model.above(iri) - self._meaning(iri) - {THING}
-        # One order for all classes, in which subclasses come first: in it Python looks for names.
+        # One order for all classes, with subclasses first: Python looks up names in this order.
         ordered = sorted(above, key=lambda each: (-len(self.model.above(each)), each))
         direct = [
             each
@@ -147,21 +149,21 @@ class Ontology:
         return thing_class(name, bases or (Thing,), texts, iri, self)
 
     def _texts(self, iri: str) -> dict[str, str | None]:
-        """The texts of the Python class of a class about itself."""
+        """The texts of a Python class about its OWL class."""
         name = ".".join(map(identifier, self.model.short(iri).split(":", 1)))
         known = self.model.classes.get(iri, OwlClass(iri))
         return {"__doc__": known.comment or None, "__qualname__": name, "__module__": "ontology"}
 
     @cached_property
     def properties(self) -> dict[str, list[str]]:
-        """Relations and data properties by their names in Python, whatever their namespace."""
+        """Relations and data properties by Python name, in all namespaces."""
         found: dict[str, list[str]] = {}
         for iri in (*self.model.relations, *self.model.values):
             found.setdefault(identifier(split(iri)[1]), []).append(iri)
         return found
 
     def ambiguous(self) -> frozenset[str]:
-        """The names in Python of properties that several namespaces have."""
+        """The Python names of properties that several namespaces have."""
         return frozenset(name for name, iris in self.properties.items() if len(iris) > 1)
 
     def attribute(self, thing: Thing, name: str) -> Any:
@@ -178,13 +180,13 @@ class Ontology:
         return UNKNOWN
 
     def about(self, thing: Thing, iri: str, name: str) -> RelationOf | ValueOf:
-        """A property of a thing."""
+        """The property of an individual."""
         if iri in self.model.relations:
             return RelationOf(thing, iri, name)
         return ValueOf(thing, iri, name, session.here())
 
     def _fitting(self, owl_class: ThingClass, candidates: list[str]) -> list[str]:
-        """Those whose domain the class is known to be in."""
+        """The candidates whose domain certainly contains the class."""
         above = self.model.above(owl_class.iri)
         return [
             iri
@@ -220,8 +222,8 @@ class Ontology:
 
 
 def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tuple[ThingClass, ...]:
-    """The classes to inherit so that Python looks into all in this order: those that are direct
-    superclasses, and as many others as it takes.
+    """The base classes that make Python's lookup order equal to this order: the direct
+    superclasses, and further ones if necessary.
     """
     if _order(direct) == order:
         return direct
@@ -234,8 +236,8 @@ def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tup
 
 
 def _order(bases: tuple[ThingClass, ...]) -> tuple[type, ...]:
-    """The order in which Python looks into classes that are inherited, without those of Python and
-    `Thing`; empty if it finds none.
+    """The lookup order for some base classes, without Python's own classes and `Thing`; empty if
+    there is no consistent order.
     """
     try:
         found = type("Ordered", bases, {}).__mro__[1:] if bases else ()
@@ -245,7 +247,9 @@ def _order(bases: tuple[ThingClass, ...]) -> tuple[type, ...]:
 
 
 class Namespace:
-    """The things of one namespace. What is no Python name is found as `namespace["Large-Box"]`."""
+    """The entities of one namespace. A name that is not a Python name is accessible as
+    `namespace["Large-Box"]`.
+    """
 
     def __init__(self, ontology: Ontology, name: str, inside: dict[str, str]) -> None:
         self.__ontology, self.__name, self.__inside = ontology, name, inside
@@ -274,7 +278,7 @@ class Namespace:
         return errors.UnknownName(namespace=self.__name, spelled=name)
 
     def _meant(self, name: str) -> Remark | None:
-        """A class of this namespace, or else of another, that may be meant."""
+        """The help with a similar class of this namespace, or of another one."""
         known = {**self.__ontology.class_names, **self._own_classes()}
         if name in known:
             return errors.UnknownName.OtherNamespace(meant=known[name])
@@ -282,7 +286,7 @@ class Namespace:
         return DidYouMean(near=known[near[0]]) if near else None
 
     def _own_classes(self) -> dict[str, str]:
-        """With the name of the namespace, by the bare names of Python."""
+        """The names with the namespace, by bare Python name."""
         known = self.__ontology.model.classes
         found = (
             spelled for spelled, name in self.__spelled.items() if self.__inside[name] in known
@@ -290,7 +294,7 @@ class Namespace:
         return {spelled: f"{self.__name}.{spelled}" for spelled in found}
 
     def __iris__(self) -> dict[str, str]:
-        """The IRIs of all that it declares, by the names in Python."""
+        """The IRIs of all declared entities, by Python name."""
         return {spelled: self.__inside[name] for spelled, name in self.__spelled.items()}
 
     def __dir__(self) -> list[str]:
@@ -308,11 +312,11 @@ class PropertyOf:
 
     @property
     def iri(self) -> str:
-        """Names the property."""
+        """The IRI of the property."""
         return self._iri
 
     def __call__(self, subject: object, *objects: object) -> Any:
-        """Say it of a thing."""
+        """The property of a subject, with objects if it is a relation."""
         if isinstance(subject, Unknown):
             return UNKNOWN
         if not isinstance(subject, Thing):

@@ -1,7 +1,7 @@
 """Skills as actions of a planner: the needs and effects of each.
 
-Parameters that stand for things are parameters of the action. `OPTIONAL` ones are left out, unless
-a condition uses them. Hold-conditions are needed at the start.
+Parameters that stand for individuals are parameters of the action. `OPTIONAL` parameters are left
+out, unless a condition uses them. Hold-conditions are required at the start.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ GONE = Fluent(About.GONE)
 
 @dataclass(frozen=True)
 class Action:
-    """A skill. All of `needs` have to be so; afterwards all `effects` are, the later ones first."""
+    """A skill. All `needs` must hold before it, and all `effects` hold after it, in order."""
 
     skill: SkillInterface
     description: SkillClass
@@ -42,20 +42,22 @@ class Action:
     needs: tuple[Clause, ...]
     effects: tuple[Literal, ...]
     asserted: tuple[Literal, ...]
-    """The effects that the skill itself states. The other effects follow from them."""
+    """The effects that the skill states. The other effects follow from them."""
     apart: tuple[tuple[str, str], ...]
-    """Parameters that stand for different things: each does, unless their classes exclude it."""
+    """Pairs of parameters that stand for different individuals. All parameters do, unless their
+    classes are disjoint anyway.
+    """
 
 
 class NotPlannableError(Exception):
-    """A skill says something that has no translation; the text says what."""
+    """A condition of a skill cannot be translated. The text gives the reason."""
 
 
 def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnostic]]:
-    """The actions of the skills that are checked, and which ones no planner can make use of.
+    """The actions of the checked skills, and the skills that no planner can use.
 
-    As in SkiROS2, a skill needs pre- and post-conditions for that; and something that implements
-    it, so that the plan can be run. Skills that nothing makes available for planning are left out.
+    As in SkiROS2, such a skill needs pre- and post-conditions, and an implementation, so that the
+    plan can run. Skills that are not available for planning are left out.
     """
     drafts, found = [], []
     for description in library.checked:
@@ -71,23 +73,23 @@ def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnost
 
 
 def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> list[SkillInterface]:
-    """The skill as its implementations do it: more than once, if these have pre-conditions of their
-    own. In a plan the skill is called; which implementation does it is found out at its start.
+    """The skill as its implementations perform it: several variants if the implementations have
+    their own pre-conditions. A plan calls the skill; the implementation is chosen at its start.
     """
     implementing = library.implementations(description).values()
     available = [each for each in implementing if each.available_for_planning]
     known = map(library.as_done_by, available) if implementing else [skill]
     ways = {id(each): each for each in known if each and each.pre and each.post}
     if ways and not implementing:
-        raise NotPlannableError("these files have no implementation of it")
+        raise NotPlannableError("these files have no implementation of the skill")
     return list(ways.values())
 
 
 def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Action:
-    """An action with what the skill says itself."""
+    """An action with the statements of the skill itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:
-            raise NotPlannableError(f"`{parameter.name}` is one of its outputs")
+            raise NotPlannableError(f"`{parameter.name}` is an output of the skill")
     clauses = [*skill.pre, *skill.hold, *skill.post]
     named = {name for each in clauses for name in names(each.statement)}
     things = tuple(
@@ -123,21 +125,21 @@ def _apart(things: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str
 
 
 def _clause(statement: Statement) -> Clause | None:
-    """The need of a condition; None if that is always so."""
+    """The need of a condition; None if it always holds."""
     if isinstance(statement, AnyOf):
         if not statement.is_true:
-            raise NotPlannableError("it requires that none of several conditions holds")
+            raise NotPlannableError("a condition requires that none of several conditions holds")
         parts = [_clause(part) for part in statement.parts]
         return None if None in parts else tuple(e for part in parts if part for e in part)
     if isinstance(statement, Specified):
         if not statement.is_true:
-            raise NotPlannableError(f"it requires that `{statement.subject}` is not given")
+            raise NotPlannableError(f"a condition requires that `{statement.subject}` is not given")
         return None
     return (literal(statement),)
 
 
 def literal(statement: Statement) -> Literal:
-    """A single condition as a literal of parameters."""
+    """A single condition as a literal with parameters."""
     match statement:
         case Relation(subject=subject, relation=iri, object=other):
             return Literal(Fluent(About.RELATION, iri), (subject, other), statement.is_true)
@@ -151,30 +153,30 @@ def literal(statement: Statement) -> Literal:
         case Generated(subject=subject):
             return Literal(GONE, (subject,), not statement.is_true)
         case Specified() | AnyOf():
-            raise NotPlannableError("it has a condition of an unknown kind")
+            raise NotPlannableError("a condition is of an unknown kind")
 
 
 def _effects(statement: Statement) -> Iterator[Literal]:
     match statement:
         case AnyOf():
-            raise NotPlannableError("it has an `or` in its post-conditions")
+            raise NotPlannableError("a post-condition contains an `or`")
         case OfType():
-            raise NotPlannableError("it changes the class of a thing")
+            raise NotPlannableError("the skill changes the class of an individual")
         case Generated(is_true=True):
-            raise NotPlannableError(f"`{statement.subject}` is created by it")
+            raise NotPlannableError(f"the skill creates `{statement.subject}`")
         case Comparison(operator=sign) if sign != "=":
-            raise NotPlannableError("the number that it gives a property is unknown")
+            raise NotPlannableError("a post-condition sets a property to an unknown number")
         case Specified():
             return
         case Relation() | Comparison() | HasProperty() | Generated():
             yield literal(statement)
 
 
-# --- what follows ---------------------------------------------------------------------------------
+# --- consequences ---------------------------------------------------------------------------------
 
 
 def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -> Action:
-    """An action with all that follows from what the skill says, of what others are about."""
+    """An action with all consequences of its effects that other actions use."""
     known = {
         each.fluent
         for other in all_of
@@ -197,7 +199,7 @@ def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -
 
 
 def _before(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
-    """The values that a new value of a functional relation pushes out."""
+    """The old values that a new value of a functional relation replaces."""
     if asserted.fluent.about is not About.RELATION or not asserted.is_true:
         return
     subject, other = asserted.arguments
@@ -231,7 +233,7 @@ def _after(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Lite
 
 
 def _related(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
-    """Relations that hold, or hold no more, with one."""
+    """Relations that become true, or false, together with a relation."""
     iri, ends = asserted.fluent.iri, asserted.arguments
     relations = sorted({each.iri for each in known if each.about is About.RELATION})
     for other in relations:

@@ -1,4 +1,4 @@
-"""A plan as a drawing of a behavior tree, with the things of the scene."""
+"""A plan as a drawing of a behavior tree, with the individuals of the scene."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ezskiros.skills.nodes import Flow
 
 
 def drawn(plan: Plan) -> Outline:
-    """The steps, one after the other; what they lead to stands above them."""
+    """The steps, one after the other, below their goals."""
     model = plan.scene.ontology.model
     wanted = (spelled(each.literal, model, model.short) for each in plan.goals)
     steps = tuple(

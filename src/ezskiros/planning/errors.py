@@ -14,7 +14,7 @@ class NoGoal(Error, code="EZS850", name="no-goal"):
 
 
 class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
-    """A thing in a goal that the scene does not have."""
+    """An individual in a goal that the scene does not have."""
 
     title = "the scene has no `{spelled}`"
     spelled: str

@@ -1,4 +1,4 @@
-"""Facts that a planner can state about a world model: they are true or false for things.
+"""Facts about a world model that are true or false for individuals, for planners.
 
 Facts about relations and properties of the ontology are read from a world model and changed in it.
 """
@@ -15,7 +15,7 @@ from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import Value
 
 EVERYTHING = "*"
-"""In an effect, in place of a thing: of all but the one that the next effect is about."""
+"""In an effect, instead of an individual: all individuals except that of the next effect."""
 _COMPARED: dict[str, Callable[[Value, Value], bool]] = {
     "=": operator.eq,
     "<": operator.lt,
@@ -37,7 +37,7 @@ class About(enum.Enum):
 
 @dataclass(frozen=True)
 class Fluent:
-    """A fact that can be true of things: of two for a relation, else of one."""
+    """A fact about individuals: about two for a relation, otherwise about one."""
 
     about: About
     iri: str = ""
@@ -45,36 +45,36 @@ class Fluent:
     value: Value = ""
 
     def compares(self, value: Value) -> bool:
-        """Say whether a value of its property compares as it says."""
+        """Say whether a value of the property satisfies the comparison."""
         try:
             return _COMPARED[self.operator](value, self.value)
-        except TypeError:  # values that have no order
+        except TypeError:  # unordered values
             return False
 
 
 @dataclass(frozen=True)
 class Literal:
-    """A fluent of some things, or parameters, that is true or false."""
+    """A fluent of individuals or parameters that is true or false."""
 
     fluent: Fluent
     arguments: tuple[str, ...]
     is_true: bool = True
 
     def negated(self) -> Literal:
-        """The opposite."""
+        """The negated literal."""
         return replace(self, is_true=not self.is_true)
 
     def bound(self, things: dict[str, str]) -> Literal:
-        """With things in the place of parameters."""
+        """The literal with individuals instead of parameters."""
         return replace(self, arguments=tuple(things.get(each, each) for each in self.arguments))
 
 
 Clause = tuple[Literal, ...]
-"""At least one of these is so."""
+"""At least one of these literals holds."""
 
 
 def is_so(literal: Literal, world: World) -> bool:
-    """Say whether a fact is so in a world."""
+    """Say whether a literal holds in a world."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
         case About.RELATION:
@@ -91,7 +91,7 @@ def is_so(literal: Literal, world: World) -> bool:
 
 
 def make_so(literal: Literal, world: World) -> None:
-    """Change a world so that it is so; what follows from that is for the world to know."""
+    """Make a literal true in a world. The world determines the consequences."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
         case About.RELATION:
@@ -115,7 +115,9 @@ def make_so(literal: Literal, world: World) -> None:
 
 
 def implied(relation: str, model: Model) -> Sequence[tuple[str, bool]]:
-    """The relations that hold where one does, itself first, and whether in the same direction."""
+    """The relations that a relation implies, starting with itself, each with whether it has the
+    same direction.
+    """
     found: dict[tuple[str, bool], None] = {}
     left = [(relation, True)]
     while left:
@@ -142,7 +144,7 @@ def _next(relation: str, is_forward: bool, model: Model) -> Iterator[tuple[str, 
 
 
 def spelled(literal: Literal, model: Model, shown: Callable[[str], str] = str) -> str:
-    """`skiros:Gripper-1 skiros:contain skiros:Product-4`, and so on, for messages."""
+    """A fact for messages, such as `skiros:Gripper-1 skiros:contain skiros:Product-4`."""
     fluent, names = literal.fluent, [shown(each) for each in literal.arguments]
     iri = model.short(fluent.iri)
     match fluent.about:
@@ -155,5 +157,5 @@ def spelled(literal: Literal, model: Model, shown: Callable[[str], str] = str) -
         case About.CLASS:
             text = f"{names[0]} is a {iri}"
         case About.GONE:
-            text = f"{names[0]} is gone"
+            text = f"{names[0]} no longer exists"
     return text if literal.is_true else f"not ({text})"

@@ -12,8 +12,8 @@ from ezskiros.planning.facts import About, Clause, Fluent, Literal
 
 
 def permitted(actions: Iterable[Action], without: Sequence[Prohibition]) -> list[Action]:
-    """The actions, each with the need that one of its things is of another class than a rule says.
-    One that is always stopped is left out.
+    """The actions, each with the additional need that an individual is of another class than a rule
+    forbids. Actions that are always stopped are left out.
     """
     found = []
     for action in actions:
@@ -26,7 +26,7 @@ def permitted(actions: Iterable[Action], without: Sequence[Prohibition]) -> list
 def stopped_by(
     action: Action, things: Mapping[str, str], without: Sequence[Prohibition], world: World
 ) -> Prohibition | None:
-    """The first prohibition that a step falls under; None if rules let it be."""
+    """The first prohibition that applies to a step; None if no rule stops it."""
     return next(
         (
             each
@@ -38,8 +38,8 @@ def stopped_by(
 
 
 def _about(action: Action, without: Iterable[Prohibition]) -> Iterator[Prohibition]:
-    """The prohibitions of a skill. A parameter that a plan leaves open can be of any class: then
-    nobody knows that the rules stop the step.
+    """The prohibitions of a skill. If a plan leaves a parameter open, its class is unknown, and so
+    is whether rules stop the step.
     """
     known = {each.name for each in action.things}
     for each in without:

@@ -1,8 +1,8 @@
 """Goals in the syntax of SkiROS2's task manager: `(skiros:at cora:Robot-1 skiros:Location-2)`.
 
 Commas separate several goals; `(not (...))` negates a goal. The value of a data property comes
-last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
-scene, or by their labels; relations by their names, with or without prefix.
+last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Individuals are given by IRI, as in a scene,
+or by label; relations by name, with or without prefix.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ _TOKEN = re.compile(r'[(),]|"[^"]*"|[^\s(),"]+|"')
 
 @dataclass(frozen=True)
 class Goal:
-    """A fact that is wanted, and where it is written."""
+    """A requested fact, and its place in the text."""
 
     literal: Literal
     span: Span
 
 
 class GoalError(Exception):
-    """A goal that cannot be understood; `diagnostic` says why."""
+    """An invalid goal. `diagnostic` gives the reason."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.title)
@@ -39,7 +39,7 @@ class GoalError(Exception):
 
 
 def goals(text: str, model: Model, things: Mapping[str, str]) -> list[Goal]:
-    """The goals of a text; `things` are IRIs by the names that things have. Raises `GoalError`."""
+    """The goals in a text. `things` maps the names of individuals to IRIs. Raises `GoalError`."""
     return list(_Reader(text, model, things).goals())
 
 
@@ -76,7 +76,7 @@ class _Reader:
         if len(words) not in (2, 3):
             end = self._tokens[self._at - 1][2]
             start = words[0][1] if words else end - 1
-            raise self._wrong("brackets contain a relation and two things", start, end)
+            raise self._wrong("brackets must contain a relation and two individuals", start, end)
         return self._fact(*words)
 
     def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> Literal:
@@ -84,7 +84,7 @@ class _Reader:
         subject = self._thing(*rest[0])
         if iri in self._model.relations:
             if len(rest) < 2:
-                raise self._wrong("a relation takes two things", name[1], rest[0][2])
+                raise self._wrong("a relation needs two individuals", name[1], rest[0][2])
             return Literal(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
         if len(rest) < 2:
             return Literal(Fluent(About.PROPERTY, iri), (subject,))
@@ -132,7 +132,9 @@ class _Reader:
 
 
 def _value(word: str) -> str | int | float | bool:
-    """A value as it is written: `true`, `3` and `2.5` are what they are; all else is text."""
+    """A value from its text: a boolean or a number for texts such as `true`, `3` and `2.5`,
+    otherwise a text.
+    """
     if word in ("true", "false"):
         return word == "true"
     if re.fullmatch(r"[-+]?\d+", word):

@@ -1,10 +1,10 @@
 """A planning problem in PDDL, and the plan that a planner found for it.
 
-All things have one type, and classes are facts that never change: an OWL class can have several
-superclasses, a PDDL type only one. Consequences of an effect, by inverses, special cases and
-functional relations, are effects as well. Names are numbers, because PDDL does not distinguish `a`
-from `A`. An action with several prices is written once for each price, with constant facts that
-select the things.
+All individuals have one type, and classes are facts that never change, because an OWL class can
+have several superclasses, but a PDDL type only one. The consequences of an effect, by inverses,
+special cases and functional relations, are effects as well. Names are numbers, because PDDL does
+not distinguish `a` from `A`. An action with several prices is written once for each price, with
+constant facts that select the individuals.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _REQUIREMENTS = (
 
 @dataclass(frozen=True)
 class Step:
-    """A skill with the things that its parameters stand for, as IRIs."""
+    """A skill with the individuals of its parameters, as IRIs."""
 
     action: Action
     things: Mapping[str, str]
@@ -43,7 +43,7 @@ class Problem:
     world: World
     things: Sequence[str]
     costs: Sequence[Cost] = ()
-    """The time that skills lose to rules. Without any, one plan is as good as another."""
+    """The time that skills lose to rules. Without costs, all plans are equally good."""
 
     def domain(self) -> str:
         """The file of the domain: facts and actions."""
@@ -64,7 +64,7 @@ class Problem:
         return "\n".join(("(define (domain skills)", *parts, ")\n"))
 
     def problem(self) -> str:
-        """The file of the problem: things, the start, and the goals."""
+        """The file of the problem: individuals, initial facts, and goals."""
         parts = (
             "(:domain skills)",
             f"(:objects {_typed(self._objects.values())})",
@@ -75,7 +75,7 @@ class Problem:
         return "\n".join(("(define (problem plan)", *parts, ")\n"))
 
     def steps(self, plan: str) -> list[Step]:
-        """The steps of a plan, as a planner writes it: `(skill_0 thing_1 thing_2)` in each line."""
+        """The steps of a plan in a planner's format: one `(skill_0 thing_1 thing_2)` per line."""
         iris = {name: iri for iri, name in self._objects.items()}
         lines = [line.split(";")[0].strip("() \r") for line in plan.splitlines()]
         return [self._step(*line.split(), iris=iris) for line in lines if line]
@@ -91,7 +91,7 @@ class Problem:
 
     @cached_property
     def _fluents(self) -> Mapping[Fluent, str]:
-        """Everything that actions and goals are about."""
+        """All fluents of actions and goals."""
         of_actions = (
             each
             for action in self.actions
@@ -108,7 +108,7 @@ class Problem:
                     yield self._literal(literal, self._objects)
 
     def _literal(self, literal: Literal, names: Mapping[str, str]) -> str:
-        """`names` are those of things and parameters."""
+        """A literal; `names` are the names of individuals and parameters."""
         ends = (names.get(each) or self._objects[each] for each in literal.arguments)
         fact = f"({self._fluents[literal.fluent]} {' '.join(ends)})"
         return fact if literal.is_true else _not(fact)
@@ -161,7 +161,7 @@ class Problem:
         )
 
     def _effect(self, action: Action, effect: Literal, names: Mapping[str, str]) -> str:
-        """An effect; of a functional relation the old value goes, and the new one stays."""
+        """An effect. For a functional relation, the old value is removed and the new one stays."""
         if EVERYTHING not in effect.arguments:
             return self._literal(effect, names)
         free = effect.arguments.index(EVERYTHING)

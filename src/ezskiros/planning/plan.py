@@ -29,11 +29,11 @@ class Plan:
     goals: Sequence[Goal]
     scene: Scene
     costs: Sequence[Cost] = ()
-    """The time that skills are known to lose to rules."""
+    """The known losses of time to rules."""
 
     @property
     def expected_s(self) -> float:
-        """The seconds that it is expected to lose to rules."""
+        """The expected loss to rules in seconds."""
         return sum(
             expected_s(each.action.skill.name, each.things, self.costs) for each in self.steps
         )
@@ -42,13 +42,13 @@ class Plan:
 def find_plan(
     library: Library, scene_path: Path, goal: str, seconds: float, costs: Sequence[Cost] = ()
 ) -> tuple[Plan | None, Sequence[Diagnostic]]:
-    """A plan, and what is to be said of it: why there is none, and which skills are left out. With
-    costs it is the one that is expected to lose the least time to rules, as far as that is found.
+    """A plan, and the findings: the reason why there is none, and the omitted skills. With costs,
+    it is the plan with the least expected loss of time that was found.
 
     Raises `NoPlannerError` if the planner is not installed.
     """
     nowhere = Span(SourceFile(str(scene_path), ""), 0, 0)
-    own = library.ontology()  # skills that say nothing of things know none
+    own = library.ontology()  # skills without conditions about individuals know no ontology
     ontology, found = (own, []) if own else load_named()
     if not is_file(scene_path):
         return None, [NoFile(path=str(scene_path)).at(nowhere)]

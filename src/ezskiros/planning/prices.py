@@ -15,13 +15,13 @@ from ezskiros.planning.actions import Action
 
 STEP = 10
 _HIGHEST = 1_000_000
-"""More than a day: sums of prices have to fit into 32 bits."""
+"""The highest price, more than a day: sums of prices have to fit into 32 bits."""
 
 
 @dataclass(frozen=True)
 class Price:
-    """A price of an action, where some of its parameters stand for certain things: one of `things`,
-    each with the IRIs in the order of `parameters`.
+    """A price of an action for certain individuals: one of `things`, each with the IRIs in the
+    order of `parameters`.
     """
 
     cost: int
@@ -31,14 +31,14 @@ class Price:
 
 @dataclass(frozen=True)
 class Prices:
-    """The prices of an action: a usual one, and those at places."""
+    """The prices of an action: the usual price, and the prices at places."""
 
     usual: int
     at_places: Sequence[Price] = ()
 
 
 def prices(action: Action, costs: Iterable[Cost]) -> Prices:
-    """The prices of an action. Places with which it has never lost time have the usual price."""
+    """The prices of an action. Places without any loss of time have the usual price."""
     known = {each.name for each in action.things}
     usual = STEP
     found: defaultdict[tuple[int, tuple[str, ...]], list[tuple[str, ...]]] = defaultdict(list)
@@ -58,7 +58,7 @@ def prices(action: Action, costs: Iterable[Cost]) -> Prices:
 
 
 def expected_s(skill: str, things: Mapping[str, str], costs: Iterable[Cost]) -> float:
-    """The seconds that a step is expected to lose: a skill, with IRIs by its parameters."""
+    """The expected loss of a step in seconds: a skill, with IRIs by parameter."""
     fitting = [
         each
         for each in costs

@@ -1,8 +1,8 @@
 """Reasons why a goal is unreachable: facts that no skill achieves and the scene does not have.
 
 The method is delete relaxation: a fact that was once possible stays possible, and so does its
-negation. A fact that is impossible even then is unreachable. Actions are tried with all things that
-their needs allow, until nothing new becomes possible.
+negation. A fact that is impossible even then is unreachable. Actions are tried with all individuals
+that their needs allow, until no new fact becomes possible.
 """
 
 from __future__ import annotations
@@ -18,31 +18,31 @@ from ezskiros.planning.facts import EVERYTHING, About, Clause, Literal, is_so
 
 @dataclass(frozen=True)
 class Missing:
-    """The lack of a goal: a fact, which no skill makes so."""
+    """The missing part of a goal: a fact that no skill achieves."""
 
     literal: Literal
     chain: tuple[tuple[str, Literal], ...] = ()
-    """The skills that would help, each with its missing need, the last one first."""
+    """The skills that would help, each with its missing need, the last skill first."""
     without: str | None = None
-    """The class without members: the last skill needs a thing of this class."""
+    """The class without members: the last skill needs an individual of this class."""
     circular: tuple[str, ...] = ()
     """Skills that achieve the fact but need it themselves, or need a fact that depends on it."""
 
 
 class TimeOverError(Exception):
-    """It took too long."""
+    """The search took too long."""
 
 
 @dataclass
 class Reach:
-    """The possible facts of a world, with some actions; until a time of `time.monotonic`."""
+    """The possible facts of a world, given some actions, until a time of `time.monotonic`."""
 
     world: World
     things: Sequence[str]
     actions: Sequence[Action]
     until: float
     _new: dict[Literal, None] = field(default_factory=dict)
-    """The facts that were not so at the start and have become possible."""
+    """The facts that were false at the start and have become possible."""
     _initially: dict[Literal, bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -55,11 +55,11 @@ class Reach:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
     def is_possible(self, literal: Literal) -> bool:
-        """Say whether a fact is so at some time."""
+        """Say whether a fact can become true."""
         return literal in self._new or self._is_initially(literal)
 
     def leads_on(self, action: Action, bound: dict[str, str]) -> bool:
-        """Say whether an action with these things makes something so that is not possible."""
+        """Say whether an action with these individuals makes a new fact possible."""
         effects = (each for e in action.effects for each in self._grounded(e.bound(bound)))
         return not all(map(self.is_possible, effects))
 
@@ -84,7 +84,9 @@ class Reach:
     def _below(
         self, action: Action, lacking: Literal | str, goal: Literal, seen: frozenset[Literal]
     ) -> Missing:
-        """Find what is missing for what an action lacks: a fact, or something of a class."""
+        """Find the missing facts behind a missing need of an action: a fact, or an individual of a
+        class.
+        """
         if isinstance(lacking, str):
             return Missing(goal, ((action.skill.name, goal),), lacking)
         found = self.missing(lacking, seen)
@@ -93,8 +95,8 @@ class Reach:
     def _lacking(
         self, action: Action, bound: dict[str, str], goal: Literal
     ) -> Literal | str | None:
-        """One of the needs that are not possible, for things for which those are the fewest; or the
-        class of which there is nothing. None if the action has nothing to do with the goal.
+        """One of the impossible needs, for the individuals with the fewest of them, or a class
+        without individuals. None if the action does not affect the goal.
         """
         for parameter in action.things:
             if parameter.name not in bound and not self._candidates(parameter.iri or ""):
@@ -107,17 +109,17 @@ class Reach:
                 return next((each for each in lacking if each != goal), lacking[0])
         return None
 
-    # --- ways -------------------------------------------------------------------------------------
+    # --- assignments ------------------------------------------------------------------------------
 
     def ways(self, action: Action) -> Iterator[dict[str, str]]:
-        """Things for which all that an action needs is possible."""
+        """The individuals for which all needs of an action are possible."""
         return self._bindings(action, {}, 0)
 
     def _bindings(
         self, action: Action, bound: dict[str, str], spare: int
     ) -> Iterator[dict[str, str]]:
-        """Things for the parameters for which all but `spare` of the needs are possible: classes
-        are never spared.
+        """The individuals of the parameters for which all needs are possible, except `spare` of
+        them. Classes are always required.
         """
         decided = [e for e in action.needs if _names(e) <= bound.keys()]
         left = self._left(decided, bound, spare)
@@ -170,7 +172,7 @@ class Reach:
         return self._initially[literal]
 
     def _grounded(self, effect: Literal) -> Iterator[Literal]:
-        """An effect, for all things if it is about everything."""
+        """An effect for each individual, if it is about all of them."""
         if EVERYTHING not in effect.arguments:
             yield effect
             return
@@ -183,7 +185,7 @@ def _names(clause: Clause) -> set[str]:
 
 
 def _matched(effect: Literal, goal: Literal) -> dict[str, str] | None:
-    """The things that parameters stand for if an effect is the goal; None if it never is."""
+    """The individuals of the parameters with which an effect is the goal; None if it never is."""
     if effect.fluent != goal.fluent or effect.is_true != goal.is_true:
         return None
     found: dict[str, str] = {}

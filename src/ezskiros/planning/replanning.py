@@ -30,13 +30,13 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.trees.library import Library
 
 SECONDS = 5.0
-"""The longest time to find out whether there is a way, and as long again to find it: the robot
-stands meanwhile.
+"""The longest time to find out whether a plan exists, and the longest time to find it, in seconds.
+The robot does not move during the search.
 """
 
 
 def replanner(library: Library, world: World) -> Replan:
-    """Searches in a thread, from a copy of the world, while the task goes on to be ticked."""
+    """Searches in a thread, on a copy of the world, while the task continues to be ticked."""
 
     def replan(task: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
         start = world.copy()
@@ -55,9 +55,9 @@ def way(
     costs: Sequence[Cost] = (),
     seconds: float = SECONDS,
 ) -> Way:
-    """The skills that lead to the post-conditions of a task, and are run in `world`. `start` has
-    what is so there now, `costs` the time that skills are known to lose to rules; of what rules
-    always stop, no step is made. Raises `NoWayError`.
+    """The skills that lead to the post-conditions of a task, to be run in `world`. `start` is a
+    copy of the current world, and `costs` are the known losses of time to rules. Steps that rules
+    always stop are not used. Raises `NoWayError`.
     """
     skill = library.skill(task.skill)
     assert skill is not None, "it runs"
@@ -75,7 +75,7 @@ def way(
 
 
 def _reported(found: Diagnostic) -> str:
-    """A finding in one line, with the reasons for it."""
+    """A finding in one line, with its reasons."""
     return f"{found.title} ({'; '.join(found.notes)})" if found.notes else found.title
 
 
@@ -92,13 +92,13 @@ def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal
             ) from None
         unknown = [name for name in wanted.arguments if name not in things]
         if unknown:
-            raise NoWayError(f"`{skill.name}` has found nothing yet for `{unknown[0]}`")
+            raise NoWayError(f"`{skill.name}` has no value yet for `{unknown[0]}`")
         yield Goal(wanted.bound(things), each.span)
 
 
 def _call(step: Step, values: Mapping[str, object], world: World) -> SkillCall:
-    """A step as it is run. A parameter that is no thing has the value that the task has for one of
-    this name and type.
+    """A step as a call. A parameter that is not an individual gets the value of the task's
+    parameter with the same name and type.
     """
     skill = step.action.skill
     found: dict[str, object] = {name: WorldThing(iri, world) for name, iri in step.things.items()}
@@ -113,7 +113,7 @@ def _call(step: Step, values: Mapping[str, object], world: World) -> SkillCall:
 
 
 def _in_background(search: Callable[[], Way]) -> Future[Way]:
-    """The end of a program does not wait for it."""
+    """Run a search in a thread that does not delay the end of the program."""
     future: Future[Way] = Future()
 
     def work() -> None:
@@ -121,7 +121,7 @@ def _in_background(search: Callable[[], Way]) -> Future[Way]:
             future.set_result(search())
         except NoWayError as problem:
             future.set_exception(problem)
-        except Exception as problem:  # the robot stands: the task has to end in order
+        except Exception as problem:  # the robot does not move: the task has to end in order
             future.set_exception(NoWayError(f"the search failed: {problem!r}"))
 
     threading.Thread(target=work, name="replan", daemon=True).start()

@@ -1,4 +1,4 @@
-"""The initial world model of a plan: a scene, and the names of its things."""
+"""The initial world model of a plan: a scene, and the names of its individuals."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ezskiros.ontology.read import Document, read
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene that can be looked at, and started from again and again."""
+    """A scene from which any number of searches can start."""
 
     ontology: Ontology
     document: Document
@@ -30,7 +30,7 @@ class Scene:
         return found
 
     def names(self) -> Mapping[str, str]:
-        """The things by their names: IRIs, short or whole, and labels."""
+        """The individuals by name: IRIs, full or short, and labels."""
         model = self.ontology.model
         things = self.world().things(THING)
         label = pyoxigraph.NamedNode(RDFS + "label")
@@ -52,7 +52,7 @@ class Scene:
 
 
 def read_scene(path: Path, ontology: Ontology) -> tuple[Scene | None, Sequence[Diagnostic]]:
-    """A scene, and what is wrong with it. Raises `OSError` if it cannot be read."""
+    """A scene, and the findings. Raises `OSError` if it cannot be read."""
     found = check_scene(path, ontology)
     document, _ = read(path)
     return (Scene(ontology, document) if document else None), found

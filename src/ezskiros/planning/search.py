@@ -39,12 +39,12 @@ class Search:
     goals: Sequence[Goal]
     seconds: float
     costs: Sequence[Cost] = ()
-    """The time that skills are known to lose to rules."""
+    """The known losses of time to rules."""
     without: Sequence[Prohibition] = ()
     """The skills that rules always stop."""
 
     def run(self) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
-        """The steps, or why there are none. Raises `NoPlannerError`."""
+        """The steps, or the reasons why there are none. Raises `NoPlannerError`."""
         span = self.goals[0].span.to(self.goals[-1].span)
         wanted = [each.literal for each in self.goals]
         world = self.start()
@@ -79,7 +79,7 @@ class Search:
     def _confirmed(
         self, steps: Sequence[Step], wanted: Sequence[Literal], span: Span
     ) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
-        """The steps that have to be, if they lead to the goals in the world model."""
+        """The necessary steps, if they reach the goals in the world model."""
         failed = tried(steps, wanted, self.start())
         if failed is not None:
             is_step = failed.number <= len(steps)
@@ -90,7 +90,7 @@ class Search:
         return shortened(steps, wanted, self.start), []
 
     def _blocked(self, goals: Sequence[Goal], reach: Reach) -> Iterator[Diagnostic]:
-        """The findings for goals that are out of reach."""
+        """The findings for unreachable goals."""
         stopped = self._stopped(reach) if self.without else []
         free = Reach(reach.world, reach.things, self.actions, reach.until) if stopped else reach
         for goal in goals:
@@ -101,7 +101,7 @@ class Search:
                 yield self._out_of_reach(goal, reach.missing(goal.literal))
 
     def _stopped(self, reach: Reach) -> list[str]:
-        """The steps that could be made and would lead on, if rules did not stop them."""
+        """The steps that are possible and would help, if rules did not stop them."""
         found: dict[str, None] = {}
         for action in self.actions:
             for bound in reach.ways(action):
@@ -116,7 +116,7 @@ class Search:
         return _called(why.skill, [f"{each} = {self.model.short(things[each])}" for each in names])
 
     def _out_of_reach(self, goal: Goal, missing: Missing) -> Diagnostic:
-        """The finding for a goal, with the way from it to what is missing."""
+        """The finding for a goal, with the skills between the goal and the missing fact."""
         found = errors.GoalOutOfReach(missing=self._said(goal.literal))
         notes: list[Remark] = [
             found.Needs(skill=skill, needed=self._said(each))

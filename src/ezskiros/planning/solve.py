@@ -1,6 +1,6 @@
 """The call of the planner Fast Downward in its own process.
 
-Its files are located, and nothing of it is imported.
+The program is located, but its Python modules are not imported.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ _PACKAGE = "up_fast_downward"
 _PROGRAM = "downward/fast-downward.py"
 _FIRST = ("--alias", "lama-first")
 _CHEAPEST = ("--alias", "lama")
-"""It goes on to cheaper plans, `plan.1`, `plan.2` and so on, until none is cheaper."""
+"""The option to search for cheaper plans, `plan.1`, `plan.2` and so on, until there is none."""
 _END = "; cost = "
-"""Begins the last line of a plan."""
+"""The beginning of the last line of a plan."""
 # https://www.fast-downward.org/ExitCodes
 _FOUND = range(4)
 _UNSOLVABLE = range(10, 14)
@@ -36,18 +36,18 @@ _TIME_OVER = (21, 23)
 
 
 class NoPlannerError(Exception):
-    """The planner is not installed; the text says how to install it."""
+    """The planner is not installed. The text explains the installation."""
 
     def __init__(self) -> None:
         super().__init__(f"planning needs a planner: {EXTRAS.advice('plan')}")
 
 
 class TimeOverError(Exception):
-    """It took too long."""
+    """The search took too long."""
 
 
 def solve(problem: Problem, seconds: float) -> list[Step] | None:
-    """A plan, the cheapest that is found in time if skills have costs; None if there is none.
+    """A plan, the cheapest one that is found in time if skills have costs; None if there is none.
     Raises `NoPlannerError` and `TimeOverError`.
     """
     program = _program()
@@ -55,7 +55,8 @@ def solve(problem: Problem, seconds: float) -> list[Step] | None:
         folder = Path(name)
         (folder / "domain.pddl").write_text(problem.domain(), encoding="utf-8")
         (folder / "problem.pddl").write_text(problem.problem(), encoding="utf-8")
-        # It is ended after these seconds below, and by itself where nobody is left to do that.
+        # The planner is killed below after these seconds, and ends by itself if this process is
+        # gone.
         limit = ("--overall-time-limit", f"{math.ceil(seconds) + 10}s")
         search = _CHEAPEST if problem.costs else _FIRST
         files = ("--plan-file", "plan", *limit, *search, "domain.pddl", "problem.pddl")
@@ -74,14 +75,14 @@ def solve(problem: Problem, seconds: float) -> list[Step] | None:
 
 
 def _last_plan(folder: Path) -> str | None:
-    """The last plan that was written to its end; None if there is none."""
+    """The last complete plan; None if there is none."""
     files = sorted(folder.glob("plan*"), key=lambda each: int(each.suffix[1:] or 0))
     plans = [each.read_text(encoding="utf-8") for each in files]
     return next((each for each in reversed(plans) if f"\n{_END}" in f"\n{each}"), None)
 
 
 def _program() -> Path:
-    """The program, in the folder of its package; to find a package does not import it."""
+    """The program, in the folder of its package. The package is not imported."""
     package = find_spec(_PACKAGE)
     for folder in (package and package.submodule_search_locations) or ():
         if (found := Path(folder) / _PROGRAM).is_file():
@@ -90,7 +91,9 @@ def _program() -> Path:
 
 
 def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str]:
-    """The exit code of a program, and what it said; it ends with all that it started."""
+    """The exit code and the output of a program. The program ends together with all its child
+    processes.
+    """
     with subprocess.Popen(
         command,
         cwd=folder,
@@ -102,7 +105,7 @@ def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str
         try:
             said, _ = process.communicate(timeout=seconds)
         except BaseException as error:
-            with contextlib.suppress(ProcessLookupError):  # all have ended
+            with contextlib.suppress(ProcessLookupError):  # all processes have ended
                 os.killpg(process.pid, signal.SIGKILL)
             if isinstance(error, subprocess.TimeoutExpired):
                 raise TimeOverError from None
@@ -110,20 +113,22 @@ def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str
     return process.returncode, said.decode("utf-8", "replace")
 
 
-# --- trying a plan out ----------------------------------------------------------------------------
+# --- replay of a plan -----------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class Failed:
-    """A step of a plan that fails, and its missing need. After the last step: the goal."""
+    """A failing step of a plan, and its missing need. After the last step, the missing need is the
+    goal.
+    """
 
     number: int
     needed: Literal
 
 
 def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Failed | None:
-    """Replay a plan on a world model and change the model. Return the failing step, None if the
-    plan reaches the goals.
+    """Replay a plan on a world model, which changes. Returns the failing step, or None if the plan
+    reaches the goals.
     """
     for number, step in enumerate(steps, 1):
         lacking = _done(step, world)
@@ -135,9 +140,9 @@ def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Fail
 def shortened(
     steps: Sequence[Step], goals: Sequence[Literal], start: Callable[[], World]
 ) -> Sequence[Step]:
-    """A plan without steps that need not be: a planner that takes the first plan that it finds may
-    make detours. Each step is left out in turn, with those that cannot be made without it (greedy
-    action elimination: Nakhost and Müller, 2010).
+    """A plan without unnecessary steps, because the first plan of a planner may make detours. Each
+    step is left out in turn, together with the steps that depend on it (greedy action elimination:
+    Nakhost and Müller, 2010).
     """
     number = 0
     while number < len(steps):
@@ -152,7 +157,9 @@ def shortened(
 
 
 def _done(step: Step, world: World) -> Literal | None:
-    """Make a step in a world model; what is lacking if that cannot be: then nothing is changed."""
+    """Apply a step to a world model. Returns the missing need if this is impossible; then nothing
+    changes.
+    """
     things = dict(step.things)
     for clause in step.action.needs:
         bound = [each.bound(things) for each in clause]

@@ -1,7 +1,7 @@
 """A plan as a skill: the source of a description and of a compound implementation.
 
-Things of the scene become parameters. The pre-conditions are the needs of steps that no earlier
-step provides; the post-conditions are the goals.
+Individuals of the scene become parameters. The pre-conditions are the needs of steps that no
+earlier step provides; the post-conditions are the goals.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ _CONDITIONS = (About.RELATION, About.COMPARISON, About.PROPERTY)
 
 
 def source(plan: Plan, name: str, goal: str) -> str:
-    """The source of a plan as a skill; `name` is that of its implementation."""
+    """The source of a plan as a skill. `name` is the name of the implementation."""
     return "\n".join(_Source(plan, name, goal).lines()) + "\n"
 
 
 def other_folder(plan: Plan, path: Path) -> Path | None:
-    """The folder from which the skills of a plan are imported, if not that of a file."""
+    """The folder from which a plan imports its skills, if it is not the folder of a file."""
     root = module_name(path.resolve())[1]
     for step in plan.steps:
         file = sys.modules[step.action.description.__module__].__file__
@@ -94,7 +94,7 @@ class _Source:
     # --- names ------------------------------------------------------------------------------------
 
     def _named_things(self) -> dict[str, str]:
-        """Things by their IRIs, with the names of their parameters."""
+        """Individuals by IRI, with the names of their parameters."""
         used: dict[str, None] = {}
         for step in self._plan.steps:
             used.update(dict.fromkeys(step.things.values()))
@@ -110,14 +110,16 @@ class _Source:
         return found
 
     def _open_values(self) -> Iterator[tuple[Step, Parameter]]:
-        """The parameters, other than things, that the skills of the steps have to be given."""
+        """The parameters of the steps, other than individuals, that need a value."""
         for step in self._plan.steps:
             for each in step.action.skill.parameters:
                 if not each.is_thing and each.default is None and not each.is_output:
                     yield step, each
 
     def _value_name(self, step: Step, parameter: Parameter) -> str:
-        """The name itself; with that of the skill where another skill means another type by it."""
+        """The name of the parameter, with the name of the skill if another skill uses it for
+        another type.
+        """
         kinds = {each.type for each in self._values.values() if each.name == parameter.name}
         is_taken = len(kinds) > 1 or parameter.name in self._things.values()
         return f"{step.action.skill.name}_{parameter.name}" if is_taken else parameter.name
@@ -137,7 +139,7 @@ class _Source:
                 yield f"{each.name}=params.{self._value_name(step, each)}"
 
     def _class(self, iri: str) -> str:
-        """The most special class of a thing that all skills take it for."""
+        """The most special class that all skills require of an individual."""
         wanted = {
             parameter.iri or THING
             for step in self._plan.steps
@@ -162,7 +164,7 @@ class _Source:
         return f"{identifier(namespace)}.{name}"
 
     def _condition(self, literal: Literal) -> str:
-        """A condition, as it is written in a description."""
+        """A condition in the syntax of a description."""
         text = spelled(self._statement(literal), self._model)
         name = identifier(split(literal.fluent.iri)[1])
         if name not in self._ontology.ambiguous():
@@ -212,7 +214,7 @@ class _Source:
 
 
 def _call(name: str, arguments: Sequence[str]) -> Iterator[str]:
-    """A child of the processor, on as many lines as it takes."""
+    """A child of the processor, on as many lines as necessary."""
     line = f"            {name}({', '.join(arguments)}),"
     if len(line) <= MOST_CHARACTERS:
         yield line
@@ -228,7 +230,7 @@ def _parameter_name(local: str) -> str:
 
 
 def _module_with(name: str, modules: Iterable[str]) -> str | None:
-    """The module among some that has a namespace under this name."""
+    """The module that has a namespace under this name; None if there is none."""
     for module in sorted(modules):
         if isinstance(vars(sys.modules[module]).get(name), Namespace):
             return module
@@ -236,7 +238,7 @@ def _module_with(name: str, modules: Iterable[str]) -> str | None:
 
 
 def initial_needs(plan: Plan) -> Iterator[Literal]:
-    """The needs of the steps that no step before them gives or takes."""
+    """The needs of the steps that no earlier step affects."""
     world = plan.scene.world()
     changed: list[Literal] = []
     for step in plan.steps:
@@ -252,7 +254,7 @@ def initial_needs(plan: Plan) -> Iterator[Literal]:
 
 
 def _is_given(literal: Literal, changed: Iterable[Literal]) -> bool:
-    """Say whether a step has made it so, or not so any more."""
+    """Say whether an earlier step has made a literal true or false."""
     return any(
         each.fluent == literal.fluent
         and all(

@@ -17,10 +17,11 @@ _FUNCTIONS = {"specified", "generated", "of_type", "abstract"}
 
 
 def with_pre_conditions(text: str, skill: str, conditions: Sequence[str]) -> str | None:
-    """The text of a module with conditions added to the class of a skill, behind those it has.
+    """The text of a module with conditions added to the class of a skill, after its existing
+    conditions.
 
-    None if it cannot be done: the class has no description of its own here, the text is not of
-    Python, or it does not have the names that conditions are written with.
+    None if this is impossible: the class has no description of its own in the module, the text is
+    not valid Python, or the module does not have the names that the conditions need.
     """
     if too_deep(text) is not None:
         return None
@@ -41,7 +42,7 @@ def _with_conditions(
 
 
 class _Adding(cst.CSTTransformer):
-    """Adds to the method `description` of one class at the top of a module."""
+    """Adds conditions to the method `description` of one class at the top level of a module."""
 
     def __init__(self, skill: str, lines: Sequence[cst.SimpleStatementLine]) -> None:
         self._skill, self._lines = skill, lines
@@ -79,7 +80,7 @@ def _first_parameter(method: cst.FunctionDef) -> str | None:
 
 
 def _of(owner: str, line: cst.SimpleStatementLine) -> cst.SimpleStatementLine:
-    """With the name that the method has for the skill in the place of `self`."""
+    """The line with the first parameter of the method instead of `self`."""
     replaced = m.replace(
         line,
         m.Attribute(value=m.Name("self"), attr=m.Name("pre_conditions")),
@@ -92,7 +93,7 @@ def _of(owner: str, line: cst.SimpleStatementLine) -> cst.SimpleStatementLine:
 def _with_lines(
     body: cst.BaseSuite, owner: str, lines: Sequence[cst.SimpleStatementLine]
 ) -> cst.IndentedBlock:
-    """A body with further statements; one that has only a `pass` or `...` loses that."""
+    """A body with more statements. A single `pass` or `...` is removed."""
     block = body if isinstance(body, cst.IndentedBlock) else _as_block(body)
     old = [each for each in block.body if not _is_nothing(each)]
     place = _place(old, owner)
@@ -100,13 +101,13 @@ def _with_lines(
 
 
 def _as_block(body: cst.BaseSuite) -> cst.IndentedBlock:
-    """Put what stands behind the colon below it."""
+    """Move the statements after the colon to lines below it."""
     assert isinstance(body, cst.SimpleStatementSuite)
     return cst.IndentedBlock([cst.SimpleStatementLine(list(body.body))])
 
 
 def _place(body: Sequence[cst.BaseStatement], owner: str) -> int:
-    """Behind the pre-conditions that there are; else before all but the docstring."""
+    """The position after the existing pre-conditions, otherwise after the docstring."""
     adding = m.AugAssign(
         target=m.Attribute(value=m.Name(owner), attr=m.Name("pre_conditions")),
         operator=m.AddAssign(),
@@ -133,7 +134,7 @@ def _is_text(line: cst.BaseStatement) -> bool:
 
 
 def _has_names(module: cst.Module, lines: Sequence[cst.CSTNode]) -> bool:
-    """Say whether a module imports the functions, and has the namespaces, of conditions."""
+    """Say whether a module has the functions and the namespaces of conditions."""
     needed: set[str] = set()
     for line in lines:
         for call in m.findall(line, m.Call(func=m.Name())):
@@ -147,7 +148,7 @@ def _has_names(module: cst.Module, lines: Sequence[cst.CSTNode]) -> bool:
 
 
 def _bound(module: cst.Module) -> set[str]:
-    """The names that a module imports or assigns at its top."""
+    """The names that a module imports or assigns at its top level."""
     found: set[str] = set()
     for each in m.findall(module, m.ImportFrom()):
         assert isinstance(each, cst.ImportFrom)

@@ -19,7 +19,7 @@ class Added(Generic[Item]):
         self._attribute = attribute
         self._items: list[Item] = []
         self.are_whole = True
-        """True if all that was added was right: after a mistake some may be missing."""
+        """True if all additions were valid. After a mistake, items may be missing."""
 
     def __getattr__(self, name: str) -> Unknown:
         if name.startswith("__"):

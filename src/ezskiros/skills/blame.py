@@ -1,4 +1,4 @@
-"""The place in user code that an exception is attributed to, and the text of the exception."""
+"""The place in user code that caused an exception, and the text of the exception."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def said(problem: BaseException) -> str:
 
 
 def user_place(problem: BaseException) -> Span | None:
-    """The last place of the user's code that an exception came from."""
+    """The last place in the user's code from which an exception came."""
     steps = list(user_steps(problem.__traceback__))
     if isinstance(problem, RecursionError):
-        steps = steps[:-1] or steps  # the last is wherever it was when there was no more room
+        steps = steps[:-1] or steps  # with a recursion error, the last place is arbitrary
     return next(filter(None, map(place_of, reversed(steps))), None)
 
 
@@ -39,8 +39,8 @@ def user_steps(traceback: TracebackType | None) -> Iterator[TracebackType]:
 
 
 def user_files(problem: BaseException | None) -> list[str]:
-    """The files of the user's code that an exception came through; none if it has nothing to do
-    with symbols.
+    """The files of the user's code that an exception passed; none if it is not related to
+    symbols.
     """
     if not isinstance(problem, Exception) or isinstance(problem, RecursionError):
         return []

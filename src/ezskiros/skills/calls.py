@@ -30,7 +30,7 @@ class SkillClass(type):
         return _child(cls, None, positional, arguments)
 
     def __getattr__(cls, name: str) -> ImplementationName:
-        """The implementation of this name; whether there is one is known when all are loaded."""
+        """The implementation of this name. Whether it exists is known when all files are loaded."""
         if name.startswith("_"):
             raise AttributeError(f"{cls.__name__!r} has no attribute {name!r}")
         return ImplementationName(cls, name)
@@ -38,7 +38,7 @@ class SkillClass(type):
 
 @dataclass(frozen=True)
 class ImplementationName:
-    """An implementation that a child of a behavior tree asks for."""
+    """An implementation that a child of a behavior tree requires."""
 
     skill: SkillClass
     spelled: str
@@ -48,7 +48,7 @@ class ImplementationName:
         return _child(self.skill, self.spelled, positional, arguments)
 
     def __mro_entries__(self, _bases: tuple[object, ...]) -> tuple[type, ...]:
-        """The class that is meant where one is derived from a misspelt `SkillBase`."""
+        """The intended base class, if a class is derived from a misspelt `SkillBase`."""
         found = errors.NoSkillBase(skill=self.skill.__name__, spelled=self.spelled)
         session.report(found.at(session.here()))
         return (self.skill.SkillBase,)
@@ -58,8 +58,8 @@ class ImplementationName:
 class SkillCall:
     """A child that is a skill: `ApproachMovement.go_to_linear(Target=params.GraspPose)`.
 
-    `skill` is its description, `implementation` the name of the one that is wanted; None if any
-    does. `arguments` are what the parameters get, as given.
+    `skill` is its description. `implementation` is the name of the required implementation; None if
+    any may run. `arguments` are the given values of the parameters.
     """
 
     skill: SkillClass
@@ -80,12 +80,12 @@ def _child(
         named = ", ".join(f"{each}=..." for each in meant) or "Parameter=value"
         found = errors.NamelessArgument(skill=skill.__name__, named=named)
         session.report(found.at(span))
-        arguments |= dict.fromkeys(meant, UNKNOWN)  # that they have a value is not reported besides
+        arguments |= dict.fromkeys(meant, UNKNOWN)  # the missing value is not reported in addition
     return made(SkillCall(skill, implementation, arguments, span))
 
 
 def _parameters(skill: SkillClass) -> list[str]:
-    """The names of the parameters of a skill, as its description is written."""
+    """The names of the parameters of a skill, in the order of its description."""
     description = getattr(skill, "description", None)
     if not isinstance(description, FunctionType):
         return []

@@ -29,9 +29,9 @@ from ezskiros.skills.tracing import Method
 
 @dataclass(frozen=True)
 class Described:
-    """A skill, and the ontology that its types are from; None if it has no things.
+    """A skill, and the ontology of its types; None if it has no individuals.
 
-    After a mistake it may not be whole: conditions may be missing.
+    After a mistake the skill may be incomplete: conditions may be missing.
     """
 
     interface: SkillInterface
@@ -40,7 +40,7 @@ class Described:
 
 
 def describe(skill: SkillClass) -> Described | None:
-    """Describe a skill as it does itself; None if it says nothing, after a finding."""
+    """Describe a skill by running its description; None, after a finding, if it has no content."""
     method = inspect.getattr_static(skill, "description", None)
     if not isinstance(method, FunctionType):
         session.report(_no_description(skill))
@@ -74,7 +74,7 @@ def describe(skill: SkillClass) -> Described | None:
 
 
 def _unclear(method: FunctionType, parameters: Sequence[Parameter]) -> frozenset[str]:
-    """The names of the parameters that are written, without those that were understood."""
+    """The names of the parameters in the source, without those that were understood."""
     written = list(signature_of(method).parameters)[1:]
     return frozenset(written) - {each.name for each in parameters}
 
@@ -96,13 +96,13 @@ def _no_description(skill: SkillClass) -> Diagnostic:
 
 
 def _has_self(method: FunctionType) -> bool:
-    """Say whether there is a place for the skill itself: one that has no type."""
+    """Say whether the first parameter is the skill itself: it has no type."""
     first = next(iter(signature_of(method).parameters.values()), None)
     return first is not None and (first.name == "self" or first.annotation is first.empty)
 
 
 def _made(skill: SkillClass) -> Adding:
-    """An instance: to call a skill by its name is to make a child of a behavior tree."""
+    """An instance. The call of a skill class would make a child of a behavior tree."""
     made: SkillDescription = type.__call__(skill)
     return Adding(
         made,
@@ -117,7 +117,7 @@ def _made(skill: SkillClass) -> Adding:
 def _explored(
     skill: SkillClass, function: FunctionType, parameters: Sequence[Parameter]
 ) -> tuple[Conditions, bool]:
-    """The conditions of a description, and whether none is missing after a mistake."""
+    """The conditions of a description, and whether they are complete."""
 
     def undefined(spelled: str) -> tuple[Template, Remark | None]:
         known = [*(each.name for each in parameters), *function.__globals__]
@@ -129,7 +129,7 @@ def _explored(
         skill,
         function,
         f"the description of `{skill.__name__}`",
-        "a description only says what a skill needs and does; move this to its implementation",
+        "a description only declares parameters and conditions; move this to the implementation",
         undefined,
     )
     return explored(method, lambda: _made(skill), parameters)

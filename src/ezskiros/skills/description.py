@@ -36,7 +36,7 @@ class Conditions(Added[Clause]):
         super().__init__(f"{kind}_conditions")
 
     def __iadd__(self, condition: Condition | Unknown) -> Conditions:
-        # Type checkers refuse all else; who has none is reported here.
+        # Type checkers reject all other operands; for other users the mistake is reported here.
         if isinstance(condition, Condition) and not is_asked_here():
             self._items.append(Clause(condition.statement, condition.span))
             return self
@@ -57,7 +57,7 @@ class Conditions(Added[Clause]):
 
 
 def _is_reported(condition: object, span: Span) -> bool:
-    """Say whether something came of `not condition`, which has been reported."""
+    """Say whether a condition is the result of `not condition`, which has been reported."""
     return isinstance(condition, bool) and session.has_reported(span)
 
 
@@ -68,8 +68,9 @@ class SkillDescription(metaclass=SkillClass):
             def description(self, Robot: cora.Robot, Target: skiros.Location):
                 self.post_conditions += Robot.at(Target)
 
-    Parameters of the method are those of the skill (thesis, Paper IV, listing 5). The method is run
-    once, with symbols in their places, to learn the conditions; it is not called by users.
+    The parameters of the method are the parameters of the skill (thesis, Paper IV, listing 5).
+    EzSkiROS runs the method with symbols as arguments and records the conditions. Users do not
+    call it.
     """
 
     pre_conditions: Conditions
@@ -100,7 +101,7 @@ class SkillDescription(metaclass=SkillClass):
         object.__setattr__(self, name, value)
 
     def __getattr__(self, name: str) -> Added[Any]:
-        """The part that is meant, after a finding."""
+        """The attribute with the most similar name, after a finding."""
         near = difflib.get_close_matches(name, PARTS, n=1, cutoff=0.75)
         if name.startswith("__") or not near:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
@@ -114,19 +115,21 @@ PARTS = ("pre_conditions", "hold_conditions", "post_conditions", "permits", "use
 
 
 def specified(parameter: object) -> Condition | Unknown:
-    """A parameter stands for a thing of the world."""
+    """The condition that a parameter has a value."""
     thing = _thing(parameter, "specified")
     return Condition(Specified(thing), session.here()) if thing else UNKNOWN
 
 
 def generated(parameter: object) -> Condition | Unknown:
-    """A thing comes into the world; with `~` it leaves it."""
+    """The condition that an individual exists. As a post-condition, the skill creates the
+    individual, or, with `~`, removes it.
+    """
     thing = _thing(parameter, "generated")
     return Condition(Generated(thing), session.here()) if thing else UNKNOWN
 
 
 def of_type(parameter: object, owl_class: object) -> Condition | Unknown:
-    """A thing is of a class."""
+    """The condition that an individual is of a class."""
     thing = _thing(parameter, "of_type")
     if thing is None or isinstance(owl_class, Unknown):
         return UNKNOWN
@@ -137,7 +140,7 @@ def of_type(parameter: object, owl_class: object) -> Condition | Unknown:
 
 
 def abstract(condition: object) -> Condition | Unknown:
-    """A relation between the classes of two things, instead of the things."""
+    """A relation between the classes of two individuals, instead of the individuals."""
     span = session.here()
     if isinstance(condition, Unknown):
         return condition
@@ -151,7 +154,7 @@ def abstract(condition: object) -> Condition | Unknown:
 
 
 def _thing(parameter: object, function: str) -> str | None:
-    """The name of the parameter; None, after a finding, if it is none that stands for a thing."""
+    """The name of the parameter; None, after a finding, if it does not stand for an individual."""
     if isinstance(parameter, Thing):
         return repr(parameter)
     if not isinstance(parameter, Unknown):

@@ -1,6 +1,7 @@
-"""Refusal of modules whose bytes do not match their encoding (PEP 263), wherever they are imported.
+"""Rejection of modules whose bytes do not match their encoding (PEP 263), wherever they are
+imported.
 
-Some versions of Python accept any byte in a comment, others refuse it. A check always refuses it.
+Some versions of Python accept any byte in a comment, others reject it. A check always rejects it.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ _DEFAULT = "utf-8"
 
 @dataclass(frozen=True)
 class _Fault:
-    """A fault, and the byte where it is."""
+    """A fault, and the position of its byte."""
 
     said: str
     place: int
@@ -33,7 +34,7 @@ class _Fault:
 
 
 class UnreadableError(SyntaxError):
-    """A module that cannot be read; `diagnostic` says where."""
+    """A module that cannot be read. `diagnostic` has the place."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.title)
@@ -44,7 +45,9 @@ _get_code = SourceFileLoader.get_code
 
 
 def _strict_code(loader: SourceFileLoader, name: str) -> CodeType | None:
-    """The code of a module, if Python can read all of it, whatever it has compiled before."""
+    """The code of a module, if Python can decode all of its text, even if a compiled version
+    exists.
+    """
     path = loader.get_filename(name)
     if session.is_of_user(path):
         content = loader.get_data(path)
@@ -56,7 +59,7 @@ def _strict_code(loader: SourceFileLoader, name: str) -> CodeType | None:
 
 @contextmanager
 def reading_strictly() -> Iterator[None]:
-    """Within, the import of a module that cannot be read raises `UnreadableError`."""
+    """While the context is active, the import of an unreadable module raises `UnreadableError`."""
     SourceFileLoader.get_code = _strict_code  # type: ignore[assignment,method-assign]
     try:
         yield
@@ -78,7 +81,8 @@ def _fault(content: bytes) -> _Fault | None:
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(content).readline)
     except SyntaxError as problem:
-        # It looks at two lines only; what is no UTF-8 there is reported with its place.
+        # Python detects the encoding from two lines only; later bytes that are not UTF-8 are
+        # reported with their place.
         return _undecodable(content, _DEFAULT) or _Fault(str(problem), 0)
     return _undecodable(content, encoding)
 
@@ -87,11 +91,11 @@ def _undecodable(content: bytes, encoding: str) -> _Fault | None:
     try:
         content.decode(encoding)
     except UnicodeDecodeError as problem:
-        said = f"the byte 0x{content[problem.start]:02x} is not of {encoding}"
+        said = f"the byte 0x{content[problem.start]:02x} is not valid in {encoding}"
         return _Fault(said, problem.start, encoding, NoPython.Encoding())
     return None
 
 
 def _text(content: bytes, encoding: str) -> str:
-    """With a mark in the place of what cannot be decoded, and lines as Python counts them."""
+    """The text with a mark for each undecodable byte, with Python's line ends."""
     return content.decode(encoding, "replace").replace("\r\n", "\n").replace("\r", "\n")

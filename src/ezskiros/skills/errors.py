@@ -73,9 +73,9 @@ class WrongDefault(Error, code="EZS205", name="wrong-default"):
 
 
 class ThingDefault(Error, code="EZS206", name="thing-default"):
-    """A default for a parameter that stands for a thing of the world model."""
+    """A default for a parameter that stands for an individual of the world model."""
 
-    title = "`{parameter}` stands for a thing of the world model and cannot have a default"
+    title = "`{parameter}` stands for an individual of the world model and cannot have a default"
     help = "write `INFERRED[...]` to find it in the world model, `OPTIONAL[...]` to allow no value"
     parameter: str
 
@@ -83,7 +83,7 @@ class ThingDefault(Error, code="EZS206", name="thing-default"):
 class MarkedBasic(Error, code="EZS207", name="marked-basic"):
     """INFERRED or an option on a basic type."""
 
-    title = "`{marker}` applies to things of the world model, not to {type}"
+    title = "`{marker}` applies to individuals of the world model, not to {type}"
     label = "the type of `{parameter}`"
     help = "give `{parameter}` a default value, or remove `{marker}`"
     marker: str
@@ -163,7 +163,7 @@ class NoSelf(Error, code="EZS214", name="no-self"):
 
 
 class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
-    """`append` or the like instead of `+=`."""
+    """A call such as `append` instead of `+=`."""
 
     title = "`self.{conditions}` has no method `{spelled}`"
     help = "write `self.{conditions} += ...`, one line per item"

@@ -29,7 +29,7 @@ from ezskiros.skills.values import SymbolicValue
 
 @dataclass(frozen=True)
 class Adding:
-    """The `self` that a method is run on, and its attributes to which the method adds."""
+    """The `self` of a method that runs, with the attributes to which the method adds."""
 
     instance: Any
     pre: Added[Clause]
@@ -41,7 +41,7 @@ class Adding:
 
 @dataclass(frozen=True)
 class Conditions:
-    """The additions of one way through a method."""
+    """The additions on one path through a method."""
 
     pre: tuple[Clause, ...] = ()
     hold: tuple[Clause, ...] = ()
@@ -50,7 +50,7 @@ class Conditions:
     uses: tuple[Use, ...] = ()
 
     def said(self) -> tuple[frozenset[object], ...]:
-        """All of it without the places at which it is written."""
+        """All additions, without their places."""
         conditions = (self.pre, self.hold, self.post)
         statements = [frozenset(each.statement for each in clauses) for clauses in conditions]
         return (*statements, frozenset(self.permits), frozenset(self.uses))
@@ -59,8 +59,8 @@ class Conditions:
 def explored(
     method: Method, make: Callable[[], Adding], parameters: Sequence[Parameter]
 ) -> tuple[Conditions, bool]:
-    """The conditions that a method adds to what `make` makes, and whether none is missing after a
-    mistake. All ways are looked at until one has other conditions than the first.
+    """The conditions that a method adds to the object that `make` returns, and whether they are
+    complete. Paths are followed until one has other conditions than the first.
     """
 
     def run(adding: Adding, function: FunctionType) -> None:
@@ -82,7 +82,7 @@ def explored(
 
 
 def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
-    """The conditions that a run has added, and whether none is missing."""
+    """The conditions that a run has added, and whether they are complete."""
     if way.instance is None:
         return Conditions(), False
     adding = way.instance
@@ -98,7 +98,7 @@ def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
 
 
 def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
-    """The symbols that stand in the places of the parameters."""
+    """The symbols for the parameters."""
     return {
         each.name: symbol(each.type, each.name)
         if isinstance(each.type, ThingClass)
@@ -108,7 +108,7 @@ def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
 
 
 def _depends(skill: str, span: Span, symbol: object) -> Diagnostic:
-    """The finding for conditions that are others if a symbol is true."""
+    """The finding for conditions that depend on the truth value of a symbol."""
     if isinstance(symbol, SymbolicValue):
         return errors.DependsOnValue(skill=skill, parameter=repr(symbol)).at(span)
     return errors.DependsOnOutcome(skill=skill, call=repr(symbol)).at(span)
@@ -117,8 +117,8 @@ def _depends(skill: str, span: Span, symbol: object) -> Diagnostic:
 def _arguments(
     method: FunctionType, known: Mapping[str, object]
 ) -> tuple[list[object], dict[str, object]]:
-    """The symbols, by place and by name; a wrong one is replaced by something that all goes on
-    with.
+    """The symbols, by position and by name. An invalid parameter gets an object that supports all
+    operations.
     """
     placed: list[Any] = []
     named: dict[str, object] = {}

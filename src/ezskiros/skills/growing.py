@@ -18,23 +18,23 @@ Children = list[Any] | tuple[Any, ...]
 
 
 class Growing:
-    """The tree that is being written: its nodes that are not part of another one yet."""
+    """The tree under construction: its nodes without a parent."""
 
     def __init__(self) -> None:
         self._loose: dict[int, Any] = {}
 
     @property
     def loose(self) -> list[Any]:
-        """Those in the order in which they are written."""
+        """The nodes without a parent, in source order."""
         return list(self._loose.values())
 
     def add(self, node: object, below: Iterable[object]) -> None:
-        """A node is made of those below it, which are loose no more."""
+        """Add a node. The nodes below it are no longer loose."""
         self.drop(below)
         self._loose[id(node)] = node
 
     def drop(self, those: Iterable[object]) -> None:
-        """Nodes are left out of the tree."""
+        """Remove nodes from the tree."""
         for each in those:
             self._loose.pop(id(each), None)
 
@@ -44,7 +44,7 @@ _growing: ContextVar[Growing | None] = ContextVar("growing", default=None)
 
 @contextmanager
 def growing() -> Iterator[Growing]:
-    """Within, nodes that are made belong to one tree."""
+    """While the context is active, new nodes belong to one tree."""
     found = Growing()
     token = _growing.set(found)
     try:
@@ -54,12 +54,12 @@ def growing() -> Iterator[Growing]:
 
 
 def is_growing() -> bool:
-    """Say whether a tree is being written."""
+    """Say whether a tree is under construction."""
     return _growing.get() is not None
 
 
 def made(node: _Node, below: Iterable[object] = ()) -> _Node:
-    """The node over those below it, which belongs to the tree that is being written, if any is."""
+    """The node above some nodes, added to the tree under construction, if there is one."""
     tree = _growing.get()
     if tree is not None:
         tree.add(node, below)
@@ -67,23 +67,23 @@ def made(node: _Node, below: Iterable[object] = ()) -> _Node:
 
 
 def times(those: Children, count: int) -> Children:
-    """Children as often as a number says: `[Step()] * params.Count`; without them if it is 0."""
+    """Children repeated by a number, as in `[Step()] * params.Count`; none if the number is 0."""
     if count < 1:
         drop(those)
     return those * count
 
 
 def drop(those: Iterable[object]) -> None:
-    """Nodes that something is given that is wrong, and reported, are no part of the tree."""
+    """Remove the nodes that were passed to a faulty call, which has been reported."""
     tree = _growing.get()
     if tree is not None:
         tree.drop(those)
 
 
 class Nowhere(Unknown):
-    """A stand-in for a processor that is not there: it takes its children."""
+    """A stand-in for an unknown processor. It takes children."""
 
     def __call__(self, *those: object, **_named: object) -> Unknown:
-        """Goes on."""
+        """Accept the children."""
         drop(those)
         return self

@@ -1,8 +1,8 @@
 """Execution of checked code without side effects and with a time limit.
 
 Python calls an audit hook before it opens a file, makes a connection or starts a process (PEP 578).
-Within `guarded` the hook refuses such calls from any place; calls of our own code and of library
-imports are allowed. `intercept.py` lets code continue after a refused call.
+In `guarded` the hook refuses such calls from any place; calls of EzSkiROS and of library imports
+are allowed. `intercept.py` lets code continue after a refused call.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _DEEDS = {
     "socket.": "uses the network",
     "urllib.Request": "uses the network",
     "webbrowser.open": "opens a browser",
-    "builtins.input": "asks for input",
+    "builtins.input": "waits for input",
     "builtins.breakpoint": "stops in the debugger",
     "ctypes.dlopen": "loads a library",
     "fcntl.": "talks to a device",
@@ -46,23 +46,21 @@ _DEEDS = {
 _FOR_MODULES = frozenset(
     ("os.listdir", "os.scandir", "os.walk", "os.putenv", "os.unsetenv", "socket.gethostname")
 )
-"""The events that change nothing outside of the check: modules may raise them when they are
-imported.
-"""
+"""The events without an effect outside of the check. Modules may raise them during their import."""
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 _WAITING = 10
-"""Code may take so many times as long on the clock as on the processor."""
-_LONGEST_WAITING_S = 50.0  # before `confinement` gives the whole check up
+"""The factor between the time limit on the clock and the limit on the processor."""
+_LONGEST_WAITING_S = 50.0  # shorter than the patience of `confinement`
 _IMPORTING = "<frozen importlib"
 _INTERCEPTING = str(Path(__file__).with_name("intercept.py"))
 
 
 class Interrupted(BaseException):
-    """Ends the code under check; no `except Exception` of it can stop that."""
+    """Ends the checked code. An `except Exception` in it cannot stop this."""
 
 
 class SideEffectError(Interrupted):
-    """The code under check was about to do something; `deed` says what."""
+    """The checked code tried to cause a side effect. `deed` describes it."""
 
     def __init__(self, deed: str) -> None:
         self.deed = deed
@@ -70,16 +68,16 @@ class SideEffectError(Interrupted):
 
 
 class TimeOverError(Interrupted):
-    """The code under check runs for too long."""
+    """The checked code runs for too long."""
 
 
 class ProcessEndError(Interrupted):
-    """Checked code tried to end its process, and no check can continue after that."""
+    """Checked code tried to end its process. No check can continue after that."""
 
 
 @dataclass(frozen=True)
 class Refusal:
-    """Something that was not done: what, and where it was asked for."""
+    """A skipped action: its description, and the place of the request."""
 
     deed: str
     span: Span
@@ -87,14 +85,14 @@ class Refusal:
 
 @dataclass
 class Refusals:
-    """The calls that one run of code under check was refused."""
+    """The refused calls of one run of checked code."""
 
     is_import: bool
-    """True while modules are imported, which may read files."""
+    """True during imports, which may read files."""
     stopped: list[Refusal] = field(default_factory=list)
-    """The refusals that may have ended the code under check."""
+    """The refusals that may have ended the checked code."""
     replaced: dict[Refusal, None] = field(default_factory=dict)
-    """The refusals that it went on without."""
+    """The refusals after which the code continued."""
     files: dict[str, None] = field(default_factory=dict)
     """The files of user code that led to refused calls."""
     half_done: list[object] = field(default_factory=list)
@@ -106,7 +104,7 @@ class Refusals:
         del self.stopped[count:]
 
     def refusals(self) -> list[Refusal]:
-        """All that was not done."""
+        """All refusals."""
         return [*self.replaced, *self.stopped]
 
 
@@ -114,7 +112,7 @@ _guards: list[Refusals] = []
 
 
 def current() -> Refusals | None:
-    """The guard of the code under check that runs now."""
+    """The guard of the running checked code."""
     return _guards[-1] if _guards else None
 
 
@@ -126,7 +124,9 @@ def _hook(event: str, arguments: tuple[Any, ...]) -> None:
 
 
 def _reads(event: str, arguments: tuple[Any, ...]) -> bool:
-    """Say whether a file is opened that can be read without changing anything; devices cannot."""
+    """Say whether an event opens a file that can be read without side effects. Devices have side
+    effects.
+    """
     if event != "open" or arguments[2] & _CHANGING:
         return False
     return isinstance(arguments[0], int) or _is_plain(arguments[0])
@@ -137,7 +137,7 @@ def _is_plain(path: Any) -> bool:
 
 
 def _stop(deed: str, frame: FrameType | None) -> None:
-    """Stop what a frame is about to do, if it is code under check."""
+    """Refuse the action of a frame, if the frame is checked code."""
     if files := list(_files_of_user(frame)):
         _guards[-1].files.update(dict.fromkeys(files))
         _guards[-1].stopped.append(Refusal(deed, session.here()))
@@ -145,8 +145,8 @@ def _stop(deed: str, frame: FrameType | None) -> None:
 
 
 def _files_of_user(frame: FrameType | None) -> Iterator[str]:
-    """The files of the code under check that is behind a frame; none if an import is, or Python
-    reads source for a message.
+    """The files of the checked code behind a frame; none during an import, or if Python reads
+    source for a message.
     """
     if not _guards or threading.current_thread() is not threading.main_thread():
         return
@@ -164,7 +164,9 @@ _sleep = time.sleep
 
 
 def _guarded_sleep(seconds: float | SupportsIndex, /) -> None:
-    """Before Python 3.13 no hook is told of sleeping. Nothing comes of it: all goes on at once."""
+    """Replaces `time.sleep`, because before Python 3.13 it raises no audit event. It returns
+    immediately.
+    """
     if any(_files_of_user(sys._getframe().f_back)):  # noqa: SLF001
         _guards[-1].replaced.setdefault(Refusal("sleeps", session.here()))
     else:
@@ -175,7 +177,7 @@ _exit = os._exit
 
 
 def _guarded_exit(status: int) -> NoReturn:
-    """No hook is told of the end of the process either."""
+    """Replaces `os._exit`, because it raises no audit event either."""
     if any(_files_of_user(sys._getframe().f_back)):  # noqa: SLF001
         raise ProcessEndError(f"os._exit({status})")
     _exit(status)
@@ -185,7 +187,7 @@ _start = threading.Thread.start
 
 
 def _guarded_start(thread: threading.Thread) -> None:
-    """Start a thread, unless nobody would look any more at what it does."""
+    """Start a thread, unless the check no longer watches it."""
     _stop("starts a thread", sys._getframe().f_back)  # noqa: SLF001
     _start(thread)
 
@@ -201,7 +203,9 @@ def _guarding_threads() -> Iterator[None]:
 
 @contextmanager
 def guarding_sleep() -> Iterator[None]:
-    """Within, `time.sleep` can be stopped, and modules that are imported keep it so."""
+    """While the context is active, `time.sleep` returns immediately, also in modules that are
+    imported.
+    """
     before, time.sleep = time.sleep, _guarded_sleep
     try:
         yield
@@ -211,7 +215,9 @@ def guarding_sleep() -> Iterator[None]:
 
 @contextmanager
 def _guarding_python() -> Iterator[None]:
-    """Within, the process cannot be ended; afterwards Python recurses as deep as before."""
+    """While the context is active, the process cannot be ended. Afterwards Python's recursion limit
+    is as before.
+    """
     depth = sys.getrecursionlimit()
     before, os._exit = os._exit, _guarded_exit
     try:
@@ -223,10 +229,11 @@ def _guarding_python() -> Iterator[None]:
 
 @contextmanager
 def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Refusals]:
-    """Within, side effects raise `SideEffectError`, and code that takes more than `seconds` of the
-    processor is ended by `TimeOverError` (in the main thread of systems that have timers).
+    """While the context is active, side effects raise `SideEffectError`. Code that takes more than
+    `seconds` of processor time is ended by `TimeOverError` (in the main thread, on systems with
+    timers).
 
-    What else runs on the machine does not count, but code that only waits does not go on for ever.
+    Other processes do not count, but there is also a longer limit for code that only waits.
     """
     _install()
     guard = Refusals(is_import)
@@ -242,7 +249,7 @@ _installed: list[bool] = []
 
 
 def _install() -> None:
-    """Hooks stay for as long as Python runs: one is enough."""
+    """Install the hook once, because hooks stay as long as Python runs."""
     if not _installed:
         _installed.append(True)
         sys.addaudithook(_hook)
@@ -265,7 +272,7 @@ def _limited(seconds: float) -> Iterator[None]:
     )
     before = [(number, signal.signal(number, end)) for _, number, _ in timers]
     for timer, _, limit in timers:
-        # Again and again: code with `except:` may go on after the first time.
+        # Repeated, because code with `except:` may continue after the first exception.
         signal.setitimer(timer, limit, limit)
     try:
         yield

@@ -31,8 +31,8 @@ class ImplementationClass(type):
     """The type of all implementations."""
 
     def __call__(cls, *arguments: object, **named: object) -> Any:
-        """An instance that runs; in a behavior tree skills are named instead, and that is
-        reported.
+        """A running instance. In a behavior tree, this call is a mistake: trees name skills
+        instead.
         """
         if not is_growing():
             return super().__call__(*arguments, **named)
@@ -52,35 +52,38 @@ class SkillImplementation(metaclass=ImplementationClass):
                     ActuateGripper(Open=False),
                 )
 
-    A compound has the method `expandBT`, which writes its behavior tree (thesis, Paper IV, listing
-    7). The children of a processor are skills, processors and decorators, nested at will; what they
-    do with the results of their children is what SkiROS2's processors of these names do.
+    A compound has the method `expandBT`, which builds its behavior tree (thesis, Paper IV, listing
+    7). The children of a processor are skills, processors and decorators, with any nesting.
+    Processors treat the results of their children like the SkiROS2 processors of the same names.
     """
 
     description: ClassVar[SkillClass]
-    """The skill that is implemented."""
+    """The implemented skill."""
     available_for_planning: ClassVar[bool] = True
-    """True if a task planner may use it: `available_for_planning = False` is for skills that are
-    only named by trees and by people.
+    """True if a task planner may use the implementation. Set `available_for_planning = False` for
+    skills that only trees and people use.
     """
     params: Any
-    """The values of its parameters, while it runs: `self.params.Speed`. Those that it finds out are
-    set: `self.params.Force = 3.5`."""
+    """The values of the parameters during the run: `self.params.Speed`. Set outputs:
+    `self.params.Force = 3.5`.
+    """
     world: Any
-    """The world model, while it runs in the engine: `self.world.relate(tray, skiros.contain, nut)`.
+    """The world model during a run in the engine: `self.world.relate(tray, skiros.contain,
+    nut)`.
     """
     now: Any
-    """The time in seconds, by the clock of the engine while it runs there: `self.now()`."""
+    """The time in seconds, by the clock of the engine during the run: `self.now()`."""
     pre_conditions: Any
-    """The method `conditions(self, Door)`, if there is one, adds pre-conditions that only this
-    implementation has: `self.pre_conditions += Door.Open == False`."""
+    """The optional method `conditions(self, Door)` adds pre-conditions of only this implementation:
+    `self.pre_conditions += Door.Open == False`.
+    """
     progress: tuple[int, str] = (0, "")
-    """The progress, in its own numbers, and a text about it."""
+    """The progress, as a number of the implementation's choice, and a text."""
 
-    if not TYPE_CHECKING:  # for type checkers only what is written is there
+    if not TYPE_CHECKING:  # type checkers see only the declared attributes
 
         def __getattr__(self, name: str) -> Any:
-            """In a behavior tree what is not there is reported, with what may be meant."""
+            """Report an unknown attribute in a behavior tree, with a similar one."""
             if not is_growing() or name.startswith("__"):
                 kind = type(self).__name__
                 raise AttributeError(f"{kind!r} object has no attribute {name!r}")
@@ -91,23 +94,25 @@ class SkillImplementation(metaclass=ImplementationClass):
     # --- primitives -------------------------------------------------------------------------------
 
     def onInit(self) -> bool | None:  # noqa: N802 - as in SkiROS2
-        """Called once, before the first `onStart`; the skill cannot start if it returns `False`."""
+        """Called once, before the first `onStart`. If it returns `False`, the skill cannot
+        start.
+        """
         return True
 
     def onStart(self) -> bool:  # noqa: N802
-        """Called before the first `execute`; whether the skill can start."""
+        """Called before the first `execute`. Return True if the skill can start."""
         return True
 
     def onPreempt(self) -> State:  # noqa: N802
-        """Called when the skill is stopped while it runs."""
+        """Called when the running skill is preempted."""
         return self.fail("stopped", -406)
 
     def onEnd(self) -> bool:  # noqa: N802
-        """Called after the last `execute`, or after `onPreempt`; whether all is well."""
+        """Called after the last `execute`, or after `onPreempt`. Return True on success."""
         return True
 
     def success(self, text: str = "") -> State:
-        """Say that it is done: for `execute` to return."""
+        """Report success. Return this result from `execute`."""
         return self._reported(State.SUCCESS, self.progress[0] + 1, text)
 
     def step(self, text: str = "") -> State:
@@ -115,7 +120,7 @@ class SkillImplementation(metaclass=ImplementationClass):
         return self._reported(State.RUNNING, self.progress[0] + 1, text)
 
     def fail(self, text: str, code: int = -405) -> State:
-        """Say that it has failed: for `execute` to return; `code` is made negative."""
+        """Report failure. Return this result from `execute`. `code` is made negative."""
         return self._reported(State.FAILURE, -abs(code), text)
 
     def _reported(self, state: State, code: int, text: str) -> State:
@@ -126,7 +131,7 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def serial(self, *children: Node) -> Node:
-        """One after the other until one fails; from the first again on each tick."""
+        """Run children one after the other until one fails; restart with the first on each tick."""
         return _processor(Flow.SERIAL, children)
 
     @maker
@@ -138,7 +143,9 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def selector(self, *children: Node) -> Node:
-        """One after the other until one succeeds; from the first again on each tick."""
+        """Run children one after the other until one succeeds; restart with the first on each
+        tick.
+        """
         return _processor(Flow.SELECTOR, children)
 
     @maker
@@ -150,7 +157,7 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def parallelff(self, *children: Node) -> Node:
-        """All at once until all succeed; the first that fails stops the others."""
+        """Run all children at once until all succeed. The first failing child stops the others."""
         return _processor(Flow.PARALLEL_FF, children)
 
     @maker
@@ -160,22 +167,24 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def nofail(self, *children: Node) -> Node:
-        """One after the other; a failure counts as success."""
+        """Run children one after the other. A failure counts as success."""
         return _processor(Flow.NO_FAIL, children)
 
     @maker
     def inverter(self, child: Node) -> Node:
-        """Success is failure, and failure success."""
+        """Exchange success and failure of a child."""
         return _decorator(Decoration.INVERTER, child, None)
 
     @maker
     def retry(self, child: Node, count: int) -> Node:
-        """Again when it fails, `count` times at most in all; it may be `params.Count`."""
+        """Restart a failed child, for at most `count` tries in all. `count` may be
+        `params.Count`.
+        """
         return _decorator(Decoration.RETRY, child, count)
 
     @maker
     def timeout(self, child: Node, seconds: float) -> Node:
-        """A failure when it has no result after these seconds; they may be `params.Seconds`."""
+        """Fail if a child has no result after some seconds, which may be `params.Seconds`."""
         return _decorator(Decoration.TIMEOUT, child, seconds)
 
 
@@ -187,11 +196,11 @@ _ELSEWHERE = {
     "fallback": "selectorstar",
     "parallel": "parallelff",
 }
-"""Names that others have for some of them."""
+"""Names of the same processors in other libraries."""
 
 
 def _help_for(name: str) -> Remark:
-    """Tell what to write instead of something that `self` does not have in `expandBT`."""
+    """The help for an unknown attribute of `self` in `expandBT`."""
     if name == "params":
         return errors.UnknownProcessor.Params()
     if name == "skill":
@@ -207,7 +216,7 @@ def _help_for(name: str) -> Remark:
 def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
     span = session.here()
     below = tuple(child for child in children if _is_node(child))
-    if not children and not has_decided():  # a loop that depends on a value may have none
+    if not children and not has_decided():  # a loop that depends on a value may have no child
         session.report(errors.NoChildren(processor=flow.value).at(span))
     return made(Processor(flow, below, span), below)
 
@@ -235,18 +244,18 @@ _LIMITS: Mapping[Decoration, tuple[type, ...]] = {
     Decoration.RETRY: (int,),
     Decoration.TIMEOUT: (int, float),
 }
-"""The types of the tries of a retry, and of the seconds of a timeout."""
+"""The types of the limits of decorators: the tries of a retry, and the seconds of a timeout."""
 
 
 def _can_limit(limit: object, kinds: tuple[type, ...]) -> bool:
-    """Say whether a limit is a number above 0 that ends, or can be one when the skill runs."""
+    """Say whether a limit is a finite number above 0, or can become one when the skill runs."""
     if isinstance(limit, SymbolicValue):
         return limit.__may_be__(kinds)
     return type(limit) in kinds and 0 < limit < math.inf  # type: ignore[operator]
 
 
 def _is_node(child: object) -> bool:
-    """Say whether something can be part of a tree; if not, report it."""
+    """Say whether an object can be part of a tree. If not, report it."""
     if isinstance(child, Node):
         return True
     if not isinstance(child, Unknown):
@@ -258,7 +267,7 @@ def _is_node(child: object) -> bool:
 
 
 def _help_for_child(child: object) -> Remark | None:
-    """Tell what to write instead of something that is no child, where that is plain."""
+    """The help for an object that is not a child, if the intention is clear."""
     if isinstance(child, str) and child.isidentifier():
         return errors.NoNode.Quoted(skill=child)
     if isinstance(child, SkillClass):

@@ -23,7 +23,7 @@ from ezskiros.skills.stand_ins import is_installed, standing_in
 
 
 def module_name(file: Path) -> tuple[str, Path]:
-    """The name that Python gives the module of a file, and the folder that it is found from."""
+    """The module name of a file in Python, and the folder from which it is imported."""
     parts = [] if file.stem == "__init__" else [file.stem]
     folder = file.parent
     while (folder / "__init__.py").is_file():
@@ -34,8 +34,8 @@ def module_name(file: Path) -> tuple[str, Path]:
 
 @contextmanager
 def importing(file: Path) -> Iterator[None]:
-    """Within, modules are imported as the module of this file does it; afterwards stand-ins are
-    told of.
+    """While the context is active, modules are imported as by the module of this file. Afterwards
+    stand-ins are reported.
     """
     _, root = module_name(file)
     finder, found = Finder(), list[Diagnostic]()
@@ -51,7 +51,9 @@ def importing(file: Path) -> Iterator[None]:
 
 
 def forget_since(known: Mapping[str, ModuleType]) -> None:
-    """Forget the user's modules that were imported since only these were: all is done again."""
+    """Forget the user's modules that were imported in addition to known ones, so that they are
+    imported again.
+    """
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None)
         if known.get(name) is not module and file and session.is_of_user(file):
@@ -59,7 +61,7 @@ def forget_since(known: Mapping[str, ModuleType]) -> None:
 
 
 def _stand_in(module: str, place: Span) -> Diagnostic:
-    """The finding for a stand-in, at its name in the import, if it stands there."""
+    """The finding for a stand-in, at its name in the import if the name is there."""
     start = place.start + place.text.find(module)
     named = Span(place.file, start, start + len(module)) if module in place.text else place
     if is_installed(module):
@@ -69,7 +71,9 @@ def _stand_in(module: str, place: Span) -> Diagnostic:
 
 @contextmanager
 def _importable_from(root: Path) -> Iterator[None]:
-    """Within, modules are found from a folder first, even if others are loaded by their names."""
+    """While the context is active, modules of a folder take precedence, even over loaded ones with
+    the same names.
+    """
     sys.path.insert(0, str(root))
     _forget_others(root, root.stat().st_mtime_ns)
     try:
@@ -78,9 +82,9 @@ def _importable_from(root: Path) -> Iterator[None]:
         sys.path.remove(str(root))
 
 
-@lru_cache(maxsize=1)  # once is enough, until another folder has its turn
+@lru_cache(maxsize=1)  # once is enough, until modules of another folder are imported
 def _forget_others(root: Path, _changed: int) -> None:
-    """Forget the modules of other folders that are called like those of this one."""
+    """Forget the modules of other folders with the names of modules of this folder."""
     own = {each.stem for each in root.iterdir() if each.suffix == ".py" or each.is_dir()}
     start = f"{root}{os.sep}"
     for name in [name for name in sys.modules if name.partition(".")[0] in own]:

@@ -1,7 +1,7 @@
 """Continuation of checked code after a refused call.
 
-The calls in a file are compiled as calls of `called`, which makes the call and returns a mock if it
-was refused. This extends the map for nonlocal names in the thesis (Paper IV, section 4.2) to all
+The calls in a file are compiled as calls of `called`, which makes the call and returns a mock after
+a refusal. This extends the map for nonlocal names in the thesis (Paper IV, section 4.2) to all
 names. Only files with a refused or raising call are compiled again; the others stay unchanged.
 """
 
@@ -26,13 +26,15 @@ from ezskiros.skills.values import Symbol, SymbolicValue
 
 _CALLED, _GOT, _TAKEN = "__ezskiros_called__", "__ezskiros_got__", "__ezskiros_taken__"
 _AS_WRITTEN = frozenset(("super", "locals", "globals", "vars", "dir", "eval", "exec"))
-"""The functions that look at the frame that calls them."""
+"""The functions that examine the frame of their caller."""
 _OF_SYMBOLS = frozenset((__file__, values.__file__))
 _intercepted: set[str] = set()
 
 
 def called(function: Callable[..., object], /, *arguments: object, **named: object) -> object:
-    """Call a function; give a mock if it would have done something, or cannot do with a symbol."""
+    """Call a function. Return a mock if the call would have a side effect, or cannot handle a
+    symbol.
+    """
     current = guard.current()
     if current is None:
         return function(*arguments, **named)
@@ -64,8 +66,8 @@ def _is_wrong(
     named: Mapping[str, object],
     problem: BaseException,
 ) -> bool:
-    """Say whether a call that failed would fail with any value in the place of a symbol: the user's
-    code raised, or ours, which can do with symbols, or the arguments are not those of the function.
+    """Say whether a failed call would fail for any value of a symbol: the user's code raised, or
+    EzSkiROS raised, which supports symbols, or the arguments do not fit the function.
     """
     if user_place(problem) is not None or _is_ours(function) or _comes_from_ours(problem):
         return True
@@ -79,7 +81,7 @@ def _is_wrong(
 
 
 def _signature(function: Callable[..., object]) -> Signature | None:
-    """None of a built-in function that does not say what its arguments are, such as `range`."""
+    """The signature; None for a built-in function without one, such as `range`."""
     try:
         return signature(function)
     except (TypeError, ValueError):
@@ -92,8 +94,8 @@ def _try_examples(
     named: Mapping[str, object],
     problem: BaseException,
 ) -> None:
-    """Call a built-in function that does not say what its arguments are with values of the types
-    that the symbols have: raises `TypeError` if it refuses these as well.
+    """Call a built-in function without a signature with values of the types of the symbols. Raises
+    `TypeError` if it rejects these as well.
     """
     if not isinstance(problem, TypeError) or _signature(function) is not None:
         return
@@ -105,12 +107,12 @@ def _try_examples(
         function(*values, **by_name)
     except TypeError as refused:
         raise refused from None
-    except Exception:  # the values are made up: only a TypeError says that no value fits
+    except Exception:  # the values are invented: only a TypeError shows that no value fits
         return
 
 
 def _example(value: object) -> object:
-    """A value of the type of a symbol; the symbol if its type is not known."""
+    """A value of the type of a symbol; the symbol if its type is unknown."""
     return value.__example__() if isinstance(value, SymbolicValue) else value
 
 
@@ -120,30 +122,30 @@ def _is_ours(function: object) -> bool:
 
 
 def _comes_from_ours(problem: BaseException) -> bool:
-    """Say whether an exception went through our code, other than that of symbols."""
+    """Say whether an exception passed EzSkiROS code other than that of symbols."""
     frames = (frame.f_code.co_filename for frame, _ in walk_tb(problem.__traceback__))
     return any(path.startswith(session.OURS) and path not in _OF_SYMBOLS for path in frames)
 
 
 def got(owner: object, name: str) -> object:
-    """An attribute, which may be an accessor that does something."""
+    """An attribute. It may be an accessor with a side effect."""
     return getattr(owner, name) if isinstance(owner, Symbol) else called(getattr, owner, name)
 
 
 def taken(owner: object, key: object) -> object:
-    """Give what is under a key, which may be a symbol."""
+    """The item with a key, which may be a symbol."""
     return called(operator.getitem, owner, key)
 
 
 def _source() -> str:
-    """The call that the user's code is at, without what it is given."""
+    """The current call in the user's code, without its arguments."""
     return session.here().text.partition("(")[0].strip()
 
 
 def intercept(paths: Iterable[str]) -> bool:
-    """Have the calls in some files made by `called`, from now on and whenever they are imported.
+    """Compile the calls in some files as calls of `called`, from now on and at each import.
 
-    False if nothing changes: they are already, or there is no source.
+    Returns False if nothing changes: the files are intercepted already, or have no source.
     """
     changed = [_intercept(path) for path in paths]
     return any(changed)
@@ -170,11 +172,11 @@ class _Loader(importlib.machinery.SourceFileLoader):
     """Loads files whose calls are intercepted."""
 
     def get_code(self, _name: str) -> CodeType:
-        """The code, as it is rewritten."""
+        """The rewritten code."""
         return _rewritten(self.path)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Run it, with what its calls are made by."""
+        """Run the code with the functions that make its calls."""
         vars(module).update(_NAMES)
         super().exec_module(module)
 
@@ -202,7 +204,7 @@ def _rewritten(path: str) -> CodeType:
 
 
 def _functions(code: CodeType) -> dict[tuple[str, int], CodeType | None]:
-    """The functions of a module by where they are; None where there are several."""
+    """The functions of a module by place; None for a place with several functions."""
     found: dict[tuple[str, int], CodeType | None] = {}
     for each in _inside(code):
         place = _place(each)
@@ -222,7 +224,7 @@ def _place(code: CodeType) -> tuple[str, int]:
 
 
 class _Calls(ast.NodeTransformer):
-    """Replaces calls and attributes. All keep their places: findings are where they were."""
+    """Replaces calls and attributes, and keeps their places for findings."""
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         self.generic_visit(node)
@@ -246,7 +248,7 @@ class _Calls(ast.NodeTransformer):
         return _call(_TAKEN, [node.value, node.slice], [], node)
 
     def visit_arg(self, node: ast.arg) -> ast.AST:
-        """Types stay as they are written."""
+        """Leave types unchanged."""
         return node
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
@@ -261,7 +263,7 @@ class _Calls(ast.NodeTransformer):
         return node
 
     def visit_match_case(self, node: ast.match_case) -> ast.AST:
-        """Patterns stay as they are written."""
+        """Leave patterns unchanged."""
         node.guard = self.visit(node.guard) if node.guard else None
         node.body = [self.visit(each) for each in node.body]
         return node

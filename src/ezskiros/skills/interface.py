@@ -16,16 +16,16 @@ from ezskiros.skills.uses import Use
 
 BASIC = (str, int, float, bool)
 ROBOT = "Robot"
-"""The parameter that SkiROS2 gives each skill: the agent that runs it."""
+"""The parameter that SkiROS2 adds to each skill: the robot that runs it."""
 
 
 @dataclass(frozen=True)
 class Parameter:
     """A parameter of a skill.
 
-    `type` is a class of the ontology, or one of `BASIC`, or an enumeration. A `default` is the
-    value of a basic parameter that is not given; None if it has to be. `other_key` is what SkiROS2
-    calls it, if that is not its name.
+    `type` is a class of the ontology, a type of `BASIC`, or an enumeration. `default` is the value
+    of a basic parameter without an argument; None if the argument is required. `other_key` is the
+    SkiROS2 key, if it differs from the name.
     """
 
     name: str
@@ -44,22 +44,22 @@ class Parameter:
 
     @property
     def is_output(self) -> bool:
-        """Say whether the skill gives it its value."""
+        """Say whether the skill sets the parameter."""
         return Option.OUTPUT in self.options
 
     @property
     def is_thing(self) -> bool:
-        """Say whether the parameter stands for something in the world."""
+        """Say whether the parameter stands for an individual."""
         return isinstance(self.type, ThingClass)
 
     @property
     def iri(self) -> str | None:
-        """The class of the thing that it stands for; None if it stands for none."""
+        """The class of the individual; None if the parameter does not stand for one."""
         return self.type.iri if isinstance(self.type, ThingClass) else None
 
     def takes(self, value: object) -> bool:
-        """Say whether it can have a basic value, or one of an enumeration. A whole number is a
-        float as well; in SkiROS2 it is none.
+        """Say whether the parameter can have a basic value or a member of an enumeration. An
+        integer is also a float here, but not in SkiROS2.
         """
         if self.type is float and type(value) is int:
             return True
@@ -70,7 +70,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Clause:
-    """A condition of a skill, and where it is written."""
+    """A condition of a skill, and its place in the source."""
 
     statement: Statement
     span: Span
@@ -78,8 +78,8 @@ class Clause:
 
 @dataclass(frozen=True)
 class SkillInterface:
-    """The description of a skill. A skill can start when all of `pre` hold; `hold` holds all the
-    while; when it has succeeded, all of `post` hold. What it permits and uses is for rules.
+    """The description of a skill. A skill can start when all of `pre` hold. All of `hold` must hold
+    while it runs, and all of `post` hold after its success. Permissions and uses are for rules.
     """
 
     name: str
@@ -92,13 +92,13 @@ class SkillInterface:
     uses: Sequence[Use] = ()
     doc: str = ""
     unclear: frozenset[str] = frozenset()
-    """The names of parameters whose types were not understood, which has been reported."""
+    """The names of parameters with invalid types, which have been reported."""
 
     def parameter(self, name: str) -> Parameter | None:
-        """The parameter of that name."""
+        """The parameter with a name."""
         return next((each for each in self.parameters if each.name == name), None)
 
     def class_of(self, name: str) -> str:
-        """The class of the thing that a parameter stands for; of something else, owl:Thing."""
+        """The class of the individual of a parameter; owl:Thing for other parameters."""
         found = self.parameter(name)
         return (found.iri if found else None) or THING

@@ -43,14 +43,14 @@ from ezskiros.skills.stand_ins import is_installed
 from ezskiros.skills.syntax import classes_of
 
 SECONDS = 20.0
-"""Processor time for the import of one module, with all that it imports."""
+"""The limit of processor time for the import of one module, including its own imports."""
 
 T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Loaded:
-    """The definitions of some modules, in the order in which they are written."""
+    """The definitions of some modules, in source order."""
 
     descriptions: Sequence[SkillClass]
     implementations: Sequence[type[SkillImplementation]]
@@ -80,7 +80,7 @@ def load_skills(paths: Iterable[Path]) -> Loaded:
 
 
 def skill_files(paths: Iterable[Path]) -> list[Path]:
-    """The Python files that some paths are or have in them."""
+    """The Python files among some paths, including files in folders."""
     found: dict[Path, None] = {}
     for path in paths:
         if is_folder(path):
@@ -92,14 +92,14 @@ def skill_files(paths: Iterable[Path]) -> list[Path]:
 
 
 def module_files(paths: Iterable[Path]) -> list[Path]:
-    """The Python files of some paths, and of modules and packages that are named instead."""
+    """The Python files of some paths, or of modules and packages that are given by name."""
     return skill_files(filter(None, map(located, paths)))
 
 
 def located(path: Path) -> Path | None:
-    """The file or folder of a path, or of the module or package of that name.
+    """The file or folder of a path, or of the module or package with that name.
 
-    None if there is none. Nothing is imported to find it.
+    None if there is none. The search imports nothing.
     """
     if is_folder(path) or is_file(path):
         return path
@@ -123,7 +123,7 @@ def _is_name_of_module(path: Path) -> bool:
 
 
 def roots(files: Iterable[Path]) -> Iterator[str]:
-    """The beginnings of the paths of all files that are of the same packages as some files."""
+    """The beginnings of the paths of all files in the same packages as some files."""
     for file in map(Path.resolve, files):
         name, folder = module_name(file)
         package = folder / name.partition(".")[0]
@@ -131,14 +131,17 @@ def roots(files: Iterable[Path]) -> Iterator[str]:
 
 
 def _is_wanted(path: Path) -> bool:
-    """Hidden folders and those of installed packages are left out."""
+    """Say whether a file is searched. Hidden folders and folders of installed packages are left
+    out.
+    """
     return not any(part.startswith(".") or part == "__pycache__" for part in path.parts)
 
 
 def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
-    """The module of a file; None if it cannot be run, after a finding.
+    """The module of a file; None, after a finding, if it cannot be run.
 
-    `endless` are names and files of modules whose import does not end: they are not tried again.
+    `endless` has the names and files of modules whose import does not end. They are not imported
+    again.
     """
     if str(file) in endless.values():
         return None
@@ -164,7 +167,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
 
 
 def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Refusals, Collector]:
-    """A module, or why it cannot be imported; what it was refused, and what was found."""
+    """A module, or the exception of its import; the refused calls; and the findings."""
     module, problem = None, None
     with session.trying() as found, guarded(SECONDS, is_import=True) as guard:
         try:
@@ -178,7 +181,7 @@ def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Refus
 
 @contextmanager
 def _without(modules: Iterable[str]) -> Iterator[None]:
-    """Within, these modules are not there."""
+    """While the context is active, these modules are missing."""
     for name in modules:
         sys.modules[name] = None  # type: ignore[assignment]  # Python will not look for it
     try:
@@ -189,7 +192,7 @@ def _without(modules: Iterable[str]) -> Iterator[None]:
 
 
 def _module_of(problem: BaseException) -> tuple[str, str]:
-    """The name and file of the module of the user that was being run when something happened."""
+    """The name and the file of the user's module that was running when an exception was raised."""
     frames = [each.tb_frame for each in user_steps(problem.__traceback__)]
     modules = [frame for frame in frames if frame.f_code.co_name == "<module>"]
     found = modules[-1].f_globals if modules else {}
@@ -197,7 +200,7 @@ def _module_of(problem: BaseException) -> tuple[str, str]:
 
 
 def _own(module: ModuleType, base: type[T]) -> list[type[T]]:
-    """The classes that a module itself derives from another one."""
+    """The classes that a module itself derives from another class."""
     return [
         each
         for each in vars(module).values()
@@ -206,7 +209,7 @@ def _own(module: ModuleType, base: type[T]) -> list[type[T]]:
 
 
 def _report_repeated(file: Path, skills: set[str]) -> None:
-    """Classes that a module defines again: of the first ones Python knows nothing any more."""
+    """Report classes that a module defines twice, because Python forgets the first one."""
     source = source_file(str(file.resolve())) or SourceFile(str(file), "")
     seen: dict[str, Span] = {}
     for name, span in classes_of(source):
@@ -251,7 +254,9 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
 
 
 def _was_refused(problem: BaseException | None) -> bool:
-    """Say whether the system refused something, on which a library may say something else."""
+    """Say whether the system refused an action, after which a library may raise a different
+    exception.
+    """
     while problem is not None:
         if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
             return True
@@ -260,7 +265,7 @@ def _was_refused(problem: BaseException | None) -> bool:
 
 
 def _star_help(source: SourceFile) -> Remark | None:
-    """Tell what to do about `from rospy import *`: nobody knows the names of its stand-in."""
+    """The help for `from rospy import *`: a stand-in has no list of names."""
     stars = re.findall(r"(?m)^\s*from\s+([\w.]+)\s+import\s+\*", source.text)
     missing = [each for each in stars if not is_installed(each.partition(".")[0])]
     if not missing:

@@ -21,8 +21,8 @@ Maker = Callable[Concatenate[_Self, _Arguments], Node]
 
 
 def maker(method: Maker[_Self, _Arguments]) -> Maker[_Self, _Arguments]:
-    """A method that makes a node. It reports arguments that it does not have, and the tree goes on
-    with the children among the others, so that mistakes in them are found as well.
+    """Wrap a method that makes a node. It reports invalid arguments, and the tree continues with
+    the children among the valid ones, so that mistakes in them are found as well.
     """
 
     @wraps(method)
@@ -51,14 +51,14 @@ def _report(name: str, known: Signature, count: int, named: Iterable[str]) -> No
 
 
 def _written(name: str, parameters: Iterable[Parameter]) -> str:
-    """Write a call of the method: `self.timeout(child, seconds)`."""
+    """The text of a call of the method, such as `self.timeout(child, seconds)`."""
     is_many = Parameter.VAR_POSITIONAL
     names = ("child, ..." if each.kind is is_many else each.name for each in parameters)
     return f"self.{name}({', '.join(names)})"
 
 
 def _problem(parameters: Iterable[Parameter], count: int, named: Iterable[str]) -> str:
-    """The first argument that is wrong."""
+    """The first invalid argument."""
     names = [each.name for each in parameters if each.kind is Parameter.POSITIONAL_OR_KEYWORD]
     for each in named:
         if each in names[:count]:
@@ -68,6 +68,6 @@ def _problem(parameters: Iterable[Parameter], count: int, named: Iterable[str]) 
             meant = f": did you mean `{near[0]}`?" if near else ""
             return f"has no argument `{each}`{meant}"
     if names and count > len(names):
-        return f"gets {count} arguments, and takes {len(names)}"
+        return f"gets {count} arguments but takes {len(names)}"
     missing = next(each for each in names[count:] if each not in set(named))
     return f"needs `{missing}`"

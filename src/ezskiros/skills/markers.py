@@ -18,7 +18,7 @@ class Kind(enum.Enum):
 
 
 class Option(enum.Enum):
-    """The options of a parameter: the effect of a skill on its thing."""
+    """The options of a parameter: the effect of a skill on its individual."""
 
     CONSUME = "Consume"
     OUTPUT = "Output"
@@ -29,7 +29,7 @@ class Option(enum.Enum):
 
 @dataclass(frozen=True)
 class Key:
-    """The name of a parameter in SkiROS2, where that is no name of Python: `StartPose:
+    """The SkiROS2 key of a parameter, if it is not a valid Python name: `StartPose:
     Annotated[skiros.TransformationPose, Key("Start Pose")]`.
     """
 
@@ -37,29 +37,29 @@ class Key:
 
 
 INFERRED = Annotated[T, Kind.INFERRED]
-"""Found in the world by the pre-conditions, unless it is given."""
+"""The value is inferred from the world by the pre-conditions, unless it is given."""
 OPTIONAL = Annotated[T, Kind.OPTIONAL]
-"""May stay without a value; what the skill finds out is one."""
+"""The parameter may have no value. A value that the skill sets is optional as well."""
 CONSUME = Annotated[T, Option.CONSUME]
-"""The thing is not there any more after the skill."""
+"""The individual does not exist after the skill."""
 OUTPUT = Annotated[T, Option.OUTPUT]
-"""The skill gives it its value: there is none before."""
+"""The skill sets the value. There is no value before the skill."""
 UNSPECIFY = Annotated[T, Option.UNSPECIFY]
-"""The parameter stands for nothing any more after the skill."""
+"""The parameter has no value after the skill."""
 LOCK = Annotated[T, Option.LOCK]
-"""The thing is idle before and after the skill, and is busy meanwhile."""
+"""The individual is idle before and after the skill, and busy during it."""
 RESPECT_TYPE = Annotated[T, Option.RESPECT_TYPE]
-"""Only a thing of this class will do when it is inferred."""
+"""The inferred individual must be of exactly this class."""
 
 
 class NoType:
-    """A mistake in the place of a type: `OPTIONAL[[1.0, 2.0]]`, or a text."""
+    """An invalid type, such as `OPTIONAL[[1.0, 2.0]]`, or a text."""
 
     def __init__(self, found: object) -> None:
         self.found = found
 
     def __call__(self) -> None:
-        """Nobody does; `typing` takes only what can be called for a type."""
+        """Never called. `typing` requires that types are callable."""
 
     def __repr__(self) -> str:
         return repr(self.found)
@@ -75,7 +75,7 @@ class Marker:
         return Annotated[found if callable(found) else NoType(found), self._mark]
 
     def __call__(self, *found: object) -> Marker:
-        """The same: `INFERRED(cora.Robot)`, where `INFERRED[cora.Robot]` is meant."""
+        """Handle `INFERRED(cora.Robot)` like `INFERRED[cora.Robot]`."""
         spelled = (str(getattr(each, "__qualname__", repr(each))) for each in found)
         return Marker(self._mark, ", ".join(spelled))
 
@@ -84,7 +84,7 @@ class Marker:
 
     @property
     def meant(self) -> str:
-        """The notation of the type that is meant."""
+        """The intended notation of the type."""
         return f"{self._mark.name}[{self._found or '...'}]"
 
 

@@ -16,28 +16,28 @@ from ezskiros.skills.implementation import SkillImplementation
 
 @dataclass(frozen=True)
 class Written:
-    """A method as it is written."""
+    """A method in source form."""
 
     file: SourceFile
     node: ast.FunctionDef
 
     def returns(self) -> Iterator[ast.Return]:
-        """Its returns, without those of functions within."""
+        """The return statements, without those of inner functions."""
         return _returns(self.node.body)
 
     def returned(self) -> Iterator[ast.expr | None]:
-        """The expressions that it returns; both sides of `one if condition else other`."""
+        """The returned expressions, including both results of `one if condition else other`."""
         for each in self.returns():
             yield from _alternatives(each.value)
 
     def compared_by_identity(self) -> Iterator[Span]:
-        """Comparisons by `is` of a parameter, `params.Name`."""
+        """Comparisons of a parameter, `params.Name`, by `is`."""
         for node in ast.walk(self.node):
             if isinstance(node, ast.Compare) and _is_identity_of_parameter(node):
                 yield node_span(self.file, node)
 
     def ends_with_return(self) -> bool:
-        """Say whether its end is never reached without one, or without an exception."""
+        """Say whether every path ends with a return or an exception."""
         return _ends(self.node.body)
 
 
@@ -57,7 +57,7 @@ def own_method(implementation: type, name: str) -> FunctionType | None:
 
 
 def written(method: FunctionType) -> Written | None:
-    """A method as it is written; None if its source is not there."""
+    """A method in source form; None without a source."""
     file = source_file(method.__code__.co_filename)
     node = _functions(file).get(method.__code__.co_firstlineno) if file else None
     return Written(file, node) if file and node else None
@@ -65,7 +65,7 @@ def written(method: FunctionType) -> Written | None:
 
 @lru_cache(maxsize=64)
 def _functions(file: SourceFile) -> dict[int, ast.FunctionDef]:
-    """The functions of a file by their first lines, decorators included."""
+    """The functions of a file by their first lines, including decorators."""
     functions = (
         each for each in ast.walk(ast.parse(file.text)) if isinstance(each, ast.FunctionDef)
     )
@@ -77,7 +77,9 @@ def _functions(file: SourceFile) -> dict[int, ast.FunctionDef]:
 
 @cache
 def reported_states(implementation: type) -> frozenset[str] | None:
-    """Tell which of `success`, `step` and `fail` an `execute` returns; None if unseen."""
+    """The methods among `success`, `step` and `fail` whose results an `execute` returns; None if
+    this is not visible.
+    """
     method = own_method(implementation, "execute")
     found = written(method) if method else None
     if found is None:
@@ -87,7 +89,7 @@ def reported_states(implementation: type) -> frozenset[str] | None:
 
 
 def reported_state(value: ast.expr | None) -> str | None:
-    """The name in `self.success(...)`."""
+    """The name of the method in a call such as `self.success(...)`."""
     match value:
         case ast.Call(func=ast.Attribute(value=ast.Name(id="self"), attr=name)):
             return name if name in ("success", "step", "fail") else None
@@ -127,7 +129,7 @@ def _ends(body: Sequence[ast.stmt]) -> bool:
 
 
 def _leaves(statement: ast.stmt) -> bool:
-    """Say whether what comes after a statement is never reached."""
+    """Say whether the code after a statement is never reached."""
     match statement:
         case ast.Return() | ast.Raise():
             return True

@@ -21,19 +21,19 @@ from ezskiros.skills.values import Symbol
 class Mock(Symbol):
     """The result of a call that was not made.
 
-    `source` is the call, for messages; `kind` the class of what it gives, if that is known;
-    `function` what would be called if the mock is.
+    `source` is the call, for messages. `kind` is the class of its result, if known. `function` is
+    the object that a call of the mock would call.
     """
 
     def __init__(self, source: str, kind: type | None = None, function: object = None) -> None:
         self._source, self._kind, self._function = source, kind, function
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         return f"the result of `{self._source}`"
 
     def __derived__(self) -> Mock:
-        """The mock of what depends on it."""
+        """The mock of a dependent value."""
         return Mock(self._source)
 
     def __repr__(self) -> str:
@@ -48,12 +48,12 @@ class Mock(Symbol):
         return Mock(self._source, function=member)
 
     def __call__(self, *_arguments: object, **_named: object) -> object:
-        """Nothing is done."""
+        """Do nothing, and return a mock."""
         return mock_of(self._function, self._source)
 
 
 class MockInstance(Mock):
-    """An object of a class whose `__init__` was not run. It has the attributes of such objects."""
+    """An object of a class whose `__init__` did not run. It has the attributes of such objects."""
 
     def __init__(self, source: str, kind: type) -> None:
         super().__init__(source, kind)
@@ -61,7 +61,7 @@ class MockInstance(Mock):
         self._shown = Mock if issubclass(kind, BASIC) else kind
 
     __class__ = property(lambda self: self._shown)
-    """The class that `isinstance` is reported."""
+    """The class for `isinstance`."""
 
     def __getattr__(self, name: str) -> object:
         if self._names is not None and name not in self._names:
@@ -78,12 +78,12 @@ def mock_of(function: object, source: str) -> object:
 
 
 def _returned(function: object) -> type | None:
-    """The class that a function is declared to return; None if it is not known."""
+    """The declared return class of a function; None if it is unknown."""
     function = getattr(function, "__func__", function)
     try:
         found = typing.get_type_hints(inspect.unwrap(function)).get("return")  # type: ignore[arg-type]
     except Exception:
-        return None  # what types say is up to the user
+        return None  # annotations can be any objects
     return found if isinstance(found, type) else None
 
 
@@ -104,17 +104,17 @@ def members(kind: type) -> frozenset[str] | None:
 
 
 def _is_of_python(kind: type) -> bool:
-    """Say whether a class is written in Python, so that what its methods assign can be seen."""
+    """Say whether a class is written in Python, so that assignments in its methods are visible."""
     return bool(kind.__flags__ & _HEAP_TYPE) and "__module__" in vars(kind)
 
 
 _HEAP_TYPE = 1 << 9
 _ANY_NAME = frozenset(("setattr", "__dict__", "__setattr__"))
-"""With these, methods can assign attributes that are not seen."""
+"""With these names, methods can assign attributes invisibly."""
 
 
 def _assigned(code: CodeType) -> Iterator[str]:
-    """The attributes that a method assigns, of whatever."""
+    """The attributes that a method assigns, on any object."""
     for step in dis.get_instructions(code):
         if step.opname == "STORE_ATTR":
             yield step.argval

@@ -11,7 +11,7 @@ from ezskiros.skills.interface import SkillInterface
 
 
 def no_such_parameter(skill: SkillInterface, name: str, place: Span) -> Diagnostic:
-    """The finding, with the parameter that may be meant."""
+    """The finding, with a similar parameter."""
     near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
     help = DidYouMean(near=near[0]) if near else None
     return errors.NoSuchParameter(skill=skill.name, spelled=name).at(place, help=help)

@@ -15,8 +15,8 @@ from ezskiros.skills.values import Symbol
 
 
 class Flow(enum.Enum):
-    """The order in which a node ticks its children: the processors of SkiROS2, by their names
-    there.
+    """The order in which a node ticks its children: the processors of SkiROS2, by their SkiROS2
+    names.
     """
 
     SERIAL = "Serial"
@@ -29,7 +29,7 @@ class Flow(enum.Enum):
 
 
 class Decoration(enum.Enum):
-    """The kind of node that stands over a single child."""
+    """The kind of a node with a single child."""
 
     INVERTER = "Inverter"
     RETRY = "Retry"
@@ -38,7 +38,7 @@ class Decoration(enum.Enum):
 
 @dataclass(frozen=True, eq=False)
 class Processor:
-    """Children, and how they are ticked."""
+    """A node with children, and the order of their ticks."""
 
     flow: Flow
     children: tuple[Node, ...]
@@ -61,7 +61,7 @@ Node = SkillCall | Processor | Decorator
 
 
 def children(node: Node) -> tuple[Node, ...]:
-    """The nodes right below."""
+    """The direct children of a node."""
     match node:
         case Processor(children=below):
             return below
@@ -72,7 +72,7 @@ def children(node: Node) -> tuple[Node, ...]:
 
 
 def calls(node: Node) -> Iterator[SkillCall]:
-    """The skills that a tree calls, in the order in which they are written."""
+    """The skills that a tree calls, in source order."""
     if isinstance(node, SkillCall):
         yield node
     for child in children(node):

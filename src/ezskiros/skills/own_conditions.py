@@ -1,11 +1,11 @@
-"""The pre-conditions that an implementation has besides those of its skill.
+"""Additional pre-conditions of an implementation, besides those of its skill.
 
     class open_door(Open.SkillBase):
         def conditions(self, Door):
             self.pre_conditions += Door.Open == False
 
-SkiROS2's `modifyDescription` adds them. They decide which implementation does a child that names
-none: the first whose pre-conditions hold.
+They correspond to SkiROS2's `modifyDescription`. If a child names no implementation, the first one
+whose pre-conditions hold runs.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def has_own_conditions(implementation: type[SkillImplementation]) -> bool:
 
 
 def refined(implementation: type[SkillImplementation], described: Described) -> Described:
-    """The skill as this implementation does it. What is wrong with its conditions is reported."""
+    """The skill with the pre-conditions of this implementation. Mistakes in them are reported."""
     function = inspect.getattr_static(implementation, METHOD, None)
     skill = described.interface
     if function is not None and not isinstance(function, FunctionType):
@@ -56,7 +56,7 @@ def refined(implementation: type[SkillImplementation], described: Described) -> 
 def _own(
     implementation: type[SkillImplementation], function: FunctionType, skill: SkillInterface
 ) -> tuple[Sequence[Clause], bool]:
-    """The clauses, and whether none is missing after a mistake."""
+    """The clauses, and whether they are complete."""
     written = definition(function)
     unknown = [
         name
@@ -82,7 +82,7 @@ def _own(
         implementation,
         function,
         f"`{METHOD}` of `{implementation.__name__}`",
-        f"`{METHOD}` only says what the implementation needs; move this to another method",
+        f"`{METHOD}` only declares conditions; move this to another method",
         undefined,
     )
     made: list[Adding] = []
@@ -120,7 +120,7 @@ def _adds_nothing(implementation: type[SkillImplementation], function: FunctionT
 
 
 def _made(implementation: type[SkillImplementation]) -> Adding:
-    """An instance with conditions to which it adds."""
+    """An instance that collects conditions."""
     skill = implementation.description.__name__
     made: Any = implementation()
     made.pre_conditions = pre = Conditions("pre")
@@ -132,7 +132,7 @@ def _made(implementation: type[SkillImplementation]) -> Adding:
 
 
 class _OfTheSkill(Added[Any]):
-    """All but pre-conditions is that of the skill: an implementation adds nothing to it."""
+    """Conditions that belong to the skill: an implementation adds only pre-conditions."""
 
     def __init__(self, attribute: str, skill: str) -> None:
         super().__init__(attribute)

@@ -52,7 +52,7 @@ class WrongOutput(Error, code="EZS009", name="wrong-output"):
 
 
 class RobotAsValue(Error, code="EZS217", name="robot-as-value"):
-    """A parameter named `Robot` that does not stand for a thing."""
+    """A parameter named `Robot` that does not stand for an individual."""
 
     title = "`Robot` stands for the robot that runs the skill, but here it is {found}"
     label = "SkiROS2 uses this name for the robot"

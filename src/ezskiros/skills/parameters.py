@@ -28,12 +28,12 @@ _PACKED: dict[object, str] = {
 
 @lru_cache(maxsize=4096)
 def signature_of(function: FunctionType) -> inspect.Signature:
-    """Do as `inspect.signature` does, which takes its time."""
+    """A faster `inspect.signature`."""
     return inspect.signature(function)
 
 
 def read_parameters(description: FunctionType) -> list[Parameter]:
-    """The parameters, without those that are wrong, which are reported."""
+    """The parameters. Invalid parameters are reported and left out."""
     written = definition(description)
     found = []
     for given in list(signature_of(description).parameters.values())[1:]:
@@ -46,7 +46,9 @@ def read_parameters(description: FunctionType) -> list[Parameter]:
 
 
 def _report_repeated_keys(parameters: Sequence[Parameter]) -> None:
-    """Keys that a parameter before has: SkiROS2 would take them for one parameter."""
+    """Report keys that an earlier parameter has, because SkiROS2 would treat both as one
+    parameter.
+    """
     seen: dict[str, Parameter] = {}
     for each in parameters:
         first = seen.setdefault(each.key, each)
@@ -76,7 +78,7 @@ class _Reader:
         return self.written.annotations.get(self.name) or self.name_span
 
     def read(self) -> Parameter | None:
-        """Read the parameter that is meant; None if that is not clear, after a finding."""
+        """Read the parameter; None, after a finding, if its type is not clear."""
         packed = _PACKED.get(self.given.kind)
         if packed:
             spelling = packed + self.name
@@ -96,7 +98,7 @@ class _Reader:
         return parameter and self._with_key(parameter, [each for each in marks if _is_key(each)])
 
     def _unwrapped(self, annotation: Any) -> tuple[Any, list[Any]]:
-        """Give the type that is annotated, and the marks around it, from the innermost on."""
+        """The annotated type, and its markers, innermost first."""
         if isinstance(annotation, NoType) and isinstance(annotation.found, str):
             annotation = annotation.found
         if isinstance(annotation, str):
@@ -108,7 +110,7 @@ class _Reader:
         return found, [*others, *marks]
 
     def _with_key(self, parameter: Parameter, keys: list[Any]) -> Parameter:
-        """A parameter, with its key if it has one of its own."""
+        """A parameter with its own key, if it has one."""
         if not keys:
             return parameter
         text = getattr(keys[0], "text", None)
@@ -148,7 +150,7 @@ class _Reader:
         return self._parameter(kind_of, kind, (), self._default(kind_of))
 
     def _output(self, kind_of: type, kinds: Sequence[Kind], options: Sequence[Option]) -> Parameter:
-        """A parameter that the skill gives its value; nothing else may."""
+        """A parameter that only the skill sets."""
         others = {*kinds, *options} - {Kind.OPTIONAL, Option.OUTPUT}
         span, reason = self.annotation_span, ""
         if others:
@@ -164,7 +166,7 @@ class _Reader:
         return self._parameter(kind_of, Kind.OPTIONAL, (Option.OUTPUT,), None)
 
     def _default(self, kind_of: type) -> Any:
-        """The default if it is of the type; a whole number is a float as well."""
+        """The default, if it has the type of the parameter. An integer is also a float."""
         default = self.given.default
         if default is _EMPTY:
             return None
@@ -186,7 +188,7 @@ class _Reader:
         return Parameter(self.name, kind, kind_of, span, default, options, doc)
 
     def _evaluated(self, annotation: str) -> Any:
-        """Evaluate a text: with `from __future__ import annotations` all types are texts."""
+        """Evaluate a text, because `from __future__ import annotations` makes all types texts."""
         module = sys.modules.get(self.function.__module__)
         names = {**vars(module)} if module else {}
         names |= self.function.__globals__
@@ -204,12 +206,12 @@ class _Reader:
 
 
 def _is_key(mark: object) -> bool:
-    """Say whether a mark is a key, or the class of keys, which stands there alone by mistake."""
+    """Say whether a marker is a key, or, by mistake, the class of keys itself."""
     return isinstance(mark, Key) or mark is Key
 
 
 def _python_of(text: str) -> str:
-    """`cora:Robot` as a class of Python."""
+    """A class such as `cora:Robot` as a Python name."""
     return f"`{text.strip().replace(':', '.')}`"
 
 

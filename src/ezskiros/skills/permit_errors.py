@@ -15,9 +15,9 @@ class NoPermission(Error, code="EZS250", name="no-permission"):
 
 
 class PermittedNoThing(Error, code="EZS251", name="permitted-no-thing"):
-    """A permission for a value that is not a thing of the world model."""
+    """A permission for a value that is not an individual of the world model."""
 
-    title = "`{kind}` takes a thing of the world model, not {found}"
+    title = "`{kind}` takes an individual of the world model, not {found}"
     label = "expected a class of the ontology, or a parameter with such a type"
     kind: str
     found: str

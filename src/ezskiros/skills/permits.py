@@ -33,13 +33,13 @@ class Permit(enum.Enum):
     """The kinds of permissions."""
 
     CONTACT = "contact"
-    """The robot may touch things."""
+    """The robot may touch individuals."""
     CLOSENESS = "closeness"
-    """It may come as close to a thing as the limit."""
+    """The robot may come as close to an individual as the limit."""
     SPEED = "speed"
     """It may move as fast as the limit."""
     FORCE = "force"
-    """It may push a thing as hard as the limit."""
+    """The robot may push an individual with a force up to the limit."""
 
 
 DIMENSIONS: dict[Permit, tuple[Dimension, ...]] = {
@@ -62,14 +62,14 @@ _DIMENSION_WORDS = {
     Dimension.FORCE: "forces",
     Dimension.ANGLE: "angles",
     Dimension.SPEED: "speeds",
-    Dimension.TURN: "speeds of turning",
+    Dimension.TURN: "angular speeds",
 }
 
 
 @dataclass(frozen=True)
 class PermittedThing:
-    """The things of a permission: the thing of the parameter, or, without one, all things of a
-    class. `owl_class` is that class, or the class of the parameter's type.
+    """The individuals of a permission: the individual of the parameter, or, without a parameter,
+    all individuals of a class. `owl_class` is that class, or the class of the parameter's type.
     """
 
     parameter: str | None
@@ -78,7 +78,9 @@ class PermittedThing:
 
 @dataclass(frozen=True)
 class Permission(Described):
-    """A permission of a skill, and where it is written. Of several things it permits each."""
+    """A permission of a skill, and its place in the source. If it has several individuals, it
+    permits each.
+    """
 
     kind: Permit
     things: tuple[PermittedThing, ...]
@@ -86,7 +88,7 @@ class Permission(Described):
     span: Span = field(compare=False)
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         return "a permission"
 
 
@@ -111,22 +113,22 @@ class Permits(Added[Permission]):
 
 
 def contact(thing: object, *others: object) -> Permission | Unknown:
-    """The robot may touch a thing, and each of the others: parameters, or classes."""
+    """The robot may touch these individuals, given by parameters or classes."""
     return _permission(Permit.CONTACT, (thing, *others), None)
 
 
 def closeness(thing: object, limit: object) -> Permission | Unknown:
-    """The robot may come as close to a thing as this: `closeness(Person, "0.3 m")`."""
+    """The robot may come as close to an individual as the limit: `closeness(Person, "0.3 m")`."""
     return _permission(Permit.CLOSENESS, (thing,), limit)
 
 
 def speed(limit: object) -> Permission | Unknown:
-    """The robot may move as fast as this, `"0.2 m/s"`, or turn as fast, `"30 deg/s"`."""
+    """The robot may move as fast as the limit, `"0.2 m/s"`, or turn as fast, `"30 deg/s"`."""
     return _permission(Permit.SPEED, (), limit)
 
 
 def force(thing: object, limit: object) -> Permission | Unknown:
-    """The robot may push a thing as hard as this: `force(Object, "20 N")`."""
+    """The robot may push an individual with a force up to the limit: `force(Object, "20 N")`."""
     return _permission(Permit.FORCE, (thing,), limit)
 
 
@@ -142,7 +144,7 @@ def _permission(kind: Permit, things: tuple[object, ...], limit: object) -> Perm
 
 
 def _thing(kind: Permit, found: object, span: Span) -> PermittedThing | None:
-    """The thing, or the class of things; None after a finding."""
+    """The individual, or the class of individuals; None after a finding."""
     if isinstance(found, Thing):
         return PermittedThing(repr(found), type(found))
     if isinstance(found, ThingClass):

@@ -35,7 +35,9 @@ class Unit(NamedTuple):
     pi_power: int = 0
 
     def si(self, value: float) -> float:
-        """A value in SI, rounded once but for pi. It may be infinite."""
+        """A value in SI units. The result is rounded once, except for units with pi. It may be
+        infinite.
+        """
         exact = Fraction(value) * Fraction(self.numerator, self.denominator)
         try:
             return float(exact) * math.pi**self.pi_power
@@ -65,7 +67,7 @@ UNITS: Mapping[str, Unit] = {
     "deg/s": Unit(Dimension.TURN, 1, 180, 1),
     "rpm": Unit(Dimension.TURN, 1, 30, 1),
 }
-"""All that are known. Rules know these, too, and mean the same by them."""
+"""All known units. Rules use the same units with the same meanings."""
 
 _QUANTITY = re.compile(
     r"(?P<number>[-+]?(?:[0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|(?i:nan|inf(?:inity)?)))"

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 
 _LONGEST = 255
-"""Characters of a name: the middleware of ROS 2 takes no more."""
+"""The most characters of a name that the middleware of ROS 2 supports."""
 _NAME = re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*")
 _TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*)/(?:(?:msg|action)/)?([A-Z][A-Za-z0-9]*)")
 
 
 def why_no_name(spelled: str) -> str | None:
-    """The reason why a text is not an absolute name; None if it is one."""
+    """The reason why a text is not an absolute name; None for a valid name."""
     if not spelled.startswith("/"):
         return "it does not begin with `/`, so it depends on a namespace"
     if len(spelled) > _LONGEST:
@@ -22,8 +22,8 @@ def why_no_name(spelled: str) -> str | None:
 
 
 def type_name(spelled: str) -> str | None:
-    """The name of a type in the form `package/Type`, also of `package/msg/Type`; None if it is no
-    such name.
+    """The type name in the form `package/Type`, also for `package/msg/Type`; None for an invalid
+    name.
     """
     found = _TYPE.fullmatch(spelled)
     return f"{found[1]}/{found[2]}" if found else None

@@ -36,8 +36,8 @@ CLIENTS = frozenset(
         "tf2_ros",
     )
 )
-"""The modules through which Python talks to ROS. Much of them is compiled: no audit hook hears what
-it does.
+"""The modules through which Python talks to ROS. Much of their code is compiled, and raises no
+audit events.
 """
 
 
@@ -50,7 +50,7 @@ class StandInClass(ABCMeta):
         return _class(f"{cls.__name__}.{name}")
 
     def __call__(cls, *_arguments: object, **_named: object) -> Any:
-        """An instance; a decorated function stays what it is."""
+        """An instance. A decorated function stays unchanged."""
         return object.__new__(cast("type[object]", cls))
 
     def __repr__(cls) -> str:
@@ -68,14 +68,14 @@ class StandInClass(ABCMeta):
 
 
 class _Anything(Symbol, metaclass=StandInClass):
-    """An instance of a class that is not there."""
+    """An instance of a missing class."""
 
     def __derived__(self) -> Mock:
-        """The mock of what depends on it."""
+        """The mock of a dependent value."""
         return Mock(type(self).__name__)
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         return self.__derived__().described()
 
     def __getattr__(self, name: str) -> Any:
@@ -84,7 +84,7 @@ class _Anything(Symbol, metaclass=StandInClass):
         return _class(f"{type(self).__name__}.{name}")
 
     def __call__(self, *arguments: object, **_named: object) -> Any:
-        """As a decorator it leaves what it decorates."""
+        """Return the decorated object, if used as a decorator."""
         return arguments[0] if len(arguments) == 1 and callable(arguments[0]) else self
 
 
@@ -93,7 +93,7 @@ def _class(name: str) -> Any:
 
 
 class _Module(ModuleType):
-    """A module in which everything is there."""
+    """A module with every name."""
 
     __path__: ClassVar[MutableSequence[str]] = []  # type: ignore[misc]
 
@@ -106,7 +106,7 @@ class _Module(ModuleType):
 
 
 class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Finds what nobody else does."""
+    """Finds modules that no other finder finds."""
 
     def __init__(self, tell: Callable[[str, Span], object]) -> None:
         self._tell = tell
@@ -115,8 +115,8 @@ class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """A stand-in for a top-level module that code of users imports, or for what is in a
-        stand-in; libraries know themselves what to do without a module.
+        """A stand-in for a top-level module that users' code imports, or for a name in a stand-in.
+        Libraries can handle missing modules themselves.
         """
         parent = sys.modules.get(name.rpartition(".")[0]) if "." in name else None
         if path is not None and not isinstance(parent, _Module):
@@ -134,16 +134,16 @@ class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return _Module(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Does nothing."""
+        """Do nothing."""
 
 
 class _ClientFinder(_Finder):
-    """Finds clients of ROS before anybody else does: what is not there cannot do anything."""
+    """Finds ROS clients before all other finders, so that the installed clients are not loaded."""
 
     def find_spec(
         self, name: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """A stand-in for a client of ROS that is installed, whoever imports it."""
+        """A stand-in for an installed ROS client, for any importing module."""
         if name not in CLIENTS or not is_installed(name):
             return None
         self._tell(name, session.here())
@@ -151,7 +151,7 @@ class _ClientFinder(_Finder):
 
 
 def is_installed(module: str) -> bool:
-    """Say whether there is a top-level module of this name."""
+    """Say whether a top-level module of this name is installed."""
     return importlib.machinery.PathFinder.find_spec(module) is not None
 
 
@@ -160,7 +160,9 @@ _is_real: ContextVar[bool] = ContextVar("is_real", default=False)
 
 @contextmanager
 def without_stand_ins() -> Iterator[None]:
-    """Within, nothing stands in for what is not there, also while trees are looked at."""
+    """While the context is active, missing modules have no stand-ins, also during the expansion of
+    trees.
+    """
     token = _is_real.set(True)
     try:
         yield
@@ -170,10 +172,10 @@ def without_stand_ins() -> Iterator[None]:
 
 @contextmanager
 def standing_in(tell: Callable[[str, Span], object]) -> Iterator[None]:
-    """Within, modules that are not there are stood in for; `tell` hears the names of packages, and
-    where they are imported.
+    """While the context is active, missing modules have stand-ins. `tell` is called with the names
+    of packages and the places of their imports.
 
-    Afterwards they are gone again, so that each module that needs one is told of.
+    Afterwards the stand-ins are removed, so that they are reported for each module that needs them.
     """
     if _is_real.get():
         yield

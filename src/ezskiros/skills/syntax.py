@@ -19,7 +19,7 @@ from dslkit.source.call_site import line_span, node_span, source_file
 
 @dataclass
 class Definition:
-    """A function as written. Where the source is not there, all spans are those of `whole`."""
+    """A function in source form. Without a source, all spans are `whole`."""
 
     whole: Span
     names: dict[str, Span] = field(default_factory=dict)
@@ -56,7 +56,7 @@ def class_span(found: type) -> Span:
 
 
 def class_body(found: type) -> Span:
-    """All of a class; its module if it is not found there."""
+    """The span of a whole class; of its module if the class is not found."""
     path = file_of(found)
     file = source_file(path) or SourceFile(path, "")
     for node in ast.walk(_tree_of(file)):
@@ -66,7 +66,7 @@ def class_body(found: type) -> Span:
 
 
 def file_of(found: type) -> str:
-    """The file that defines a class. Another module may have taken its module's name since."""
+    """The file that defines a class. Another module may have the name of its module by now."""
     for each in vars(found).values():
         if isinstance(each, FunctionType) and each.__module__ == found.__module__:
             return each.__code__.co_filename
@@ -74,23 +74,23 @@ def file_of(found: type) -> str:
 
 
 def classes_of(file: SourceFile) -> list[tuple[str, Span]]:
-    """The names of the classes that a file defines, in order; nested ones are left out."""
+    """The names of the classes that a file defines, in order, without nested classes."""
     return _written(file).outer_classes
 
 
 @dataclass
 class _Written:
-    """The definitions of a file; the rest of its syntax tree, which is large, is not kept."""
+    """The definitions of a file. The rest of its syntax tree is large and not kept."""
 
     classes: dict[str, Span] = field(default_factory=dict)
     """The place of the first definition of each class."""
     outer_classes: list[tuple[str, Span]] = field(default_factory=list)
     attributes: dict[str, frozenset[str]] = field(default_factory=dict)
-    """All attribute names in each class, by the name of the class."""
+    """All attribute names in each class, by class name."""
     parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
-    """The parameters that each class sets, by the name of the class."""
+    """The parameters that each class sets, by class name."""
     parameters_used: dict[str, list[tuple[str, Span]]] = field(default_factory=dict)
-    """The parameters that methods read or give a value, and where; by the names of classes."""
+    """The parameters that methods read or set, with their places, by class name."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
     """The line of `def` and the parameters, by the first line with decorators."""
 
@@ -124,8 +124,8 @@ def _written(file: SourceFile) -> _Written:
 
 
 def _classes_behind(owner: type) -> Iterator[tuple[_Written, str]]:
-    """A class that users wrote and those that it is built on: what their files have, and how they
-    are called there.
+    """A users' class and its base classes: the definitions of their files, and their names
+    there.
     """
     for each in owner.__mro__:
         is_ours = each.__module__.partition(".")[0] in ("builtins", "ezskiros")
@@ -135,23 +135,23 @@ def _classes_behind(owner: type) -> Iterator[tuple[_Written, str]]:
 
 
 def attributes_in(owner: type) -> frozenset[str]:
-    """All names that stand behind a dot in a class that users wrote, or in its bases."""
+    """All attribute names in a users' class or in its bases."""
     found = (each.attributes.get(name, ()) for each, name in _classes_behind(owner))
     return frozenset[str]().union(*found)
 
 
 def set_in(owner: type) -> frozenset[str]:
-    """The parameters that a class that users wrote, or one of its bases, gives a value:
-    `self.params.Force = 3.5`, or for a thing `self.wmi.add_element(self.params.Pose)`, which in
-    SkiROS2 makes it one of the world.
+    """The parameters that a users' class or one of its bases sets, such as `self.params.Force =
+    3.5`. For an individual, this includes `self.wmi.add_element(self.params.Pose)`, which adds it
+    to the world in SkiROS2.
     """
     found = (each.parameters_set.get(name, ()) for each, name in _classes_behind(owner))
     return frozenset[str]().union(*found)
 
 
 def used_in(owner: type) -> list[tuple[str, Span]]:
-    """The parameters that the methods of a class that users wrote, and of its bases, are about,
-    `self.params.Force`, and where. `expandBT` has others.
+    """The parameters that the methods of a users' class and of its bases use, such as
+    `self.params.Force`, with their places. The parameters in `expandBT` are left out.
     """
     found = (each.parameters_used.get(name, []) for each, name in _classes_behind(owner))
     return [use for uses in found for use in uses]
@@ -179,7 +179,7 @@ def _parameters_set(owner: ast.ClassDef) -> Iterator[str]:
 
 
 def _things_added(method: ast.FunctionDef) -> Iterator[str]:
-    """The parameters whose things a method adds to the world model, by any name that it gives them:
+    """The parameters whose individuals a method adds to the world model, under any variable name:
     `pose = self.params.Pose`.
     """
     called: dict[str, str | None] = {}
@@ -204,7 +204,7 @@ def _things_added(method: ast.FunctionDef) -> Iterator[str]:
 
 
 def _parameter(node: ast.expr) -> str | None:
-    """The name of the parameter in `self.params.Force`."""
+    """The name of the parameter in an expression such as `self.params.Force`."""
     match node:
         case ast.Attribute(value=ast.Attribute(attr="params"), attr=name):
             return name
@@ -213,7 +213,7 @@ def _parameter(node: ast.expr) -> str | None:
 
 
 def names_in(span: Span) -> dict[str, Span]:
-    """The names in an expression, where each stands last."""
+    """The names in an expression, each with its last place."""
     found = {}
     for node in ast.walk(_expression(span)):
         if isinstance(node, ast.Name):
@@ -222,7 +222,7 @@ def names_in(span: Span) -> dict[str, Span]:
 
 
 def compared_value(span: Span) -> Span | None:
-    """The right side of a comparison; None if the expression is none."""
+    """The right side of a comparison; None for other expressions."""
     for node in ast.walk(_expression(span)):
         if isinstance(node, ast.Compare):
             return _inside(span, node.comparators[-1])
@@ -230,7 +230,7 @@ def compared_value(span: Span) -> Span | None:
 
 
 def added_value(span: Span) -> Span:
-    """The place of what `+=` adds; all of the span if it is no such statement."""
+    """The place of the added value in a `+=` statement; the whole span for other statements."""
     try:
         body = ast.parse(span.text).body
     except (SyntaxError, ValueError):
@@ -242,7 +242,9 @@ def added_value(span: Span) -> Span:
 
 
 def _expression(span: Span) -> ast.AST:
-    """The tree of an expression, as if it began its file; an empty one if it is none."""
+    """The syntax tree of an expression, as if the expression began its file; an empty tree for
+    invalid text.
+    """
     try:
         return ast.parse(f"({span.text})", mode="eval")
     except (SyntaxError, ValueError):
@@ -256,7 +258,7 @@ def _inside(span: Span, node: ast.AST) -> Span:
 
 
 def _tree_of(file: SourceFile) -> ast.Module:
-    """The syntax tree of a file; an empty one if it is none of Python."""
+    """The syntax tree of a file; an empty tree if the text is not valid Python."""
     try:
         return ast.parse(file.text)
     except (SyntaxError, ValueError):
@@ -283,7 +285,7 @@ def _fill(found: Definition, file: SourceFile, written: ast.arguments) -> None:
 
 
 def docs_of(text: str) -> dict[str, str]:
-    """The texts of a docstring about parameters under `Args:`, a name and a colon each."""
+    """The documentation of parameters under `Args:` in a docstring, by parameter name."""
     _, _, section = re.split(
         r"(?m)^(Args|Arguments|Parameters):\s*$", text + "\nArgs:\n", maxsplit=1
     )
@@ -300,7 +302,7 @@ def docs_of(text: str) -> dict[str, str]:
 
 
 def argument_places(call: Span) -> dict[str, tuple[Span, Span]]:
-    """The places of the names and values of a call's named arguments."""
+    """The places of the names and values of a call's keyword arguments."""
     found = {}
     expression = _expression(call)
     node = expression.body if isinstance(expression, ast.Expression) else None

@@ -28,17 +28,18 @@ from ezskiros.skills.syntax import definition, file_of
 from ezskiros.skills.values import MOST_PATHS, Decisions, deciding
 
 SECONDS = 5.0
-"""Processor time for one run of one method."""
+"""The limit of processor time for one run of one method."""
 
 T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Method:
-    """A method under check, and the class that it is of.
+    """A method under check, and its class.
 
-    Messages call it `called`, and give `advice` on what to do with a side effect of it; `undefined`
-    is the finding for a name that is nowhere, with its help; `substitute` is what stands in for it.
+    `called` is its name in messages, and `advice` the help for its side effects. `undefined` makes
+    the finding for an undefined name, with its help, and `substitute` the object that replaces the
+    name.
     """
 
     owner: type
@@ -52,7 +53,7 @@ class Method:
 @dataclass(frozen=True)
 class Way(Generic[T]):
     """One path through a method: its inputs, None if they could not be made; whether it was
-    completed, and whether it was free of errors until then.
+    completed; and whether it was free of errors until then.
     """
 
     instance: T | None
@@ -64,10 +65,10 @@ class Way(Generic[T]):
 def ways(
     method: Method, make: Callable[[], T], run: Callable[[T, FunctionType], object]
 ) -> Iterator[Way[T]]:
-    """All ways through a method, as far as they are looked into; what is wrong is reported.
+    """All paths through a method, within the limits. Mistakes are reported.
 
-    For each, `make` makes what the method is run on, and `run` runs it. A name that is nowhere is
-    reported, and gets a substitute, so that what comes after it is looked at.
+    For each path, `make` makes the object on which the method runs, and `run` runs it. An undefined
+    name is reported and replaced, so that the code after it is checked, too.
     """
     planned: list[bool] | None = []
     substitutes: dict[str, object] = {}
@@ -101,7 +102,7 @@ def _way(
     decisions: Decisions,
     substitutes: dict[str, object],
 ) -> tuple[Way[T], Sequence[str]]:
-    """One way, and the files in which it could go further if their calls were intercepted."""
+    """One path, and the files whose interception would let it continue."""
     instance, problem = None, None
     with guarded(SECONDS) as guard, deciding(decisions):
         try:
@@ -124,12 +125,12 @@ def _way(
 
 
 def _missing_name(problem: BaseException | None) -> str | None:
-    """The name that is defined nowhere, if that is the problem."""
+    """The undefined name behind an exception; None for other exceptions."""
     return problem.name if isinstance(problem, NameError) and type(problem) is NameError else None
 
 
 def _with_names(function: FunctionType, names: Mapping[str, object]) -> FunctionType:
-    """The function, for which some more names are defined in its module."""
+    """The function with additional names in its module."""
     if not names:
         return function
     more = {**function.__globals__, **names}
@@ -141,7 +142,7 @@ def _with_names(function: FunctionType, names: Mapping[str, object]) -> Function
 
 
 def _raised(method: Method, problem: BaseException) -> Diagnostic:
-    """The finding for an exception, at the last place of the user's code that it came from."""
+    """The finding for an exception, at its last place in the user's code."""
     span = user_place(problem) or definition(method.function).whole
     if isinstance(problem, TimeOverError):
         return errors.NeverEnds(method=method.called, seconds=SECONDS).at(span)
@@ -154,7 +155,7 @@ def _raised(method: Method, problem: BaseException) -> Diagnostic:
 
 
 def _help_for(problem: BaseException) -> Remark | None:
-    """The help where `self.` is forgotten, `pre_conditions += ...`, or the name is misspelt."""
+    """The help for a missing `self.`, as in `pre_conditions += ...`, or for a misspelt name."""
     if isinstance(problem, AttributeError) and problem.name:
         near = difflib.get_close_matches(problem.name, PARTS, n=1, cutoff=0.75)
         return DidYouMean(near=f"self.{near[0]}") if near else None

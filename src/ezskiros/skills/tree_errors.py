@@ -134,7 +134,7 @@ class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
 
 
 class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
-    """An implementation that is called like a skill."""
+    """An implementation with the name of a skill."""
 
     title = "`{implementation}` is an implementation; a behavior tree calls the skill"
     help = "write `{skill}(...)`, or `{skill}.{implementation}(...)` to require this implementation"
@@ -147,7 +147,7 @@ class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
 
     title = "`{spelled}` does not depend on the value of the parameter"
     note = "`is` compares object identity, and `params` contains placeholders"
-    help = "write `==` to compare a value, `if params.Name:` to test for a thing"
+    help = "write `==` to compare a value, `if params.Name:` to test for an individual"
     spelled: str
 
 

@@ -28,7 +28,7 @@ _TYPES = {Used.TOPIC: "geometry_msgs/Twist", Used.SERVER: "move_base_msgs/MoveBa
 
 @dataclass(frozen=True)
 class Use(Described):
-    """A topic or server that a skill commands, and where that is written. `type` is
+    """A topic or server that a skill commands, and its place in the source. `type` is
     `package/Type`.
     """
 
@@ -38,7 +38,7 @@ class Use(Described):
     span: Span = field(compare=False)
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         return f"{_WORDS[self.kind]} that a skill uses"
 
 

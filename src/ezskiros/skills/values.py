@@ -1,7 +1,7 @@
 """Symbols for values that are unknown before the skill runs: parameters of basic types, and results
 of calls that a check skips (see `mocks.py`).
 
-Operations on symbols give symbols. Where Python needs the truth value of a symbol, both results are
+Operations on symbols give symbols. If Python needs the truth value of a symbol, both results are
 followed one after the other.
 """
 
@@ -32,14 +32,14 @@ MOST_DECISIONS = 1000
 
 @dataclass
 class Decisions:
-    """The answers of one run, and where each was asked for."""
+    """The decisions of one run, with their places."""
 
     planned: list[bool] = field(default_factory=list)
     taken: list[bool] = field(default_factory=list)
     asked: list[tuple[Span, Described]] = field(default_factory=list)
 
     def decide(self, span: Span, symbol: Described) -> bool:
-        """The next answer: as planned, then always true."""
+        """The next decision: the planned one, then always true."""
         number = len(self.taken)
         if number >= MOST_DECISIONS:
             raise TimeOverError
@@ -49,14 +49,14 @@ class Decisions:
         return answer
 
     def following(self) -> list[bool] | None:
-        """The answers of the next run; None if all have been tried."""
+        """The decisions of the next run; None if all combinations have been tried."""
         found = list(self.taken)
         while found and not found[-1]:
             found.pop()
         return [*found[:-1], False] if found else None
 
     def last_planned(self) -> tuple[Span, Described]:
-        """The symbol that the last answer that was planned was given to, and the place."""
+        """The place and the symbol of the last planned decision."""
         return self.asked[len(self.planned) - 1]
 
 
@@ -65,7 +65,7 @@ _decisions: ContextVar[Decisions | None] = ContextVar("decisions", default=None)
 
 @contextmanager
 def deciding(decisions: Decisions) -> Iterator[None]:
-    """Within, symbols are asked as `decisions` says."""
+    """While the context is active, `decisions` determine the truth values of symbols."""
     token = _decisions.set(decisions)
     try:
         yield
@@ -74,31 +74,29 @@ def deciding(decisions: Decisions) -> Iterator[None]:
 
 
 def decided(symbol: Described) -> bool:
-    """Decide about something that is not known before the skill runs, where it is asked for its
-    truth.
-    """
+    """Decide the truth value of an object that is unknown before the skill runs."""
     decisions = _decisions.get()
     return decisions is None or decisions.decide(session.here(), symbol)
 
 
 def has_decided() -> bool:
-    """Say whether the way on which the running method is depends on something that is not known."""
+    """Say whether the current path of the running method depends on an unknown value."""
     decisions = _decisions.get()
     return decisions is not None and bool(decisions.asked)
 
 
 class Symbol(Described):
-    """Something that is not known before the skill runs.
+    """A value that is unknown before the skill runs.
 
-    What is ours of it has names that what it stands for cannot have.
+    The names of its own attributes cannot be names of the value's attributes.
     """
 
     @abstractmethod
     def __derived__(self) -> Symbol:
-        """The symbol of what depends on it."""
+        """The symbol of a dependent value."""
 
     def __plain__(self) -> object:
-        """The value that it stands for, if that is known."""
+        """The value, if it is known."""
         return self
 
     def __bool__(self) -> bool:
@@ -108,7 +106,7 @@ class Symbol(Described):
         return self.__parts__(sys._getframe(1))  # noqa: SLF001
 
     def __parts__(self, frame: FrameType) -> Iterator[Symbol]:
-        """As many as there are names for them in a frame that asks; for a loop, none or one."""
+        """As many parts as a frame unpacks into names; for a loop, none or one."""
         count = _names_for_parts(frame)
         if count is None:
             count = int(_decisions.get() is not None and bool(self))
@@ -124,17 +122,18 @@ class Symbol(Described):
         return self.__derived__()
 
     def __exit__(self, *_problem: object) -> None:
-        """Hides no exception."""
+        """Suppress no exception."""
 
     def __setitem__(self, _key: object, _value: object) -> None:
-        """Changes nothing that is known."""
+        """Do nothing: the content is unknown."""
 
-    # The results of operators have no type: stand-ins for classes (`stand_ins.py`) use them, too.
+    # The results of operators have no type, because stand-ins for classes (`stand_ins.py`) use
+    # them, too.
     def _operated(self, *_others: object) -> Any:
         return self.__derived__()
 
     def _times(self, other: object) -> Any:
-        """A list as often as it says: like a loop, never or once."""
+        """A repeated list: like a loop, never or once."""
         if not isinstance(other, (list, tuple)):
             return self.__derived__()
         return times(other, int(_decisions.get() is not None and bool(self)))
@@ -149,13 +148,13 @@ class Symbol(Described):
 
 
 def plain(value: object) -> object:
-    """The value that a symbol stands for, if that is known; all else stays."""
+    """The known value of a symbol; any other object unchanged."""
     return value.__plain__() if isinstance(value, Symbol) else value
 
 
 def _names_for_parts(frame: FrameType) -> int | None:
-    """The number of parts that `a, b = ...` in a frame asks for; None if that is not where the
-    frame is.
+    """The number of parts that `a, b = ...` in a frame unpacks; None if the frame is at another
+    statement.
     """
     code, place = frame.f_code.co_code, frame.f_lasti
     is_unpacking = dis.opname[code[place]] in ("UNPACK_SEQUENCE", "UNPACK_EX")
@@ -169,7 +168,7 @@ class SymbolicValue(Symbol):
         self._name, self._kind = name, kind
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         if self._kind is None:
             return f"a value that depends on the parameter `{self._name}`"
         return f"the parameter `{self._name}`, of type {self._kind.__name__}"
@@ -179,11 +178,11 @@ class SymbolicValue(Symbol):
         return self._kind is None or self._kind in kinds
 
     def __example__(self) -> object:
-        """Some value that it can be; itself if its type is not known."""
+        """An example of its values; itself if its type is unknown."""
         return self if self._kind is None else _example(self._kind)
 
     def __derived__(self) -> SymbolicValue:
-        """The symbol of what is computed from it."""
+        """The symbol of a computed value."""
         return SymbolicValue(self._name)
 
     def __repr__(self) -> str:
@@ -199,12 +198,12 @@ class SymbolicValue(Symbol):
         return UNKNOWN
 
     def __call__(self, *_arguments: object, **_named: object) -> SymbolicValue:
-        """Whatever comes of it depends on the value as well."""
+        """Return a symbol, because the result depends on the value as well."""
         return self.__derived__()
 
 
 def _example(value_type: type) -> object:
-    """Some value of a basic type, or of an enumeration (its first, if it has any)."""
+    """An example of a basic type or of an enumeration (its first member, if it has any)."""
     if issubclass(value_type, enum.Enum):
         return next(iter(value_type), value_type)
     return value_type()

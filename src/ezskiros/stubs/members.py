@@ -1,4 +1,4 @@
-"""The attributes of the things of each class, and their meaning.
+"""The attributes of the individuals of each class, and their meaning.
 
 The rules are those of `Ontology.attribute` when a description runs, and of the check of relations.
 """
@@ -17,7 +17,7 @@ from ezskiros.ontology.things import Thing, ThingClass
 
 @dataclass(frozen=True)
 class Meaning:
-    """A relation or data property. What it relates to has to be in each union of `wanted`."""
+    """A relation or data property. Its objects or values must be in each union of `wanted`."""
 
     iri: str
     wanted: tuple[Union, ...] = ()
@@ -28,12 +28,12 @@ AMBIGUOUS = Meaning("")
 
 
 def iri_of(owl_class: ThingClass) -> str:
-    """The IRI of a class, also of `Thing`."""
+    """The IRI of a class, including `Thing`."""
     return THING if owl_class is Thing else owl_class.iri
 
 
 class Classes:
-    """All classes of an ontology, one per group of equivalent classes; `known` has `Thing` first,
+    """All classes of an ontology, one per group of equivalent classes. `known` has `Thing` first,
     and each class after its bases.
     """
 
@@ -50,35 +50,35 @@ class Classes:
                 self._below[iri].add(each)
 
     def fitting(self, wanted: Iterable[Union]) -> set[ThingClass]:
-        """The classes whose things are in all of these unions."""
+        """The classes whose individuals are in all of these unions."""
         found = set(self.known)
         for union in wanted:
             found &= {each for iri in union for each in self._below.get(iri, ())}
         return found
 
     def widest(self, wanted: Iterable[Union]) -> list[ThingClass]:
-        """The classes that fit, without those below others that do."""
+        """The fitting classes, without subclasses of other fitting classes."""
         found = self.fitting(wanted)
-        if Thing in found:  # all others are below it
+        if Thing in found:  # all other classes are below it
             return [Thing]
         return [each for each in found if found.isdisjoint(_above(each)[1:])]
 
 
 def _above(owl_class: ThingClass) -> list[ThingClass]:
-    """A class and those that it inherits from, in the order in which Python looks."""
+    """A class and its base classes, in Python's lookup order."""
     return [each for each in owl_class.__mro__ if isinstance(each, ThingClass)]
 
 
 def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, Meaning]]:
-    """For each class its attributes that it does not inherit as they are.
+    """The attributes of each class that differ from the inherited ones.
 
-    A class has an attribute if it is in the domain of what that stands for.
+    A class has an attribute if it is in the domain of the relation or data property.
     """
     model = ontology.model
     restricted = {iri for each in model.classes.values() for iri in each.only}
     found: dict[ThingClass, dict[str, Meaning]] = {each: {} for each in classes.known}
     for name, iris in ontology.properties.items():
-        if len(iris) == 1 and iris[0] not in restricted:  # for all classes below it is the same
+        if len(iris) == 1 and iris[0] not in restricted:  # the same for all classes below it
             for each in classes.widest(model.domain(iris[0])):
                 found[each][name] = Meaning(iris[0], model.range(iris[0]))
             continue
@@ -97,7 +97,7 @@ def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
 
 
 def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Meaning | None:
-    """The meaning of a name that these properties of a class have; None without any."""
+    """The meaning of a name that these properties of a class have; None without any property."""
     if len(fitting) > 1:
         return AMBIGUOUS
     for iri in fitting:
@@ -106,6 +106,6 @@ def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Mea
 
 
 def _only(model: Model, owl_class: str, iri: str) -> list[Union]:
-    """The statements of a class about all things that it is so related to."""
+    """The statements of a class about all individuals in this relation."""
     above = sorted(each for each in model.above(owl_class) if each in model.classes)
     return [union for each in above for union in model.classes[each].only.get(iri, ())]

@@ -1,4 +1,4 @@
-"""The namespace and name of each thing of an ontology in a stub."""
+"""The namespace and name of each entity of an ontology in a stub."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from ezskiros.ontology.python_names import identifiers
 from ezskiros.ontology.things import Thing, ThingClass
 
 ELSEWHERE = "_elsewhere"
-"""The namespace of classes that are named, but not declared."""
+"""The namespace of classes that are used, but not declared."""
 
 
 def namespaces(ontology: Ontology, known: Iterable[ThingClass]) -> dict[str, dict[str, str]]:
-    """The IRIs by their Python names, by the Python names of namespaces.
+    """The IRIs by Python name, for each namespace by its Python name.
 
     Undeclared bases of the classes `known` are in `ELSEWHERE`.
     """

@@ -37,7 +37,7 @@ _T = _TypeVar("_T")
 _N = _TypeVar("_N")
 
 class _Value(_Condition, _Generic[_T]):
-    """A data property: by itself the condition that there is a value."""
+    """A data property. Alone, it is the condition that a value exists."""
     def __eq__(self, value: _T, /) -> _Condition: ...
     def __ne__(self, value: _T, /) -> _Condition: ...
     def __lt__(self, value: _Nothing, /) -> _Condition: ...
@@ -59,12 +59,14 @@ class _Truth(_Value[_bool]): ...
 class _Anything(_Ordered[_float | _str | _bool, _float]): ...
 
 class _Ambiguous:
-    """Several namespaces have it: say it as `namespace.name(Subject, ...)`."""
+    """Several namespaces have this name: write `namespace.name(Subject, ...)`."""
 '''
 
 
 def write_stub(ontology: Ontology) -> str:
-    """The stub of a module with the names `world`, which is the ontology, and of its namespaces."""
+    """The stub of a module with the name `world` for the ontology, and with the names of its
+    namespaces.
+    """
     return _Writer(ontology).text()
 
 
@@ -85,14 +87,14 @@ class _Writer:
         self._types: dict[tuple[Union, ...], str] = {}
 
     def text(self) -> str:
-        """All of it."""
-        doc = _doc("Something in the world.")
+        """The whole text."""
+        doc = _doc("An individual of the world model.")
         thing = _block("class _Thing:", doc, *self._attributes(Thing))
         bodies = [_block(f"class {name}:", *self._inside(name)) for name in self._namespaces]
         public = [name for name in self._namespaces if name != ELSEWHERE]
         aliases = "".join(f"{alias(name)}: _TypeAlias = {name}\n" for name in public)
         again = [f"{name}: _TypeAlias = {alias(name)}" for name in public]
-        world = _block("class world:", _doc("The ontology: all its namespaces."), *again)
+        world = _block("class world:", _doc("All namespaces of the ontology."), *again)
         return "\n".join([_HEAD, thing, *bodies, aliases, *([] if "world" in public else [world])])
 
     def _inside(self, namespace: str) -> list[str]:
@@ -111,7 +113,7 @@ class _Writer:
         return [*owl_classes, *functions, *individuals]
 
     def _class(self, place: str, name: str, iri: str) -> str:
-        """A class, or another name for the one that means the same."""
+        """A class, or an alias for an equivalent class."""
         found = self._ontology.class_of(iri)
         if self._spelled[found] != place:
             return f"{name}: _TypeAlias = {self._spelled[found]}"
@@ -121,7 +123,7 @@ class _Writer:
         return _block(head, _doc(known.comment if known else ""), *self._attributes(found))
 
     def _attributes(self, owl_class: ThingClass) -> Iterator[str]:
-        """The relations and data properties that begin with this class."""
+        """The relations and data properties that this class adds."""
         for name, meaning in sorted(self._members[owl_class].items()):
             yield self._member(name, meaning)
 
@@ -149,7 +151,7 @@ class _Writer:
         return "@staticmethod\n" + _block(f"def {name}({taken}) -> {result}:", doc)
 
     def _type(self, wanted: tuple[Union, ...]) -> str:
-        """The type of what is in all of these unions."""
+        """The type for objects that are in all of these unions."""
         if wanted not in self._types:
             names = sorted(self._spelled[each] for each in self._classes.widest(wanted))
             self._types[wanted] = " | ".join(names) or "_Nothing"
@@ -157,7 +159,7 @@ class _Writer:
 
 
 def _block(head: str, *body: str) -> str:
-    """A class or function with its body; lines of the body that are empty are left out."""
+    """A class or function with its body, without empty lines."""
     lines = [each for each in body if each]
     if not lines:
         return f"{head} ...\n"
@@ -173,6 +175,6 @@ def _attribute(name: str, kind: str, comment: str) -> str:
 
 
 def _doc(comment: str) -> str:
-    """A comment of the ontology as a text of Python."""
+    """A comment of the ontology as a Python docstring."""
     quoted = comment.replace("\\", "\\\\").replace('"', '\\"')
     return f'"""{quoted}"""' if comment else ""

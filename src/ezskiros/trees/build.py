@@ -13,22 +13,22 @@ from ezskiros.trees.expand import References
 
 
 class EmptyTreeError(LookupError):
-    """`expandBT` builds nothing for these values."""
+    """`expandBT` builds no tree for these values."""
 
 
 def build(
     implementation: type[SkillImplementation], skill: SkillInterface, known: Mapping[str, object]
 ) -> Node:
-    """The root of the tree. Nothing is watched, as the check has looked at all ways.
+    """The root of the tree. The execution is not guarded, because the check has followed all paths.
 
-    `known` has the values of all parameters, None for those without; of a thing only counts whether
-    it is there. Raises what `expandBT` raises, `SkillError` for a mistake that only these values
-    show, and `EmptyTreeError`.
+    `known` has the values of all parameters, None for those without a value; for individuals, only
+    the presence matters. Raises the exceptions of `expandBT`, `SkillError` for a mistake that only
+    these values show, and `EmptyTreeError`.
     """
     written: Any = implementation()
     with growing() as tree:
         written.expandBT(References(skill, known))
     if not tree.loose:
-        raise EmptyTreeError(f"`{implementation.__name__}` builds no behavior tree")
+        raise EmptyTreeError(f"`{implementation.__name__}` has no behavior tree")
     root: Node = tree.loose[-1]
     return root

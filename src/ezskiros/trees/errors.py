@@ -33,7 +33,7 @@ class WrongLaunchValue(Error, code="EZS514", name="wrong-launch-value"):
     """A value of the wrong type."""
 
     title = "`{parameter}` is {wanted}, not {found}"
-    help = "give a value of that type; things of the world model are passed when the skill starts"
+    help = "give a value of that type; individuals are passed when the skill starts"
     parameter: str
     wanted: str
     found: str

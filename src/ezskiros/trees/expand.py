@@ -59,7 +59,7 @@ class References:
 
 
 class _Written:
-    """An implementation, and what its `expandBT` has left without a parent, in order."""
+    """An implementation, and the nodes of its `expandBT` without a parent, in order."""
 
     def __init__(self, implementation: type[SkillImplementation]) -> None:
         self.instance = implementation()
@@ -71,9 +71,9 @@ def expand(
     skill: SkillInterface,
     known: Mapping[str, object] = MappingProxyType({}),
 ) -> Iterator[Tree]:
-    """The trees of a compound skill; what is wrong with how they are written is reported.
+    """The trees of a compound skill. Mistakes in their form are reported.
 
-    Branches on parameters whose values are `known` go one way, those on others go all ways.
+    Branches on `known` parameters follow one path, branches on others follow all paths.
     """
     function = inspect.getattr_static(implementation, "expandBT", None)
     if not isinstance(function, FunctionType):
@@ -112,7 +112,7 @@ def expand(
 
 
 def _undefined(spelled: str, function: FunctionType) -> tuple[Template, Remark | None]:
-    """The finding for a name that is nowhere, with the skill that may be meant."""
+    """The finding for an undefined name, with a similar skill."""
     found = errors.UnknownSkill(spelled=spelled)
     if spelled in MAKERS:
         return found, found.Processor(processor=spelled)
@@ -129,7 +129,7 @@ def _branch(decisions: Decisions) -> tuple[tuple[Span, bool], ...]:
 
 
 def _given(decisions: Decisions) -> frozenset[str]:
-    """The parameters that were asked for and that are there."""
+    """The parameters that were tested and have a value."""
     asked = (symbol for _, symbol in decisions.asked)
     answered = zip(asked, decisions.taken, strict=True)
     true = (symbol for symbol, answer in answered if answer)
@@ -137,14 +137,16 @@ def _given(decisions: Decisions) -> frozenset[str]:
 
 
 def _report_identities(function: FunctionType) -> None:
-    """Tell of `params.Start is None`: what stands for a parameter is never something else."""
+    """Report `params.Start is None`: the reference to a parameter is never identical to another
+    object.
+    """
     method = written(function)
     for span in method.compared_by_identity() if method else ():
         session.report(errors.ComparedByIdentity(spelled=span.text).at(span))
 
 
 def _report_loose(implementation: type[SkillImplementation], loose: list[Node]) -> None:
-    """Tell of what is written beside the tree, which is what was written last."""
+    """Report nodes beside the tree. The last node is the tree."""
     for node in loose:
         session.report(errors.LooseSkill(implementation=implementation.__name__).at(node.span))
 

@@ -23,9 +23,9 @@ from ezskiros.trees.library import LaunchValues
 
 _ENDINGS = (".yaml", ".yml", ".json")
 LARGEST_FILE = 256 << 10
-"""Bytes of a file, which is slow to read."""
+"""The most bytes of a file, because files are slow to read."""
 _LINE_END = re.compile("\r\n?|[\n\x85\u2028\u2029]")
-"""Lines as YAML counts them, which has more ends than editors."""
+"""The line ends of YAML, which has more than editors."""
 _TOO_DEEP = "its lists and mappings are nested too deeply"
 
 
@@ -38,7 +38,7 @@ class _UnreadableError(Exception):
 
 
 def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> LaunchValues:
-    """Read what a file says of the parameters of some skills; report what is wrong with it."""
+    """Read the values of parameters of some skills from a file, and report the mistakes in it."""
     try:
         file = _file(path)
         content = _content(file)
@@ -70,7 +70,7 @@ def _content(file: SourceFile) -> Any:
         raise _UnreadableError(_TOO_DEEP, Span(file, deep, deep + 1))
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ReusedAnchorWarning)  # YAML allows that
+            warnings.simplefilter("ignore", ReusedAnchorWarning)  # valid in YAML
             return YAML(typ="rt", pure=True).load(file.text)
     except RecursionError:
         raise _UnreadableError(_TOO_DEEP, Span(file, 0, 0)) from None
@@ -82,14 +82,14 @@ def _content(file: SourceFile) -> Any:
 
 
 class _Reader:
-    """One file, against the skills that it may name."""
+    """One file, with the skills that it may name."""
 
     def __init__(self, file: SourceFile, skills: Mapping[str, SkillInterface]) -> None:
         self._file, self._all = file, skills
         self._line_starts = (0, *(end.end() for end in _LINE_END.finditer(file.text)))
 
     def skills(self, content: Any) -> Iterator[tuple[str, Mapping[str, object]]]:
-        """For each skill that is named, what its parameters are."""
+        """Each named skill, with its parameter values."""
         if content is None:
             return
         if not isinstance(content, Mapping):
@@ -117,7 +117,9 @@ class _Reader:
                 yield parameter.name, found
             else:
                 span = self._value(values, name, str(value))
-                wanted = "a thing of the world" if parameter.is_thing else parameter.type.__name__
+                wanted = (
+                    "an individual of the world" if parameter.is_thing else parameter.type.__name__
+                )
                 wrong = errors.WrongLaunchValue(
                     parameter=parameter.name, wanted=wanted, found=repr(value)
                 )
@@ -142,7 +144,7 @@ class _Reader:
 
 
 def _as_value(value: Any, parameter: Parameter) -> object:
-    """A value of YAML as one of Python: without what remembers its layout."""
+    """A YAML value as a plain Python value, without layout information."""
     if issubclass(parameter.type, enum.Enum):
         return parameter.type.__members__.get(str(value), value)
     for kind in (bool, int, float, str):

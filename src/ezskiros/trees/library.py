@@ -19,31 +19,30 @@ from ezskiros.skills.own_conditions import refined
 T = TypeVar("T")
 Implementations = Mapping[str, type[SkillImplementation]]
 LaunchValues = Mapping[str, Mapping[str, object]]
-"""Values of parameters that are known at launch: by their names, by the names of skills."""
+"""Parameter values that are known at launch, by skill name and parameter name."""
 
 
 class Library:
-    """Skills by their descriptions, with their implementations.
+    """Skills by description, with their implementations.
 
-    `described` are those that are checked. Others, which trees name and which come from libraries,
-    are looked at when they are asked for; what is wrong with them is reported where they are
-    checked.
+    `described` are the checked skills. Trees may name other skills, of libraries. Those are read on
+    demand; mistakes in them are reported when those libraries are checked.
     """
 
     def __init__(self, described: Mapping[SkillClass, Described]) -> None:
         self.checked = tuple(described)
-        """The skills that are checked, in the order in which they are written."""
+        """The checked skills, in source order."""
         self._described: dict[SkillClass, Described | None] = {**described}
         self._refined: dict[type[SkillImplementation], Described | None] = {}
         self.elsewhere: list[Diagnostic] = []
-        """Findings in skills that are not checked, as far as they were looked at."""
+        """Findings in other skills, as far as these were read."""
 
     def descriptions(self) -> list[SkillClass]:
-        """All that are known so far, in the order in which they were loaded."""
+        """All known descriptions, in the order in which they were loaded."""
         return [each for each in self._described if issubclass(each, SkillDescription)]
 
     def skill(self, description: SkillClass) -> SkillInterface | None:
-        """The interface of a skill; None if its description says nothing."""
+        """The interface of a skill; None if its description has no content."""
         found = self._known(description)
         return found.interface if found else None
 
@@ -59,7 +58,7 @@ class Library:
         return known.interface if known else None
 
     def as_done_by(self, implementation: type[SkillImplementation]) -> SkillInterface | None:
-        """The same. Mistakes are those of another library, unless they have been reported."""
+        """The same interface as `refine`. New mistakes count as those of another library."""
         if implementation in self._refined:
             return self.refine(implementation)
         with session.trying() as found:
@@ -68,14 +67,14 @@ class Library:
         return interface
 
     def called(self, call: SkillCall) -> SkillInterface | None:
-        """The interface of a child: with the pre-conditions of its implementation, if only one can
-        be meant.
+        """The interface of a child, with the pre-conditions of its implementation if only one is
+        possible.
         """
         doing = self.doing(call)
         return self.as_done_by(doing[0]) if len(doing) == 1 else self.skill(call.skill)
 
     def skills(self) -> list[SkillInterface]:
-        """All skills that are known so far."""
+        """All known skills."""
         return [each.interface for each in self._described.values() if each]
 
     def is_whole(self, skill: SkillInterface) -> bool:
@@ -84,7 +83,7 @@ class Library:
         return all(each.is_whole for each in known if each and each.interface is skill)
 
     def ontology(self) -> Ontology | None:
-        """The ontology that the types of the skills are from; None if no skill has things."""
+        """The ontology of the types of the skills; None if no skill has individuals."""
         found = (each.ontology for each in self._described.values() if each)
         return next(filter(None, found), None)
 
@@ -93,12 +92,12 @@ class Library:
         return implementations(description)
 
     def doing(self, call: SkillCall) -> list[type[SkillImplementation]]:
-        """The implementations that may do a child of a tree."""
+        """The possible implementations of a child of a tree."""
         known = self.implementations(call.skill).values()
         return [each for each in known if call.implementation in (None, each.__name__)]
 
     def owner(self, implementation: str) -> SkillInterface | None:
-        """The skill that something of this name implements."""
+        """The skill that an implementation with this name implements."""
         for description in list(self._described):
             if implementation in self.implementations(description):
                 return self.skill(description)
@@ -123,8 +122,8 @@ def known_skills() -> Iterator[SkillClass]:
 
 
 def _derived(base: type[T]) -> Iterator[type[T]]:
-    """The classes derived from one that nothing is derived from, as far as modules still have them:
-    those of a module that was run again are not meant.
+    """The classes derived from a class that have no derived classes themselves. Classes of modules
+    that were imported again are left out.
     """
     for each in type.__subclasses__(base):
         module = sys.modules.get(each.__module__)

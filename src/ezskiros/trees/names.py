@@ -27,11 +27,11 @@ class Shared:
     parameter: Parameter
     shared: str
     is_passed: bool
-    """True if the child says so; else the names are the same."""
+    """True if the child gets the parameter as an argument; False if the names are equal."""
 
 
 def shared_names(call: SkillCall, skill: SkillInterface) -> Iterator[Shared]:
-    """For each parameter of the child that has no value of its own."""
+    """The shared names of the parameters of a child that have no value of their own."""
     for parameter in skill.parameters:
         if parameter.name not in call.arguments:
             if parameter.is_thing or parameter.default is None:
@@ -45,8 +45,8 @@ def shared_names(call: SkillCall, skill: SkillInterface) -> Iterator[Shared]:
 def found_out(
     call: SkillCall, skill: SkillInterface, implementations: Iterable[type[SkillImplementation]]
 ) -> list[Shared]:
-    """The parameters that have their default when the child starts, and that an implementation
-    sets: when it has succeeded, their names have what they are then.
+    """The parameters with a default at the start of the child that an implementation sets. After a
+    success, their names have the new values.
     """
     own = [
         each
@@ -60,7 +60,7 @@ def found_out(
 
 
 def all_shared(call: SkillCall, library: Library) -> list[Shared]:
-    """All that a child shares, whichever implementation does it; nothing of an unknown skill."""
+    """All shared names of a child, for any implementation; none for an unknown skill."""
     skill = library.skill(call.skill)
     if skill is None:
         return []

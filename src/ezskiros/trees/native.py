@@ -1,5 +1,5 @@
-"""Implementations for plain SkiROS2 of skills that are described in EzSkiROS, which a migration can
-leave.
+"""Implementations for plain SkiROS2 of skills that are described in EzSkiROS. A migration can leave
+them unchanged.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from ezskiros.skills.calls import SkillClass
 
 
 def native_implementations(description: SkillClass) -> dict[str, type]:
-    """The classes whose `createDescription` sets a description of EzSkiROS, by their names."""
+    """The classes whose `createDescription` sets an EzSkiROS description, by class name."""
     return {each.__name__: each for each in _classes() if _sets(each, description)}
 
 
 def _classes() -> Iterator[type]:
-    """The classes with a method `createDescription` of all modules that have been imported. Of
-    what else is in them, which may be anything, nothing is asked.
+    """The classes with a method `createDescription` in all imported modules. No other object is
+    examined, because objects of modules can be anything.
     """
     for name, module in list(sys.modules.items()):
         for each in list(vars(module).values()) if isinstance(module, ModuleType) else ():
@@ -28,7 +28,7 @@ def _classes() -> Iterator[type]:
 
 
 def _sets(found: type, description: SkillClass) -> bool:
-    """Say whether the code of a class names `setDescription` and the description."""
+    """Say whether the code of a class uses `setDescription` and the description."""
     method = vars(found)["createDescription"]
     names = method.__code__.co_names
     is_one = any(method.__globals__.get(name) is description for name in names)

@@ -18,9 +18,9 @@ from ezskiros.skills.values import SymbolicValue, decided, plain
 
 
 class ThingReference(Described):
-    """A parameter of the compound that stands for a thing: `params.GraspPose`.
+    """A parameter of the compound that stands for an individual: `params.GraspPose`.
 
-    One that may stand for nothing can be asked for that: `if params.Start:`.
+    A parameter that may have no value can be tested: `if params.Start:`.
     """
 
     def __init__(self, parameter: Parameter) -> None:
@@ -31,11 +31,11 @@ class ThingReference(Described):
         return decided(self) if may_be_nothing else True
 
     def __call__(self, *_arguments: object, **_named: object) -> None:
-        """Nothing can be done with a thing before the robot runs. Raises `TypeError`."""
-        raise TypeError(f"`{self!r}` is a thing, and cannot be called")
+        """Raise `TypeError`: an individual cannot be used before the robot runs."""
+        raise TypeError(f"`{self!r}` is an individual and cannot be called")
 
     def described(self) -> str:
-        """For messages."""
+        """The description, for messages."""
         return f"the parameter `{self.parameter.name}`, a {self.parameter.type!r}"
 
     def __repr__(self) -> str:
@@ -43,7 +43,7 @@ class ThingReference(Described):
 
 
 class ValueReference(SymbolicValue):
-    """A parameter of the compound that has a value: `params.Speed`."""
+    """A parameter of the compound for a value: `params.Speed`."""
 
     def __init__(self, parameter: Parameter) -> None:
         super().__init__(parameter.name, parameter.type)
@@ -51,7 +51,7 @@ class ValueReference(SymbolicValue):
 
 
 class KnownThing(ThingReference):
-    """A parameter of the compound skill for which it is known whether it stands for a thing."""
+    """A parameter of the compound for an individual, if it is known whether it has a value."""
 
     def __init__(self, parameter: Parameter, is_there: bool) -> None:
         super().__init__(parameter)
@@ -62,7 +62,7 @@ class KnownThing(ThingReference):
 
 
 class KnownReference(ValueReference):
-    """A parameter of the compound whose value is known: branches and operators use that."""
+    """A parameter of the compound with a known value, which branches and operators use."""
 
     def __init__(self, parameter: Parameter, value: object) -> None:
         super().__init__(parameter)
@@ -98,7 +98,7 @@ class KnownReference(ValueReference):
 
 
 def _operate(name: str) -> None:
-    """Give references an operator, with what it is reflected to if there is that."""
+    """Add an operator to references, with its reflected version if there is one."""
     of_values: Callable[..., object] = getattr(operator, name)
 
     def operated(*operands: object) -> object:
@@ -123,8 +123,8 @@ Reference = ThingReference | ValueReference
 
 
 def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
-    """Give what stands for a parameter in `expandBT`, where the values of some are known: None of
-    those that stand for nothing.
+    """The reference to a parameter in `expandBT`, given the known values; None for a known
+    parameter without a value.
     """
     is_known, value = parameter.name in known, known.get(parameter.name)
     if parameter.is_thing:
@@ -134,7 +134,7 @@ def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
 
 @dataclass(frozen=True)
 class Tree:
-    """One way in which a compound skill does its work: there are several if `expandBT` branches."""
+    """One tree of a compound skill. There are several trees if `expandBT` branches."""
 
     owner: type[SkillImplementation]
     skill: SkillInterface
@@ -142,9 +142,9 @@ class Tree:
     span: Span
     """The place of the implementation's name."""
     branch: tuple[tuple[Span, bool], ...] = ()
-    """The queries on the way to it, in their order, and their answers."""
+    """The conditions on the path to the tree, in order, with their results."""
     given: frozenset[str] = frozenset()
-    """The parameters that these say have a value."""
+    """The parameters that have a value by these conditions."""
 
     @property
     def implementation(self) -> str:

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from heron.evaluation.expectation import Expectation, Verdict
 
-_EXPLAINED = {Verdict.OPEN: ": the runs are not enough to decide"}
-"""Words after the number of expectations with a verdict."""
+_EXPLAINED = {Verdict.OPEN: " (the runs are not enough to decide)"}
+"""The explanation of a verdict, if its word is not enough."""
 
 
 class Reported(NamedTuple):
@@ -32,7 +32,7 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     for verdict in Verdict:
         count = sum(reported.expectation.verdict is verdict for reported in all_reported)
         if count:
-            yield f"- {count} are {verdict.value}{_EXPLAINED.get(verdict, '')}"
+            yield f"- {verdict.value}{_EXPLAINED.get(verdict, '')}: {count}"
     yield ""
     for verdict in (Verdict.FAILS, Verdict.OPEN):
         chosen = [reported for reported in all_reported if reported.expectation.verdict is verdict]

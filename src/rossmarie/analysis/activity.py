@@ -20,7 +20,7 @@ def propositions_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]
 
 
 def becomes_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Say whether a rule that is not active becomes so (S35)."""
+    """Say whether an inactive rule becomes active (S35)."""
     return state.proposition(state.machine.rules[rule].condition).activates
 
 

@@ -1,5 +1,5 @@
-"""Rules in a closed loop: the same outside messages arrive again and again, and the messages that
-the rules publish arrive at their own inputs.
+"""Rules in a closed loop: the same outside messages arrive repeatedly, and the messages that the
+rules publish arrive at the rules' own inputs.
 
 The monitor is the interpreter, and its reactor decides which messages are published. Every action
 ends at once, with success or with failure. Each message takes a moment to arrive.
@@ -83,8 +83,8 @@ class Loop:
         self.starts = {rule: [] for rule in self.rules}
 
     def run(self, until_ns: int, times: int) -> int | None:
-        """Run until each rule has become active the given number of times. Returns that instant in
-        nanoseconds, or None if the count is not reached in time.
+        """Run until each rule has become active the given number of times. Returns this instant in
+        ns, or None if the rules do not reach the number in time.
         """
         for at_ns in self._instants(until_ns):
             if all(len(starts) >= times for starts in self.starts.values()):
@@ -92,7 +92,7 @@ class Loop:
         return None
 
     def _instants(self, until_ns: int) -> Iterator[int]:
-        """Advance to the next event, again and again, and yield the instant of each event."""
+        """Advance from event to event, and yield the instant of each event."""
         outside_ns = 0
         for _ in range(_MOST_EVENTS):
             wakes = [self._monitor.next_wake(), self._reactor.next_wake()]
@@ -123,8 +123,8 @@ class Loop:
         self._deliver(at_ns, messages)
 
     def _is_taken(self, channel: int) -> bool:
-        """Say whether messages that rules publish at a rate replace the messages of others: the
-        topic of the channel passes through the filter.
+        """Say whether messages that rules publish at a rate replace other messages: the topic of
+        the channel passes through the filter.
         """
         if channel in self._sent_by_rules and channel in self.outside.given_up:
             return True
@@ -177,7 +177,9 @@ class Loop:
         return ChannelValues(slots, arrays)
 
     def _is_outside(self, at_ns: int) -> bool:
-        """Say whether messages from outside arrive at an instant that other messages can avoid."""
+        """Say whether messages from outside arrive at an instant that the other messages do not
+        use.
+        """
         period_ns = self.outside.period_ns
         return period_ns > 2 * _STEP_NS and at_ns % period_ns == 0
 
@@ -219,6 +221,6 @@ class Loop:
 
 
 def _bounded(bounds: Mapping[Path, FieldBounds], path: Path, value: float) -> float:
-    """A number after the filter has bounded it; an element is bounded as its array is."""
+    """A number after the filter has bounded it. An element has the bounds of its array."""
     lying = bounds.get(path) or bounds.get(path[:-1])
     return value if lying is None else lying.of(value)

@@ -1,7 +1,7 @@
 """Any state at any evaluation of a closed loop: the same messages arrive from outside, and the
 topics on which rules publish carry only the messages of these rules.
 
-This state covers too much, as does `ArbitraryState`, on which it is based.
+This state covers too many cases, like `ArbitraryState`, on which it is based.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ _OUTSIDE = ".outside"
 
 
 class ClosedState(ArbitraryState):
-    """A state in which the last message on some channels is one that rules publish."""
+    """A state in which the last message on some channels comes from a rule."""
 
     def __init__(self, asked: Questioned, published: Published) -> None:
         super().__init__(asked)
         self._published = published
 
     def slot(self, index: int) -> Number:
-        """The number in a slot, of a message of rules or of one from outside."""
+        """The number in a slot of a message, which comes from a rule or from outside."""
         is_new = index not in self._slots
         number = super().slot(index)
         used = self.machine.slots[index].input
@@ -78,8 +78,8 @@ class ClosedState(ArbitraryState):
         yield z3.Implies(message == count, z3.Or(above, below))
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Messages of rules have arrived. Messages from outside may have arrived or not, the same
-        at all moments.
+        """Say whether a message has arrived. Messages of rules have. Messages from outside may have
+        arrived; the answer is the same at all moments.
         """
         carried = self._published.get(channel)
         if carried is not None and not carried.is_open:
@@ -96,8 +96,8 @@ class ClosedState(ArbitraryState):
         return found
 
     def at(self, moment: int, predicate: z3.BoolRef) -> z3.BoolRef:
-        """A predicate evaluated in a state like this one at one moment. Messages from outside are
-        the same at all moments; all other variables belong to this moment.
+        """A predicate, evaluated in a similar state at one moment. Messages from outside are the
+        same at all moments; all other variables belong to this moment.
         """
         term, shared = z3.And(*self.facts, predicate), self._shared
         constants = {each.decl().name(): each for each in constants_in(term)}

@@ -1,4 +1,4 @@
-"""Rules that can be active together and need the same resource, with no order between them."""
+"""Rules that can be active together and need the same resource, without a priority between them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine, overruled
 
 Needs = Mapping[int, frozenset[int]]
-"""The needs of a rule: each resource, and the indices of the actions that need it."""
+"""The needs of a rule: each resource, with the indices of the actions that need it."""
 
 
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """A warning for each rule that conflicts with an earlier rule, once for each resource.
 
-    With `thorough`, all pairs are queried, and proofs and orders are reported as well.
+    With `thorough`, all pairs are queried, and proofs and priorities are also reported.
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
@@ -63,8 +63,8 @@ def _needs(machine: Machine, rule: int) -> Needs:
 
 
 def _do_the_same(machine: Machine, first: int, second: int, resource: int) -> bool:
-    """Say whether both rules do the same thing with a resource, whichever actions they use. If so,
-    the owner of the resource does not matter.
+    """Say whether both rules do the same thing with a resource, whichever actions they use. In this
+    case the owner of the resource does not matter.
     """
     done = overruled.only_deed(machine.reactions, first, resource)
     return done is not None and done == overruled.only_deed(machine.reactions, second, resource)

@@ -1,7 +1,7 @@
 """Rules that are never or always active, and parts of conditions that are constant.
 
-The check reports conditions that constants alone decide. This module asks which values numbers can
-have.
+The checker reports conditions that constants alone decide. This module also uses the possible
+values of numbers.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ NEVER, ALWAYS = TruthValue.TRUE, TruthValue.FALSE
 
 def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """A warning for each rule that is never or always active, and for each other constant part of a
-    condition. With `thorough`, also the queries about the rules that stay undecided.
+    condition. With `thorough`, there are also findings for the undecided queries about the rules.
     """
     machine = inquiry.machine
     constant = _constant_parts(inquiry)
@@ -122,8 +122,8 @@ def _impossible(inquiry: Inquiry, proposition: int) -> TruthValue | None:
 
 
 def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
-    """Say whether the solver finds that a leaf can have a value. If so, the solver never refutes
-    it.
+    """Say whether the solver finds that a leaf can have a value. If it does, the opposite cannot be
+    proved.
     """
     alone = inquiry.below(proposition)
     last = len(alone.machine.propositions) - 1
@@ -137,7 +137,7 @@ def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
 
 
 def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
-    """The innermost parts of conditions and releases that never have some value, each with that
+    """The innermost parts of conditions and releases that never have some value, each with this
     value.
     """
     machine = inquiry.machine
@@ -172,9 +172,7 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
-    """The constant parts that users wrote: an `after` that never asks for an answer is always
-    true.
-    """
+    """The constant parts that users wrote. An `after` whose cause never occurs is always true."""
     reported = {
         proposition
         for rule in machine.rules
@@ -294,9 +292,7 @@ def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
 
 
 def _open_queries(inquiry: Inquiry, index: int) -> Iterator[Finding]:
-    """Findings on the queries about a rule that stay undecided: whether it can be active, and
-    inactive.
-    """
+    """Findings for the undecided queries about a rule: whether it can be active, and inactive."""
     machine = inquiry.machine
     rule = machine.rules[index]
     for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):

@@ -1,6 +1,6 @@
-"""The step from a model of the solver to a witness: a draft whose numbers can be varied.
+"""The step from a model of the solver to a witness: a draft with variable numbers.
 
-A draft stores an orientation as angles, and everything else as the numbers of the messages.
+A draft stores an orientation as angles, and all other values as the numbers of the messages.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _ANGLES = (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 
 @dataclass(frozen=True)
 class Knob:
-    """A number in a leg of a draft that can be varied: the number of a slot, an element (`cell`),
-    or an angle of the orientation in four slots. `unit` is the unit that the user sees.
+    """A variable number in a leg of a draft: the number of a slot, an element (`cell`), or an angle
+    of the orientation in four slots. `unit` is the unit that the user sees.
     """
 
     slots: tuple[int, ...]
@@ -54,7 +54,7 @@ class Draft:
     legs: tuple[DraftLeg, ...]
     period_ns: int
     is_calm: bool
-    """True if all sensors have to work, and do."""
+    """True if all sensors must work, and do."""
 
     def with_value(self, leg: int, knob: Knob, value: float) -> Draft:
         """Return the same draft with another value for one knob."""
@@ -127,7 +127,7 @@ def _values(
 
 
 def _orientations(machine: Machine) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Each orientation in a message: the angles that rules take from it, and its slots."""
+    """Each orientation in a message: the angles that rules compute from it, and its slots."""
     for index, signal in enumerate(machine.signals):
         node = signal.node
         if isinstance(node, ir.Apply) and node.function in _ANGLES:
@@ -163,8 +163,8 @@ def _shakes(machine: Machine, leg: Leg, model: z3.ModelRef) -> Iterator[tuple[in
 
 
 def witness_of(machine: Machine, draft: Draft) -> Witness:
-    """The messages of a draft: on each leg one at the beginning, then one per period, and the last
-    at the end.
+    """The messages of a draft: on each leg one message at the beginning, then one per period, and
+    the last message at the end.
     """
     events: list[Sending] = []
     start_ns = end_ns = 0
@@ -210,7 +210,7 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
 
 
 def quaternion(angles: Mapping[ir.AnyFunction, float]) -> tuple[float, float, float, float]:
-    """The orientation x, y, z, w with these angles in radians. Angles that are not given are 0."""
+    """The orientation x, y, z, w with these angles in radians. Missing angles are 0."""
     roll, pitch, yaw = (angles.get(angle, 0.0) / 2.0 for angle in _ANGLES)
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
     cy, sy = math.cos(yaw), math.sin(yaw)

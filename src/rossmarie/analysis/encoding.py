@@ -1,10 +1,10 @@
 """One evaluation of a machine (S11) as terms of the solver.
 
 Signals and propositions become terms node by node, as the interpreter evaluates them. The two
-subclasses add the environment of the evaluation: in `state.ArbitraryState`, memories hold anything
-that a trace could have left there, and `trace.Moment` is part of a trace of events.
-`testing.solve.World` is not a subclass, and explains why. The code in common is in `terms`,
-`formulas` and `fields`.
+subclasses add the environment of the evaluation. In `state.ArbitraryState`, memories have any value
+that a trace could have left there; `trace.Moment` is part of a trace of events.
+`testing.solve.World` is not a subclass, and explains why. The common code is in `terms`, `formulas`
+and `fields`.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from rossmarie.analysis.terms import (
 
 @dataclass(frozen=True)
 class Cell:
-    """An element of an array, if the array is that long."""
+    """An element of an array, if the array is long enough."""
 
     array: int
     is_there: z3.BoolRef
@@ -53,8 +53,8 @@ class Questioned:
 
     @cached_property
     def array_uses(self) -> tuple[int, ...]:
-        """The number of nodes that look at each array. This many elements, plus one, can show every
-        behavior that an array of any length can show to these nodes.
+        """For each array, the number of nodes that use it. This many elements, plus one, can show
+        every behavior that an array of any length can show to these nodes.
         """
         uses = [1] * len(self.machine.arrays)
         for signal in self.machine.signals:
@@ -78,8 +78,8 @@ class Questioned:
         return array
 
     def window_of(self, signal: int) -> int:
-        """The time that a signal looks back, in nanoseconds: its window or its time constant; 0 if
-        it has none.
+        """The time in ns that a signal looks back: its window or its time constant; 0 if it has
+        neither.
         """
         node = self.machine.signals[signal].node
         return node.window_ns if isinstance(node, ir.Sampled) else 0
@@ -90,7 +90,7 @@ class Questioned:
 
 
 class Encoding(ABC):
-    """The signals and propositions of one evaluation. `facts` hold in all cases.
+    """The signals and propositions of one evaluation. `facts` are true in all cases.
 
     With `rounded`, numbers cover all values that doubles can give; otherwise they are exact.
     """
@@ -106,7 +106,7 @@ class Encoding(ABC):
 
     @property
     def known_signals(self) -> frozenset[int]:
-        """The indices of the signals that were asked for."""
+        """The indices of the requested signals."""
         return frozenset(self._signals)
 
     # --- what lies outside of one evaluation -------------------------------------------------
@@ -121,35 +121,35 @@ class Encoding(ABC):
 
     @abstractmethod
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Say whether a message has ever come."""
+        """Say whether any message has come on a channel."""
 
     @abstractmethod
     def age(self, channel: int) -> z3.ArithRef:
-        """The age of the last message, in nanoseconds."""
+        """The age of the last message, in ns."""
 
     @abstractmethod
     def sampled(self, index: int, node: ir.Sampled) -> Number:
-        """S18 to S21, S43, S49, S50."""
+        """S18 to S21, S43, S49, S50: a function of samples."""
 
     @abstractmethod
     def count(self, node: ir.Count) -> Number:
-        """S24."""
+        """S24: a count of elements."""
 
     @abstractmethod
     def held(self, index: int, node: ir.Held, operand: Fact) -> Fact:
-        """S33."""
+        """S33: a `for`."""
 
     @abstractmethod
     def remembered(self, index: int) -> Fact:
-        """S44: what a `since` was at the last evaluation."""
+        """S44: the value of a `since` at the last evaluation."""
 
     @abstractmethod
     def oscillating(self, index: int) -> Fact:
-        """S32, if the signal is known."""
+        """S32: an oscillation, if the signal is known."""
 
     @abstractmethod
     def recurring(self, index: int, node: ir.Recurs) -> Fact:
-        """S48."""
+        """S48: a count of edges."""
 
     # --- inputs ------------------------------------------------------------------------------
 
@@ -260,7 +260,7 @@ class Encoding(ABC):
                 return self._leaf(index, node, known, holds(node, values))
 
     def _since(self, index: int, held: Fact, begun: Fact) -> Fact:
-        """S44."""
+        """S44: a `since`."""
         before = disjunction([begun, self.remembered(index)])
         return disjunction([begun, conjunction([held, before])])
 
@@ -272,7 +272,7 @@ class Encoding(ABC):
         return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
 
     def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
-        """S30: whether an unknown leaf is unknown because of an input with a timeout."""
+        """S30: say whether an unknown leaf is unknown because of an input with a timeout."""
         support = self.asked.supports.propositions[index]
         if not self.asked.has_timeout(support.inputs):
             return NO
@@ -349,8 +349,8 @@ class Encoding(ABC):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _beside(self, array: int, signal: int) -> Number:
-        """A number beside elements (S74): any value that it may have had when they arrived. A
-        proposed trace of events uses its present value.
+        """A number beside elements (S74): any value that the number may have had when the elements
+        arrived. A proposed trace of events uses its present value.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)
@@ -358,7 +358,9 @@ class Encoding(ABC):
         return Number(z3.Bool(f"{name}.known"), z3.Real(f"{name}.value"))
 
     def is_kept(self, array: int) -> z3.BoolRef:
-        """Say whether a result over elements has not been forgotten with a number beside them."""
+        """Say whether a result over elements is still stored. It is forgotten with the numbers
+        beside the elements.
+        """
         may_be_stale = self.rounded and array in self.asked.beside
         return z3.FreshBool("kept") if may_be_stale else YES
 

@@ -71,7 +71,7 @@ def _is_stale(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
 
 
 def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
-    """All other inputs of a rule are fresh, and all their numbers are known."""
+    """The fact that all other inputs of a rule are fresh, and all their numbers are known."""
     machine = state.machine
     channel = machine.inputs[used].channel
     others = [i for i in machine.rules[rule].inputs if machine.inputs[i].channel != channel]
@@ -90,7 +90,8 @@ def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
     in_rules = {used for root in roots for used in rests_on[root].inputs}
     for index, declared in enumerate(machine.inputs):
         if declared.timeout_ns is None or index not in in_rules:
-            # the input is never stale, or it only confirms, and unknown values confirm nothing
+            # the input is never stale, or it only confirms effects, and unknown values confirm
+            # nothing
             continue
         after_ns = max([declared.timeout_ns, *_ages(machine, index)])
         if next(_effects(inquiry, index, after_ns), None) is None:

@@ -40,8 +40,8 @@ _MOST_TRIES = 40
 
 
 def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning for each group of rules that activate each other again and again by the messages
-    that they publish.
+    """A warning for each group of rules that activate each other repeatedly by the messages that
+    they publish.
     """
     published = list(publications(inquiry.machine))
     circles = [Circle(inquiry, each, published) for each in _circles(inquiry, published)]
@@ -107,8 +107,8 @@ def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
 
 
 class Circle:
-    """A circle of rules, and the part of the machine that the rules depend on. Each rule of the
-    circle publishes a message that the next rule reads.
+    """A circle of rules, and the part of the machine that the rules depend on. Each rule publishes
+    a message that the next rule reads.
     """
 
     def __init__(
@@ -142,8 +142,8 @@ class Circle:
     # --- the proof ---------------------------------------------------------------------------
 
     def is_impossible(self) -> bool:
-        """Say whether a proof shows that at least one of the rules cannot become active and be
-        cleared, whatever the constant messages from outside are.
+        """Say whether it is proved, for any constant messages from outside, that at least one of
+        the rules cannot become active and be cleared.
         """
         self._part.check_time()
         predicates = []
@@ -210,7 +210,7 @@ class Circle:
         return z3.And(found)
 
     def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
-        """The fact that a leg brings a message of a rule, beside those of the leg before."""
+        """The fact that a leg sends a message of a rule, besides the messages of the leg before."""
         machine = self._machine
         values = values_of(machine, message.task, message.channel)
         found = []
@@ -272,7 +272,7 @@ class _Beginning(enum.Enum):
 
 
 class _Played(Replays):
-    """A closed-loop test whether the rules alternate after the messages of a draft."""
+    """A closed-loop test of a draft: whether the rules alternate after its messages."""
 
     def __init__(
         self, machine: Machine, part: Machine, rules: Sequence[int], world: _World
@@ -334,9 +334,7 @@ def _awaits(machine: Machine, rules: Sequence[int]) -> bool:
 
 
 def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
-    """A time in nanoseconds in which each timer of some rules and their inputs expires often
-    enough.
-    """
+    """A time in ns in which each timer of some rules and their inputs expires often enough."""
     found = [used.timeout_ns or 0 for used in part.inputs]
     for proposition in part.propositions:
         match proposition.node:

@@ -21,7 +21,7 @@ _ROUNDING = 4e-16
 def slot_facts(
     machine: ir.Machine, slot: ir.Slot, value: z3.ArithRef, *, rounded: bool
 ) -> list[z3.BoolRef]:
-    """Say which values a slot can have."""
+    """Facts about the values that a slot can have."""
     return kind_facts(machine, slot, value) + limit_facts(slot, value, rounded=rounded)
 
 
@@ -56,9 +56,9 @@ def field_facts(
 ) -> list[z3.BoolRef]:
     """Facts about the values that a field of whole numbers can carry, with room for rounding.
 
-    `name` names a new variable of the solver. With `is_wide`, the facts hold for the greatest
-    numbers of the field too, so excluded values are impossible. Without it, readings of a sector
-    and distances of points are limited to values that the scans of tests measure.
+    `name` names a new variable of the solver. With `is_wide`, the facts also apply to the greatest
+    numbers of the field, so excluded values are impossible. Without it, readings of a sector and
+    distances of points are limited to values that the scans of tests measure.
     """
     is_of_points = tuple(source.path[-3:]) == (ir.RETURNS, ir.EACH, "range")
     is_of_sector = bool(source.path) and isinstance(source.path[-1], ir.Sector)

@@ -20,7 +20,7 @@ class Finding:
 
 
 def witness_note(machine: Machine, witness: Witness, propositions: Sequence[int]) -> Remark:
-    """The note that describes a witness: the values that the propositions look at, and their
+    """The note that describes a witness: the values that the propositions use, and their
     instants.
     """
     signals = {

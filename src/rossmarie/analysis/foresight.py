@@ -1,9 +1,10 @@
 """Requirements of rules: a proof that a rule is active before it is too late to brake, or a
 counterexample.
 
-The query is about one instant. By the last messages, the condition of the rule is false. The motion
-reported by these messages could no longer slow down before the places if the next message came as
-late as its timeout allows, and the brakes acted as late and as weakly as declared.
+The query is about one instant. According to the last messages, the condition of the rule is false.
+The solver searches for a motion that cannot slow down before the locations. It assumes that the
+next message comes as late as its timeout allows, and that the brakes act as late and as weakly as
+declared.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from rossmarie.ir import Requirement, TruthValue
 
 
 def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
-    """A note if a requirement is proved. An error, with a witness, if it does not hold, and an
-    error if it is undecided. The inquiry is about the machine of the requirement.
+    """A note if a requirement is proved; an error with a witness if it does not hold; an error if
+    it is undecided. The inquiry is about the machine of the requirement.
     """
     below = inquiry.below(required.proposition)
     last = len(below.machine.propositions) - 1

@@ -27,7 +27,7 @@ Operation = Callable[[Primitive, Sequence[z3.ArithRef]], z3.ArithRef]
 
 
 class Formulas:
-    """Turns expressions with known operands into terms. The operations are given by `operate`."""
+    """Turns expressions with known operands into terms. `operate` performs the operations."""
 
     def __init__(self, operands: Sequence[z3.ArithRef], operate: Operation) -> None:
         self._operands = operands

@@ -47,7 +47,7 @@ def hints(trace: Trace) -> list[list[z3.BoolRef]]:
 
 
 def _apart(trace: Trace) -> list[z3.BoolRef]:
-    """Facts: signals that are compared with one another, and not with a constant, are not nearly
+    """Facts: signals that are compared with one another, not with a constant, are not nearly
     equal.
     """
     machine = trace.asked.machine
@@ -90,7 +90,7 @@ def _near(trace: Trace) -> dict[int, tuple[float, float]]:
 
 
 def _lengths(trace: Trace) -> set[int]:
-    """The functions asked for that are easy to compute in some cases: lengths and distances."""
+    """The requested functions that are easy to compute in some cases: lengths and distances."""
     machine = trace.asked.machine
     waiting = [
         signal

@@ -76,7 +76,7 @@ def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
 
 def _groups(stages: Sequence[Sequence[int]], read: Sequence[Kept]) -> Iterator[list[Kept]]:
     """The effects that can be in force together, the fewest first: one task, all tasks of the plan
-    without failures, and these with one escalation.
+    without failures, and these tasks with one escalation.
     """
     planned = {task for stage in stages for task in stage}
     tasks = list(dict.fromkeys(each.task for each in read))
@@ -116,8 +116,8 @@ def _kept(machine: Machine, task: int) -> list[Kept]:
 
 
 def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
-    """The fields of a command that a rule publishes at a rate, in place of others. A bound on the
-    same field contains 0, so it moves the field closer to 0.
+    """The fields of a command that a rule publishes at a rate, in place of other commands. A bound
+    on the same field contains 0, so it moves the field closer to 0.
     """
     command = effect.command
     if command is None or effect.period_ns is None:
@@ -208,8 +208,9 @@ def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
 
 
 def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | None:
-    """A finding on a rule that, while some fields are kept within limits, cannot have a false
-    condition, cannot be released, or cannot have a true condition. None if there is no such effect.
+    """A finding about a rule while some fields are kept within limits: its condition cannot be
+    false, it cannot be released, or its condition cannot be true. None if the fields have no such
+    effect.
     """
 
     def never(predicate: Callable[[ArbitraryState], z3.BoolRef]) -> bool:

@@ -1,7 +1,7 @@
 """Rules that are active only while another rule is active.
 
 With the same actions, such a rule adds nothing. If both rules need the same resource and the other
-rule has priority, this rule never gets it.
+rule has priority, this rule never gets the resource.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def _is_left(state: ArbitraryState, rule: int, other: int) -> z3.BoolRef:
 
 
 def _gives_way(machine: Machine, rule: int) -> bool:
-    """Say whether a rule may be active without being carried out."""
+    """Say whether a rule may be active although its plan is not carried out."""
     return bool(machine.reactions.plans) and bool(machine.reactions.plans[rule].unless)
 
 
@@ -94,8 +94,8 @@ def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
 
 
 def _shared(machine: Machine, rule: int, other: int) -> str | None:
-    """Name a resource that a rule needs, and that a rule with priority needs for other actions.
-    None if there is none.
+    """The name of a resource that a rule needs, and that a rule with priority needs for other
+    actions. None if there is none.
     """
     reactions = machine.reactions
     if not reactions.plans or reactions.order.index(other) > reactions.order.index(rule):

@@ -46,7 +46,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Result:
-    """The answer to a query; if it is POSSIBLE, with a witness."""
+    """The answer to a query. If the answer is POSSIBLE, it contains a witness."""
 
     outcome: Satisfiability
     witness: Witness | None = None
@@ -54,8 +54,8 @@ class Result:
 
 @dataclass
 class Inquiry:
-    """Asks queries about one machine. After `deadline_s`, on the clock of `time.process_time`,
-    every further query raises `OutOfTimeError`. If it is None, there is no deadline.
+    """Asks queries about one machine. `deadline_s` is an instant in s on the clock of
+    `time.process_time`; after it, every query raises `OutOfTimeError`. None means no deadline.
     """
 
     machine: Machine
@@ -74,7 +74,7 @@ class Inquiry:
         return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
     def decide(self, query: Asked) -> Result:
-        """Find the answer to a query with the cheapest method first."""
+        """Find the answer to a query. The cheapest method comes first."""
         self.check_time()
         state = ArbitraryState(self.asked)
         term = query.in_state(state)
@@ -116,7 +116,9 @@ class Inquiry:
         return outcome is Satisfiability.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
-        """Facts: some propositions are true only while another one is, and not for longer."""
+        """Facts: some propositions are true only while another proposition is true, and not for
+        longer.
+        """
         for one in state.awaited:
             for other in state.awaited:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
@@ -127,21 +129,23 @@ class Inquiry:
                         yield state.is_unknown_with(one, other, value)
 
     def _may_need(self, one: int, other: int) -> bool:
-        """Say whether the query is worth its cost: propositions of different messages rarely imply
+        """Say whether the query is worth its cost. Propositions of different messages rarely imply
         each other.
         """
         supports = self.asked.supports.propositions
         return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
-        """Say whether it is proved that one proposition has a value only while another one has this
-        value.
+        """Say whether it is proved that one proposition has a value only while another proposition
+        has the same value.
         """
         if (one, other, value) not in self._orders:
             state = ArbitraryState(self.asked)
             theirs = z3.Not(state.proposition(other).is_value(value))
             without = z3.And(state.proposition(one).is_value(value), theirs)
-            proved = self._is_refuted(state, without)  # queries about propositions that lie deeper
+            proved = self._is_refuted(
+                state, without
+            )  # queries about propositions with more levels of operands
             self._orders[one, other, value] = proved
         return self._orders[one, other, value]
 
@@ -160,7 +164,7 @@ class Inquiry:
         return None
 
     def _borne_out(self, trace: Trace, query: Asked, is_calm: bool) -> Witness | None:
-        """A confirmed witness on a trace, the most readable that is found."""
+        """A confirmed witness on a trace, the most readable witness that is found."""
         predicate = query.in_trace(trace)
         wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
         for preferred in hints(trace):

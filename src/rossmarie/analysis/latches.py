@@ -1,4 +1,6 @@
-"""Latches that a rule releases: the effect `reset` of a rule does the operator's work."""
+"""Latched rules that another rule releases: the effect `reset` of a rule replaces the operator's
+reset.
+"""
 
 from __future__ import annotations
 
@@ -22,12 +24,12 @@ from rossmarie.ir import Machine, TruthValue
 from rossmarie.ir.reactions import Reset, timeout_ns
 
 RESETTING, LATCHED = 0, 1
-"""The two rules in the queried part of a machine. The rules behind `unless` follow."""
+"""The two rules in the queried part of a machine. The rules after `unless` follow."""
 
 
 def find_released_latches(inquiry: Inquiry) -> Iterator[Finding]:
     """A warning for each latched rule that another rule resets, or that resets itself. A user marks
-    the reset as intended with an order: `priority RESETTING over LATCHED`.
+    the reset as intended with a priority: `priority RESETTING over LATCHED`.
     """
     machine = inquiry.machine
     meant = ordered_pairs(machine)
@@ -63,7 +65,7 @@ def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) ->
 
 def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
     """Say whether a task starts at the instant at which its rule is engaged: it is no escalation,
-    and nothing before it is awaited (R4, R5).
+    and no earlier task is awaited (R4, R5).
     """
     tasks = machine.reactions.tasks
     for stage in machine.reactions.plans[rule].stages:
@@ -80,8 +82,8 @@ def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
 @dataclass(frozen=True)
 class Release:
     """Predicate: a reset comes while the latched rule is active and its condition is false (S38).
-    `is_at_once` says whether the reset comes at the instant at which its rule is engaged, or at a
-    later instant.
+    `is_at_once` is True if the reset comes at the instant at which its rule is engaged, and False
+    if it comes later.
     """
 
     part: Machine
@@ -132,7 +134,7 @@ class Release:
 
 
 def _is_engaged(trace: Trace, unless: Sequence[int], moment: int) -> z3.BoolRef:
-    """R1."""
+    """R1: say whether the resetting rule is engaged."""
     in_the_way = [trace.is_active(other, moment) for other in unless]
     return z3.And(trace.is_active(RESETTING, moment), z3.Not(z3.Or(in_the_way)))
 

@@ -1,8 +1,8 @@
 """Results over lists of messages, as terms of the solver. The encoding ignores the elements.
 
-If every possible value has to be covered (`rounded`), a result is any value that the list may give.
-In a proposed trace of events, every list that arrives is empty, and results are those of S53. The
-interpreter decides whether such a trace is confirmed.
+If the terms must cover every possible value (`rounded`), a result is any value that the list may
+give. In a proposed trace of events, every list that arrives is empty, and S53 gives the results.
+The interpreter decides whether such a trace is confirmed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class Encoding(Protocol):
     rounded: bool
 
     def is_fresh(self, used: int) -> z3.BoolRef:
-        """Say whether an input is there and has not expired."""
+        """Say whether an input has arrived and has not expired."""
 
     def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """Say whether an unknown leaf is unknown because of an input with a timeout."""

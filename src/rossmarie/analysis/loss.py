@@ -1,4 +1,4 @@
-"""The effects of the loss of an input on the rules, as the queries found them."""
+"""The effects of the loss of an input on the rules, as the queries find them."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class Effect(enum.Enum):
 class Loss:
     """The effects of the loss of an input, by rule, without the rules that it does not affect.
 
-    `after_ns` is the age of the input in nanoseconds at which all effects have happened; None if
-    the input is never stale.
+    `after_ns` is the age of the input in ns at which all effects have happened; None if the input
+    is never stale.
     """
 
     input: int

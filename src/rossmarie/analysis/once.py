@@ -1,5 +1,5 @@
-"""Methods that build one term per index and reuse it: building a term again costs more in the
-solver's interface than in the solver.
+"""Methods that build one term per index and reuse it, because building a term again costs more than
+solving it.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ _Term = TypeVar("_Term")
 
 
 def once_each(method: Callable[[Any, int], _Term]) -> Callable[[Any, int], _Term]:
-    """Decorate a method so that it runs once for each index. The result is kept as long as its
+    """Decorate a method so that it runs once for each index. The result exists as long as its
     object.
     """
     memory = f"_{method.__name__}_of_each"

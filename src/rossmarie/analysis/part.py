@@ -1,5 +1,5 @@
-"""The part of a machine that some rules depend on, so that a query about a few rules costs no more
-in a large file than in a small one.
+"""The part of a machine that some rules depend on. Queries use it so that a query about a few rules
+costs no more in a large file than in a small file.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def part_of(machine: ir.Machine, rules: Sequence[int]) -> ir.Machine:
 
 def part_below(machine: ir.Machine, proposition: int) -> ir.Machine:
     """A machine without rules, with everything that a proposition depends on. The proposition is
-    its last.
+    its last proposition.
     """
     return _cut(machine, (proposition,), ())
 

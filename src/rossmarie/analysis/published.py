@@ -33,8 +33,7 @@ from rossmarie.ir.skills import SkillContext, answer
 @dataclass(frozen=True)
 class Publication:
     """A task of a rule that publishes on the topic of a channel. `is_sure` is True if the task
-    starts whenever its rule does: nothing before the task is awaited, and the task follows no
-    failure.
+    starts whenever its rule does: no earlier task is awaited, and the task follows no failure.
     """
 
     rule: int

@@ -11,13 +11,13 @@ from rossmarie.analysis.terms import Number
 
 
 def is_quantity(machine: ir.Machine, slot: int) -> bool:
-    """Say whether a slot holds a number that only a running skill has."""
+    """Say whether a slot contains a number that exists only while a skill runs."""
     return any(isinstance(step, ir.Quantity) for step in machine.slots[slot].path)
 
 
 def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterator[z3.BoolRef]:
-    """Facts: a quantity in a message is unknown if no skill runs that may have it. `numbers` are
-    the numbers of some slots.
+    """Facts: a quantity in a message is unknown if no skill runs that may have the quantity.
+    `numbers` are the numbers of some slots.
     """
     for asked, doing in numbers.items():
         for slot, found in numbers.items():
@@ -29,7 +29,9 @@ def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterat
 
 
 def _covers(machine: ir.Machine, asked: int, slot: int) -> bool:
-    """Say whether a slot asks for all skills that may have the quantity in another slot."""
+    """Say whether a slot contains the query about all skills that may have the quantity in another
+    slot.
+    """
     match (machine.slots[asked].path, machine.slots[slot].path):
         case ((ir.Doing(arguments=(), is_ahead=False) as step,), (ir.Quantity() as quantity,)):
             return set(quantity.skills) <= set(step.skills)

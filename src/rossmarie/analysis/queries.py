@@ -1,4 +1,4 @@
-"""All queries about a machine, the quick ones first."""
+"""All queries about a machine. Quick queries come first."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Durations that do not fit the message rates of a system model.
 
-No other query relies on these rates, because a monitor also has to work when they are not kept.
+No other query relies on these rates, because a monitor also has to work if messages violate them.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ from rossmarie.ir.duration_text import duration_text
 
 
 def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning for each input that is stale although its messages come at the declared rate, for
-    each part of a condition that is then never true, and for each `for` that a single message
-    satisfies.
+    """A warning for each of three defects: an input is stale although its messages come at the
+    declared rate; a part of a condition is therefore never true; a single message satisfies a
+    `for`.
     """
     machine = inquiry.machine
     if all(channel.gaps_ns is None for channel in machine.channels):
@@ -76,8 +76,8 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _gaps(machine: Machine, channel: int) -> tuple[int, int]:
-    """The least and the greatest time between two messages, in nanoseconds. Without a declared
-    rate, any time.
+    """The least and the greatest time in ns between two messages. Without a declared rate, any time
+    is possible.
     """
     return machine.channels[channel].gaps_ns or (0, 0)
 
@@ -165,7 +165,7 @@ def _is_seen_stale(seen: Sequence[View], rule: int) -> bool:
 
 
 def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
-    """A warning for a window that holds only one sample, or fewer samples than arrive in it."""
+    """A warning for a window that contains only one sample, or fewer samples than arrive in it."""
     machine, signal = inquiry.machine, inquiry.machine.signals[index]
     channels = inquiry.asked.supports.signals[index].channels
     window_ns = inquiry.asked.window_of(index)
@@ -211,8 +211,8 @@ def never_at_rate(inquiry: Inquiry, proposition: int) -> list[Finding]:
 
 
 def _reason(inquiry: Inquiry, proposition: int, channel: int, gap_ns: int) -> Remark | None:
-    """The reason why a part is never true if messages on a channel are that far apart; None if it
-    can be true.
+    """The reason why a part is never true if messages on a channel are `gap_ns` apart; None if the
+    part can be true.
     """
     machine = inquiry.machine
     match machine.propositions[proposition].node:
@@ -240,8 +240,8 @@ def _reason(inquiry: Inquiry, proposition: int, channel: int, gap_ns: int) -> Re
 
 
 def _over_after(inquiry: Inquiry, operand: int, channel: int, below_ns: int) -> int | None:
-    """An age of the last message, below a limit, at which a condition is proved not to be true;
-    None if there is none. Only timeouts and ages in the rules can cause this.
+    """An age of the last message, below a limit, at which a condition is proved to be false or
+    unknown; None if there is none. Only timeouts and ages in the rules can cause this.
     """
     machine = inquiry.machine
     support = inquiry.asked.supports.propositions[operand]
@@ -279,7 +279,7 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
 
 
 def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Remark | None:
-    """The reason why a signal never has two samples (S21); None if it can have them."""
+    """The reason why a signal never has two samples (S21); None if it can have two samples."""
     machine = inquiry.machine
     support = inquiry.asked.supports.signals[signal]
     if support.channels != {channel}:
@@ -332,7 +332,7 @@ def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
 def _alone(
     machine: Machine, witness: Witness, proposition: int, duration_ns: int
 ) -> Witness | None:
-    """One of the events of a witness, if this event alone makes a `for` true."""
+    """The one event of a witness that alone makes a `for` true; None if there is none."""
     for event in witness.events:
         alone = Witness((Sending(0, event.messages),), duration_ns, witness.is_calm)
         *_, last = views(machine, alone, (proposition,))

@@ -1,4 +1,4 @@
-"""Recoveries that conflict with their own rule or with another rule: commands that a limit cuts to
+"""Recoveries that conflict with their own rule or with another rule: a limit cuts their commands to
 0.
 """
 

@@ -24,11 +24,11 @@ from rossmarie.ir.carried import carries
 
 _MOST_REPLAYS = 80
 _MOST_MESSAGES = 400
-"""The most messages in a witness that is replayed again and again."""
+"""The most messages in a witness that is replayed repeatedly."""
 
 
 class Replays:
-    """The judge of drafts: the interpreter replays each draft, and checks whether it shows a
+    """Judges drafts: the interpreter replays each draft, and checks whether the draft shows a
     predicate. The number of replays is limited.
     """
 
@@ -41,7 +41,7 @@ class Replays:
 
     def show(self, draft: Draft) -> Witness | None:
         """The witness up to the instant at which it shows the predicate; None if it does not show
-        it.
+        the predicate.
         """
         if self._left <= 0 or _messages(draft) > _MOST_MESSAGES * 20:
             return None
@@ -116,9 +116,7 @@ def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
 
 
 def _lengths(machine: Machine) -> list[int]:
-    """The lengths of a leg in nanoseconds, the best first: no time at all, or a duration in the
-    rules.
-    """
+    """The lengths of a leg in ns, the best first: no time at all, or a duration in the rules."""
     durations = {
         node.duration_ns
         for proposition in machine.propositions

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import z3
 
 EFFORT = 3_000_000
-"""The effort that a query may cost, in steps of the solver. Unlike time, steps are the same on
-every machine.
+"""The greatest effort for a query, in steps of the solver. Unlike time, steps are the same on every
+machine.
 """
 
 LIMIT_MS = 20_000
@@ -30,7 +30,7 @@ class Satisfiability(enum.Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """The outcome of a query; if it is POSSIBLE, with a model."""
+    """The outcome of a query. If the outcome is POSSIBLE, it contains a model."""
 
     outcome: Satisfiability
     model: z3.ModelRef | None = None
@@ -40,7 +40,9 @@ _OUTCOMES = {"sat": Satisfiability.POSSIBLE, "unsat": Satisfiability.IMPOSSIBLE}
 
 
 class Solver:
-    """Facts that stay, and predicates that are queried together with them, one after another."""
+    """Facts that stay, and predicates that are queried together with the facts, one after
+    another.
+    """
 
     def __init__(self, facts: Sequence[z3.BoolRef]) -> None:
         self._solver = z3.Solver()
@@ -48,7 +50,7 @@ class Solver:
         self._solver.add(facts)
 
     def ask(self, *predicates: z3.BoolRef) -> Answer:
-        """Ask whether the facts and all the predicates can be true together."""
+        """Query whether the facts and all the predicates can be true together."""
         self._solver.push()
         self._solver.add(predicates)
         outcome = _OUTCOMES.get(str(check(self._solver)), Satisfiability.UNDECIDED)
@@ -58,7 +60,7 @@ class Solver:
 
 
 def check(solver: z3.Solver) -> z3.CheckSatResult:
-    """Query z3. z3 handles Ctrl-C itself and then returns "undecided"; this function raises
+    """Query z3. z3 handles Ctrl-C itself and then returns "undecided". This function raises
     `KeyboardInterrupt` instead, so that Ctrl-C ends the run.
     """
     found = solver.check()

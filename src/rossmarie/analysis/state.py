@@ -1,8 +1,8 @@
 """An arbitrary well-formed state at any evaluation of any trace.
 
 Every reachable state is one of these states, so a predicate that is true in all of them is always
-true. The opposite does not follow: memories (`for`, `rate`, `previous`, `oscillates`) hold anything
-that fits the present value of their operand, and the memory of a `since` holds anything.
+true. The opposite does not follow: memories (`for`, `rate`, `previous`, `oscillates`) have any
+value that fits the present value of their operand, and the memory of a `since` has any value.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from rossmarie.ir import TruthValue
 class ArbitraryState(Encoding):
     """Any state at an evaluation.
 
-    `settled` excludes the time in which a `for` has not matured although its condition is true. A
-    proposition that is false only then is false only at the beginning.
+    `settled` excludes the time in which a `for` is not true yet although its condition is true. A
+    proposition that is false only in this time is false only at the beginning.
     """
 
     rounded = True
@@ -41,7 +41,7 @@ class ArbitraryState(Encoding):
         self._ages: dict[int, z3.ArithRef] = {}
 
     def slot(self, index: int) -> Number:
-        """Any value of its kind, while the input is fresh."""
+        """Any value of the slot's kind, while the input is fresh."""
         if index not in self._slots:
             slot = self.machine.slots[index]
             value, known = z3.Real(f"slot{index}"), z3.Bool(f"slot{index}.known")
@@ -75,7 +75,7 @@ class ArbitraryState(Encoding):
         return self._cells[array]
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """A free boolean."""
+        """Any Boolean."""
         return z3.Bool(f"channel{channel}.arrived")
 
     def age(self, channel: int) -> z3.ArithRef:
@@ -121,7 +121,7 @@ class ArbitraryState(Encoding):
         )
 
     def before(self, operand: int) -> Fact:
-        """The value that a proposition, which is now true, had before."""
+        """The value that a proposition had before; the proposition is now true."""
         if operand not in self._before:
             found = free_fact(f"proposition{operand}.before", self.facts)
             self.facts.append(z3.Not(found.true))
@@ -131,7 +131,7 @@ class ArbitraryState(Encoding):
         return self._before[operand]
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """The time in nanoseconds for which a proposition, which is now true, has been true."""
+        """The time in ns for which a proposition has been true; the proposition is now true."""
         if operand not in self._elapsed:
             self._elapsed[operand] = z3.Int(f"proposition{operand}.elapsed")
             self.facts.append(self._elapsed[operand] >= 0)
@@ -139,25 +139,27 @@ class ArbitraryState(Encoding):
 
     @property
     def awaited(self) -> tuple[int, ...]:
-        """The propositions whose time of being true was asked for."""
+        """The propositions for which `elapsed` was called."""
         return tuple(self._elapsed)
 
     def is_longer(self, operand: int, other: int) -> z3.BoolRef:
-        """The facts if a proposition cannot be true while another proposition is not."""
+        """The fact that a proposition, which is true only while another one is, has not been true
+        for longer.
+        """
         return z3.Implies(
             self.proposition(operand).true, self.elapsed(other) >= self.elapsed(operand)
         )
 
     def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
-        """Further facts, if the one proposition cannot be U, or S, while the other is not: after
-        such a value, both became true together. A jump in time makes both U (S17).
+        """A further fact, if one proposition cannot be U, or S, while another proposition is not:
+        if it had this value before, both became true together. A jump in time makes both U (S17).
         """
         was_unknown = z3.And(self.proposition(operand).true, self.before(operand).is_value(value))
         is_equal = self.elapsed(other) == self.elapsed(operand)
         return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
 
     def remembered(self, index: int) -> Fact:
-        """Any value, whatever its operands are now."""
+        """Any value, whatever the present values of its operands."""
         found = free_fact(f"proposition{index}.remembered", self.facts)
         if not self.asked.has_timeout(self.asked.supports.propositions[index].inputs):
             self.facts.append(z3.Not(found.stale))
@@ -168,7 +170,7 @@ class ArbitraryState(Encoding):
         return free_fact(f"proposition{index}", self.facts)
 
     def recurring(self, index: int, _: ir.Recurs) -> Fact:
-        """Any value: the edges of the past are not encoded."""
+        """Any value, because past edges are not encoded."""
         return free_fact(f"proposition{index}", self.facts)
 
 

@@ -26,7 +26,7 @@ NO = z3.BoolVal(False)
 
 @dataclass(frozen=True)
 class Number:
-    """A signal: whether it is known, and its value in SI if it is known."""
+    """A signal: a flag that it is known, and its value in SI if it is known."""
 
     known: z3.BoolRef
     value: z3.ArithRef
@@ -35,7 +35,7 @@ class Number:
 @dataclass(frozen=True)
 class Fact:
     """A proposition as three flags, T, F and S. At most one flag is true. If no flag is true, the
-    truth value is U.
+    value is U.
     """
 
     true: z3.BoolRef
@@ -76,7 +76,7 @@ def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
 
 
 def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
-    """The one proposition if the condition is true, else the other."""
+    """The first proposition if the condition is true, else the other proposition."""
     return Fact(
         z3.If(condition, one.true, other.true),
         z3.If(condition, one.false, other.false),
@@ -85,19 +85,19 @@ def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
 
 
 def negation(operand: Fact) -> Fact:
-    """`not` (S2)."""
+    """The negation, `not` (S2)."""
     return Fact(operand.false, operand.true, operand.stale)
 
 
 def conjunction(operands: Sequence[Fact]) -> Fact:
-    """`and` (S2)."""
+    """The conjunction, `and` (S2)."""
     false = z3.Or([operand.false for operand in operands])
     stale = z3.And(z3.Not(false), z3.Or([operand.stale for operand in operands]))
     return Fact(z3.And([operand.true for operand in operands]), false, stale)
 
 
 def disjunction(operands: Sequence[Fact]) -> Fact:
-    """`or` (S2)."""
+    """The disjunction, `or` (S2)."""
     return negation(conjunction([negation(operand) for operand in operands]))
 
 
@@ -115,7 +115,7 @@ def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
 
 
 def constant(value: float) -> z3.ArithRef:
-    """A finite double, exactly."""
+    """A finite double as an exact term."""
     return z3.RealVal(str(Fraction(value)))
 
 

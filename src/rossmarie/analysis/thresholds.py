@@ -1,8 +1,8 @@
-"""Leaves that compare one number with different constants, as the rules of large files do. If the
-number can lie beyond one threshold, it can lie beyond all lesser ones.
+"""Leaves that compare one number with different constants, as in the rules of large files. If the
+number can lie beyond one threshold, it can lie beyond all lesser thresholds.
 
-So the solver is asked about the outermost thresholds of each kind of leaf, and about the next ones
-only if it does not find the outer ones possible.
+So the solver gets queries about the outermost thresholds of each kind of leaf. It gets queries
+about the next thresholds only if it does not find the outer thresholds possible.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ class Threshold:
 
 
 IsPossible = Callable[[int, bool], bool]
-"""Say whether the solver finds that a proposition can be true, or false."""
+"""A function that returns True if the solver finds that a proposition can be true, or false."""
 
 
 def varied(machine: Machine, propositions: Iterable[int], is_possible: IsPossible) -> set[int]:
-    """The propositions among some that are such leaves, and can be true as well as false."""
+    """The propositions that are such leaves and can be true as well as false."""
     kinds: dict[Kind, list[Threshold]] = {}
     for proposition in propositions:
         threshold = _threshold(machine, proposition)

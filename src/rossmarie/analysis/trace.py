@@ -70,7 +70,7 @@ class Moment(Encoding):
 
     @once_each
     def slot(self, index: int) -> Number:
-        """The value that the leg sends, else the value that was sent before, until it expires."""
+        """The value that the leg sends; else the value that was sent before, until it expires."""
         slot = self.machine.slots[index]
         sends = self.leg.sends[self.machine.inputs[slot.input].channel]
         sent = self.leg.slots[index]
@@ -83,7 +83,7 @@ class Moment(Encoding):
 
     @once_each
     def cells(self, array: int) -> Sequence[Cell]:
-        """The same for the elements of an array."""
+        """The elements of an array, in the same way as the value of a slot."""
         used = self.machine.arrays[array].input
         sends = self.leg.sends[self.machine.inputs[used].channel]
         fresh = self.is_fresh(used)
@@ -98,8 +98,8 @@ class Moment(Encoding):
         return found
 
     def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
-        """A function of unchanged operands is unchanged, also if its terms do not imply this: an
-        angle, or a length.
+        """A function of unchanged operands is unchanged. Its terms may not imply this, for example
+        for an angle or a length.
         """
         result = super().apply(index, function, numbers)
         if self._before is not None and not self.asked.supports.signals[index].samples:
@@ -125,7 +125,7 @@ class Moment(Encoding):
 
     @once_each
     def _is_sampled(self, signal: int) -> z3.BoolRef:
-        """Say whether this leg brings samples of a signal."""
+        """Say whether this leg contains samples of a signal."""
         channels = self.asked.supports.signals[signal].channels
         return z3.Or([self.leg.sends[channel] for channel in channels])
 
@@ -151,7 +151,7 @@ class Moment(Encoding):
         return Number(known, z3.If(brings, step, earlier.value))
 
     def _view(self, view: View, number: Number, last: Number) -> z3.ArithRef:
-        """The value that the first message of a leg has among the samples."""
+        """The value of a view at the first message of a leg."""
         match view:
             case View.NEWEST:
                 return number.value
@@ -182,14 +182,13 @@ class Moment(Encoding):
         return choice(operand.true, choice(matured, literal(True), was), operand)
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """The least time in nanoseconds for which a proposition, which is now true, has been
+        """The least time in ns for which a proposition has been true; the proposition is now
         true.
         """
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
-                # A proposition that changed during the leg did so after all its operands had
-                # settled.
+                # If a proposition changed during the leg, its operands had all settled before.
                 begun = self.leg.length_ns - self._times.settling(operand)
                 begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
             if self._before is not None:
@@ -200,8 +199,8 @@ class Moment(Encoding):
         return self._elapsed[operand]
 
     def was(self, operand: int, initially: bool) -> Fact:
-        """The value that a proposition, which is now true, had before; before the start,
-        `initially`.
+        """The value that a proposition had before; the proposition is now true. Before the start,
+        it is `initially`.
         """
         if self._before is None:
             return literal(initially)
@@ -213,7 +212,7 @@ class Moment(Encoding):
         return FALSE if self._before is None else self._before.proposition(index)
 
     def recurring(self, _: int, node: ir.Recurs) -> Fact:
-        """True if enough of the moments up to now are edges within the time."""
+        """True if enough of the moments so far are edges within the time."""
         near = [
             z3.If(z3.And(is_edge, since < node.window_ns), 1, 0)
             for is_edge, since in self.edges(node.operand)
@@ -221,7 +220,9 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """The flag that a proposition became true, and its age, for each moment up to now."""
+        """For each moment so far, the flag that a proposition became true, and the age of the
+        moment.
+        """
         now = self.proposition(operand).true
         if self._before is None:
             return [(now, z3.IntVal(0))]
@@ -230,7 +231,7 @@ class Moment(Encoding):
         return [*earlier, (z3.And(self._before.proposition(operand).false, now), z3.IntVal(0))]
 
     def oscillating(self, index: int) -> Fact:
-        """The value of an oscillation, as the messages of the leg give it."""
+        """The value of an oscillation that the messages of the leg give."""
         if self._is_end:
             return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)
         return FALSE if self._before is None else self._before.proposition(index)
@@ -281,7 +282,7 @@ class Trace:
         return found
 
     def is_active(self, rule: int, moment: int) -> z3.BoolRef:
-        """S35 to S37."""
+        """S35 to S37: say whether a rule is active at a moment."""
         if moment < 0:
             return NO
         if (rule, moment) not in self._active:

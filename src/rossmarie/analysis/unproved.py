@@ -1,4 +1,4 @@
-"""The findings on rules about which the solver gives no answer. This module needs no solver."""
+"""The findings about rules for which the solver gives no answer. This module needs no solver."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from rossmarie.ir import Machine, Requirement
 def without_solver(
     machine: Machine, requirements: Sequence[Requirement], advice: str
 ) -> Iterator[Finding]:
-    """A warning that no query was asked, and an error for each requirement: an unproved promise
-    counts as broken. `advice` is the command that installs the solver.
+    """A warning that no query was asked, and an error for each requirement: an unproved requirement
+    counts as violated. `advice` is the command that installs the solver.
     """
     yield Finding(NotAsked(advice=advice).at(machine.rules[0].head))
     for required in requirements:

@@ -23,7 +23,7 @@ _MOST_REPORTED = 12
 
 @dataclass(frozen=True)
 class Sending:
-    """Messages that arrive at one instant, in nanoseconds, by channel; numbers are raw, as in
+    """Messages that arrive at one instant, in ns, by channel; numbers are raw, as in
     `ChannelValues`.
     """
 
@@ -108,7 +108,7 @@ def as_csv(machine: Machine, witness: Witness) -> str:
     loss.
     """
     channels = sorted({channel for event in witness.events for channel in event.messages})
-    if not channels:  # a recording names the topics that are silent, too
+    if not channels:  # a recording also contains the silent topics
         channels = list(range(len(machine.channels)))
     columns = [column for channel in channels for column in _columns(machine, channel, witness)]
     text = io.StringIO()
@@ -215,8 +215,8 @@ def reported(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
 
 
 def _arrivals(machine: Machine, witness: Witness) -> Iterator[str]:
-    """The arrivals of messages, if no value is measured: instants and topics. If there are many,
-    only the first of equal arrivals.
+    """The arrivals of messages, if no value is measured: instants and topics. Of many equal
+    arrivals, only the first are given.
     """
     is_long = len(witness.events) > _MOST_ARRIVALS
     before: frozenset[int] = frozenset()
@@ -235,7 +235,7 @@ def _shown(machine: Machine, index: int, view: View) -> str:
 
 
 def shown_value(machine: Machine, index: int, value: float) -> str:
-    """A value of a signal in the notation of its user: `20 deg`, `true`, `"docked"`, `unknown`."""
+    """A value of a signal in the user's notation: `20 deg`, `true`, `"docked"`, `unknown`."""
     signal = machine.signals[index]
     if math.isnan(value):
         return "unknown"

@@ -1,4 +1,4 @@
-"""The check: syntax trees in, a checked program or findings out."""
+"""The check. Its input is syntax trees; its result is a checked program or findings."""
 
 from rossmarie.check.check import CheckOptions, check
 from rossmarie.check.model import CheckedInput, CheckedProgram, Symbols, Value

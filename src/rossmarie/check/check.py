@@ -1,5 +1,5 @@
-"""The check: syntax trees in, a checked program out. Names are resolved, types and units fit,
-constants are known.
+"""The check: it turns syntax trees into a checked program. It resolves names, checks types and
+units, and computes constants.
 
 The input is the trees of the main file and of all its imports. One run finds all errors. An
 expression that depends on an error is skipped silently.
@@ -70,7 +70,9 @@ from rossmarie.types import Unknown
 
 @dataclass(frozen=True)
 class CheckOptions:
-    """`message_folders` hold .msg files, `PACKAGE/msg/TYPE.msg`, beside those of system models."""
+    """`message_folders` contain .msg files, `PACKAGE/msg/TYPE.msg`, in addition to those of system
+    models.
+    """
 
     message_folders: Sequence[Path] = ()
 
@@ -203,8 +205,8 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
 
 
 def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
-    """Check a rule. Returns its place and its uses. Parts that an exemption takes from the exempted
-    rule are checked with that rule.
+    """Check a rule. Returns its place and its uses. Parts that an exemption takes over from the
+    exempted rule are checked with the exempted rule.
     """
     uses = context.enter(None)
     if not is_of_exempted(rule):

@@ -12,7 +12,7 @@ STATIC = "/tf_static"
 """The topics of transforms that never change."""
 
 LONGEST_NS = 10**18
-"""The timeout of a static frame in nanoseconds: the frame is stale until it arrives, and never
+"""The timeout in ns of a static frame: the frame is stale until it arrives, and never
 afterwards.
 """
 
@@ -20,8 +20,8 @@ afterwards.
 @dataclass(frozen=True)
 class CheckedFrame:
     """A frame with its name in headers, and its parent frame. With a `timeout_ns` it arrives on
-    /tf; without one on /tf_static, unless the rules give its transform in `mounted`: x, y and z in
-    m, and the quaternion x, y, z, w of its rotation.
+    /tf, otherwise on /tf_static. If the rules give its transform, `mounted` contains it: x, y and z
+    in m, and the quaternion x, y, z, w of its rotation.
     """
 
     declaration: ast.FrameDeclaration

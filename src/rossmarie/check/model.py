@@ -1,6 +1,6 @@
-"""A checked program: every name is resolved, every type and unit fits.
+"""A checked program: all names are resolved, and all types and units fit.
 
-`check` creates it, and only `lowering` reads it. It holds the syntax tree and the results of the
+`check` creates it, and only `lowering` reads it. It contains the syntax tree and the results of the
 checker.
 """
 
@@ -30,7 +30,7 @@ ConditionKey = tuple[str, str]
 
 
 Gaps = tuple[int, int]
-"""The least and the greatest time between two messages of a topic, in nanoseconds."""
+"""The least and the greatest time in ns between two messages of a topic."""
 
 
 @dataclass(frozen=True)
@@ -172,8 +172,8 @@ class CheckedMotion:
 
 @dataclass(frozen=True)
 class CheckedKeeps:
-    """The requirement of a rule: the motion stays below a speed in m/s in a zone, or in the places
-    of a class, in a frame.
+    """The requirement of a rule: the motion stays below a speed in m/s in a zone, or in the
+    locations of a class, in a frame.
     """
 
     motion: CheckedMotion
@@ -197,17 +197,22 @@ class Symbols:
 class CheckedProgram:
     """The result of a check without errors.
 
-    `name` is the stem of the main file. `types` holds every expression that is reachable from
-    conditions, rules and contracts. `values` holds the constant ones: literals, constants and
-    operators on them; durations; interval and box literals. `rules` are in file order, imported
-    files first. `order` holds their numbers, the most important first, `priorities` the pairs that
-    the user has ordered, and `unless`, for each rule, the rules that it gives way to. `effects` are
-    the effects of each action, and `commands` the topics that may pass through the safety filter.
-    `gaps` holds the topics with a declared rate. `feedback` and `categories` belong to each rule;
-    `left_out` are the rules outside a selection. `read_files` are the message definitions that were
-    read, without the built-in ones, and the file of skills. `doing` holds each query about skills,
-    `regions` the meaning of the name of each class and zone, `motions` the motions by name, `keeps`
-    the requirement of each rule, and `frame_inputs` the inputs for frames, by frame.
+    - `name` is the stem of the main file.
+    - `types` contains every expression that is reachable from conditions, rules and contracts.
+    - `values` contains the constant ones: literals, constants and operators on them; durations;
+      interval and box literals.
+    - `rules` are in file order, imported files first. `order` contains their numbers, the most
+      important first. `priorities` are the pairs that the user has ordered. For each rule, `unless`
+      contains the rules to which it gives way.
+    - `effects` are the effects of each action; `commands` are the topics that may pass through the
+      safety filter.
+    - `gaps` contains the topics with a declared rate.
+    - `feedback` and `categories` belong to each rule. `left_out` are the rules outside a selection.
+    - `read_files` are the message definitions that were read, without the built-in ones, and the
+      file of skills.
+    - `doing` contains each query about skills, `regions` the meaning of the name of each class and
+      zone, and `motions` the motions by name.
+    - `keeps` is the requirement of each rule; `frame_inputs` are the inputs for frames, by frame.
     """
 
     name: str

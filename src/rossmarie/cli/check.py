@@ -93,7 +93,7 @@ def _for_target(
     folders: Sequence[Path],
     only: Sequence[Category],
 ) -> Sequence[Diagnostic]:
-    """Find unsupported features of a target, and return all findings of the check once more."""
+    """Find unsupported features of a target. Returns them with all findings of the check."""
     from rossmarie.driver.build import check_for
 
     return check_for(target, path, systems=systems, message_folders=folders, only=only)

@@ -12,7 +12,7 @@ from rossmarie.driver.robots import Robot, robot, robots
 
 
 def run_example(name: str | None, folder: Path | None) -> None:
-    """List the robots, or copy the robot of a name into a folder."""
+    """List the robots, or copy the robot with this name into a folder."""
     if name is None:
         _list_robots()
         return

@@ -61,7 +61,7 @@ def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
 
 
 def failures_result(machine: Machine, losses: Sequence[Loss]) -> Json:
-    """Each input with the rules that become active while it is stale. Times are nanoseconds."""
+    """Each input with the rules that become active while it is stale. Times are in ns."""
     return {"inputs": [_failure(machine, each) for each in losses]}
 
 

@@ -62,7 +62,7 @@ def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:
 
 
 def wiring_result(wiring: Wiring) -> Mapping[str, Json]:
-    """The topics, commands and other resources of a node. Times are nanoseconds."""
+    """The topics, commands and other resources of a node. Times are in ns."""
     return {
         "node": wiring.node,
         "inputs": [{**asdict(each), "rules": list(each.rules)} for each in wiring.inputs],

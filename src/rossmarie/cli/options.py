@@ -1,4 +1,4 @@
-"""Arguments and options that several subcommands take."""
+"""Arguments and options of several subcommands."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ _RECORDINGS = (".bag", ".csv", ".db3", ".mcap")
 
 
 def _rules(path: Path) -> Path:
-    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    """The path, if it can be the path of a rules file; a file of another kind ends the run."""
     suffix = path.suffix.lower()
     if suffix in _RECORDINGS:
         raise typer.BadParameter(
@@ -82,13 +82,14 @@ def _rules(path: Path) -> Path:
     return path
 
 
-def _all_rules(paths: list[Path]) -> list[Path]:
-    return [_rules(path) for path in paths]
+# Typer fails in Python 3.10 if a callback has the type `list[Path]`.
+def _all_rules(paths: list[Path] | None) -> list[Path] | None:
+    return paths and [_rules(path) for path in paths]
 
 
-def _recordings(paths: list[Path]) -> list[Path]:
-    """The paths, if they can be those of recordings; a rules file ends the run."""
-    for path in paths:
+def _recordings(paths: list[Path] | None) -> list[Path] | None:
+    """The paths, if they can be paths of recordings; a rules file ends the run."""
+    for path in paths or ():
         if path.suffix.lower() == ".ross":
             raise typer.BadParameter(
                 f"{path} is a rules file: name one rules file first, then recordings"
@@ -96,7 +97,7 @@ def _recordings(paths: list[Path]) -> list[Path]:
     return paths
 
 
-# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
+# Not `readable`: an unreadable file is an ordinary finding (ROSS801, ROSS611).
 Rules = Annotated[
     Path,
     typer.Argument(metavar="RULES", help="A rules file (.ross).", readable=False, callback=_rules),

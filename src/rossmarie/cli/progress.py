@@ -1,5 +1,6 @@
-"""The current step of a command, on standard error if it is a terminal. The drawing libraries are
-imported only when there is something to draw: most commands end earlier.
+"""The current step of a command, on standard error if it is a terminal.
+
+The drawing libraries are imported only for drawing, because most commands end earlier.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 _PATIENCE_S = 1.0
-"""The time in seconds before a reader starts to wonder."""
+"""The time in s after which a user starts to wonder."""
 
 
 @contextmanager

@@ -83,7 +83,7 @@ def run_replay(
 
 
 def _try_to_compare(recordings: Sequence[Path], out: Path | None) -> None:
-    """End the run if a comparison has no place, or more than one recording."""
+    """End the run if a comparison has no output folder, or more than one recording."""
     if out is None:
         output.fail("--compare draws into timeline.html: name its folder with --out", exit_code=2)
     if len(recordings) > 1:
@@ -179,7 +179,7 @@ def write_model_of(recording: Path, out: Path | None) -> None:
     """Print the system model of a recording, or write it to `out`, with the definitions of
     non-standard types beside it.
 
-    The model has no mark: models are completed by hand, so it is the user's once it is written.
+    The model has no mark of generated files. Users complete it by hand, so it belongs to the user.
     """
     if out is not None:
         output.try_file(out)

@@ -45,8 +45,8 @@ from rossmarie.report.wording import format_length
 
 @dataclass(frozen=True)
 class Job:
-    """The common part of all jobs. `warnings` is the number of warnings on the rules, which were
-    printed already. `width` is the width of the terminal, if there is one. With `is_json`, the
+    """The common part of all jobs. `warnings` is the number of warnings about the rules, which are
+    already printed. `width` is the width of the terminal, if there is one. With `is_json`, the
     result is data for programs instead of text.
     """
 
@@ -111,7 +111,9 @@ def run_replays(
 
 
 def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
-    """A folder for each recording. Recordings of one name in different places get numbers."""
+    """A folder for each recording. Recordings with the same name in different places get
+    numbers.
+    """
     folders: dict[str, Path] = {}
     for key in keys:
         name, number = Path(key).resolve().name, 1
@@ -210,7 +212,7 @@ def _outcome(
 
 
 def _write(replay: Replay, folder: Path) -> tuple[str, Sequence[Path]]:
-    """Write the reports. Returns the reason if that failed, and the paths."""
+    """Write the reports. Returns the reason if writing failed, and the paths."""
     try:
         return "", write_reports(replay, out=folder)
     except OSError as error:

@@ -137,7 +137,7 @@ def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> s
 
 
 def tests_result(tested: RanTests) -> Json:
-    """Each test, and the common coverage of all tests. Lengths are seconds."""
+    """Each test, and the common coverage of all tests. Lengths are in s."""
     return {
         "engines": ["interpreter", "c"] if tested.has_c else ["interpreter"],
         "tests": [

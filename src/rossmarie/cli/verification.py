@@ -94,7 +94,7 @@ def _proofs(queries: Queries, timeout_s: int) -> Proofs:
 
 
 def prover() -> Prover:
-    """The prover. If there is none, the run ends."""
+    """The prover. The run ends if there is no prover."""
     found = Prover()
     reason = found.lacking()
     if reason is not None:

@@ -119,7 +119,9 @@ _SINE_SURPLUS = Subfunction(
 
 
 def _far_arc_sine(x: Expression) -> Expression:
-    """The angle that remains to a right angle is twice the arc sine of a number near zero."""
+    """The arc sine of a number near 1. The difference to a right angle is twice the arc sine of a
+    number near zero.
+    """
     z = Local("z", 0.5 * (1.0 - x))
     root = Local("root", square_root(z))
     upper = Local("upper", LEADING(root))

@@ -28,7 +28,7 @@ class Primitive(enum.Enum):
 
 
 class _Formula:
-    """The operators that make expressions."""
+    """The operators that create expressions."""
 
     def __add__(self, other: Written) -> Computed:
         return Computed(Primitive.ADD, (self._own(), written(other)))
@@ -102,8 +102,8 @@ class Chosen(_Formula):
 
 @dataclass(frozen=True, eq=False)
 class Local(_Formula):
-    """A named number, which is computed once, however often it occurs in a function. Two with the
-    same name are two numbers.
+    """A named number, which is computed once, however often it occurs in a function. Two objects
+    with the same name are two numbers.
     """
 
     name: str
@@ -112,7 +112,7 @@ class Local(_Formula):
 
 @dataclass(frozen=True, eq=False)
 class Subfunction:
-    """A function that functions are made of: its expression is written once, under its name.
+    """A function inside other functions: its expression is written once, under its name.
 
     `phrase` words it for readers, with `{0}` and `{1}` for operands.
     """

@@ -78,7 +78,7 @@ def _rounds(expression: Expression) -> bool:
 
 @cache
 def shown_by(function: AnyFunction, count: int) -> frozenset[int]:
-    """The operands that are finite wherever the expression of a function is."""
+    """The operands that are finite whenever the expression of a function is finite."""
     return _shown_by(defined(function, count))
 
 

@@ -169,35 +169,35 @@ def defined(function: AnyFunction, count: int) -> Expression:
 
 
 def _minimum(a: Expression, b: Expression) -> Expression:
-    """S6. If both are equal, the second."""
+    """S6: the lesser number. If both numbers are equal, the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a < b, a, b))
 
 
 def _above(a: Expression, b: Expression, c: Expression) -> Expression:
-    """S65."""
+    """S65: the third number if the first is above the second, else 0."""
     is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
     return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
 
 
 def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
-    """S77."""
+    """S77: the first number if the second equals the third, else unknown."""
     is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
     return choose(is_unknown, UNKNOWN, choose(b.equals(c), a, UNKNOWN))
 
 
 def _maximum(a: Expression, b: Expression) -> Expression:
-    """S6. If both are equal, the second."""
+    """S6: the greater number. If both numbers are equal, the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
 
 
 def _raised(x: Expression, usual: Expression, most: Expression) -> Expression:
-    """S87."""
+    """S87: a parameter for which greater numbers are tighter."""
     given = choose(usual < x, choose(most < x, usual, x), usual)
     return choose(Either(IsUnknown(x), IsUnknown(most)), usual, given)
 
 
 def _lowered(x: Expression, usual: Expression, least: Expression) -> Expression:
-    """S87."""
+    """S87: a parameter for which lesser numbers are tighter."""
     given = choose(x < usual, choose(x < least, usual, x), usual)
     return choose(Either(IsUnknown(x), IsUnknown(least)), usual, given)
 
@@ -217,7 +217,7 @@ def _sum_of_squares(*components: Expression) -> Expression:
 
 
 def _norm(*components: Expression) -> Expression:
-    """S5."""
+    """S5: the length of a vector."""
     return square_root(_sum_of_squares(*components))
 
 
@@ -240,7 +240,7 @@ def _along_one(components: Sequence[Expression]) -> tuple[Easy, ...]:
 
 
 def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
-    """S5."""
+    """S5: the roll of a quaternion."""
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = 2.0 * (w * x + y * z) / n
     cosine = 1.0 - 2.0 * (x * x + y * y) / n
@@ -248,7 +248,9 @@ def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Express
 
 
 def _pitch(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
-    """S5. Rounding may exceed the range of a sine by an ulp, where an arc sine is not defined."""
+    """S5: the pitch of a quaternion. Rounding may exceed the range of a sine by an ulp, where an
+    arc sine is not defined.
+    """
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = Local("sine", 2.0 * (w * y - z * x) / n)
     cut = choose(sine < -1.0, -1.0, choose(sine > 1.0, 1.0, sine))
@@ -256,7 +258,7 @@ def _pitch(x: Expression, y: Expression, z: Expression, w: Expression) -> Expres
 
 
 def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
-    """S5."""
+    """S5: the yaw of a quaternion."""
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = 2.0 * (w * z + x * y) / n
     cosine = 1.0 - 2.0 * (y * y + z * z) / n
@@ -302,7 +304,7 @@ FUNCTIONS: Mapping[Function, Row] = {
         3,
         3,
         braking_distance,
-        "the way on which {0} is braked by {1} after {2}",
+        "the braking distance from {0} with {1} after {2}",
         _LENGTH,
         bounds_of_braking,
     ),

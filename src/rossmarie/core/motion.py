@@ -18,14 +18,14 @@ LONGEST_TIME = 1e9
 
 
 def braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
-    """S83."""
+    """S83: the braking distance for a speed `v`, a deceleration `a` and a latency `t`."""
     way = abs(v) * t + (v * v) / a / 2.0
     return choose(a > 0.0, choose(t < 0.0, UNKNOWN, way), UNKNOWN)
 
 
 def time_to(left: Expression, speed: Expression) -> Expression:
-    """S84. For an object that does not come closer the result is the longest time, and for an
-    object that has arrived 0.
+    """S84: the time until an object arrives. If the object does not come closer, the result is the
+    longest time. If the object has arrived, the result is 0.
     """
     time = left / speed
     running = choose(time < LONGEST_TIME, time, LONGEST_TIME)
@@ -33,10 +33,10 @@ def time_to(left: Expression, speed: Expression) -> Expression:
     return choose(Either(IsUnknown(left), IsUnknown(speed)), UNKNOWN, coming)
 
 
-# --- what solvers may know ---------------------------------------------------------------------
+# --- facts for solvers -------------------------------------------------------------------
 
 _SLACK = 2.0**-40
-"""More than the rounding errors."""
+"""A margin above the rounding errors."""
 _TINY = 2.0**-500
 """The number below which products and quotients underflow."""
 

@@ -42,7 +42,7 @@ from rossmarie.core.shapes import (
 @dataclass(frozen=True)
 class Easy:
     """A case in which a function is easy to compute: if these conditions on its operands are true,
-    the function equals that expression.
+    the function equals the expression.
     """
 
     conditions: tuple[Condition, ...]
@@ -58,7 +58,7 @@ class Measure(enum.Enum):
 
 @dataclass(frozen=True)
 class Region:
-    """Shapes in the plane of a frame: all things of a class, or a zone, for example."""
+    """Shapes in the plane of a frame, for example all things of a class, or a zone."""
 
     name: str
     about: str
@@ -121,7 +121,7 @@ def _inside(region: Region, x: Expression, y: Expression) -> Expression:
 
 
 def _distance(region: Region, x: Expression, y: Expression) -> Expression:
-    """S64, the root of the least square, and S81, the distance to a circle."""
+    """S64: the root of the least square; and S81: the distance to a circle."""
     squares = [square_of(each)(_X, _Y) for each in region.shapes if not isinstance(each, Circle)]
     gaps = [gap_of(each)(_X, _Y) for each in region.shapes if isinstance(each, Circle)]
     found: list[Expression] = []
@@ -136,10 +136,10 @@ def _distance(region: Region, x: Expression, y: Expression) -> Expression:
     return choose(IsUnknown(least), UNKNOWN, least)
 
 
-# --- what solvers may know ---------------------------------------------------------------------
+# --- facts for solvers -------------------------------------------------------------------
 
 _SLACK = 2.0**-40
-"""More than the rounding errors in a distance, plus a billionth of a metre."""
+"""A margin above the rounding errors in a distance, plus a billionth of a metre."""
 _FEW = 24
 """The number of edges that solvers can handle in a second or two."""
 

@@ -1,7 +1,7 @@
 """Rotations by quaternions: a rotated vector, and the composition of two rotations (S76).
 
-The length of a quaternion does not matter, but a quaternion that is far too short or too long is no
-measurement.
+The length of a quaternion does not matter. However, a quaternion that is far too short or too long
+is not a measurement.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _LONGEST = 2.0**500
 """The limits of the squared length. Within these limits no square underflows or overflows."""
 
 _SLACK = 2.0**-40
-"""More than the rounding errors in a rotation."""
+"""A margin above the rounding errors in a rotation."""
 
 
 class _Turn(NamedTuple):
@@ -50,7 +50,7 @@ def turned_x(*operands: Expression) -> Expression:
 
 
 def turned_y(*operands: Expression) -> Expression:
-    """The y of that vector."""
+    """The y of the rotated vector."""
     return _turned(
         operands,
         lambda q: (
@@ -62,7 +62,7 @@ def turned_y(*operands: Expression) -> Expression:
 
 
 def turned_z(*operands: Expression) -> Expression:
-    """The z of that vector."""
+    """The z of the rotated vector."""
     return _turned(
         operands,
         lambda q: (
@@ -97,7 +97,7 @@ def easy_turned(component: int) -> Callable[[Sequence[Expression]], tuple[Easy, 
     return lambda operands: (Easy(_is_upright(operands[3:]), operands[component]),)
 
 
-# --- one behind the other --------------------------------------------------------------------
+# --- composition -----------------------------------------------------------------------------
 
 
 def composed_x(*operands: Expression) -> Expression:
@@ -109,19 +109,19 @@ def composed_x(*operands: Expression) -> Expression:
 
 
 def composed_y(*operands: Expression) -> Expression:
-    """The y of that product."""
+    """The y of the product of two quaternions."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qy - px * qz) + py * qw) + pz * qx
 
 
 def composed_z(*operands: Expression) -> Expression:
-    """The z of that product."""
+    """The z of the product of two quaternions."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qz + px * qy) - py * qx) + pz * qw
 
 
 def composed_w(*operands: Expression) -> Expression:
-    """The w of that product."""
+    """The w of the product of two quaternions."""
     px, py, pz, pw, qx, qy, qz, qw = operands
     return ((pw * qw - px * qx) - py * qy) - pz * qz
 

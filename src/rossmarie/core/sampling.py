@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from rossmarie.core.expressions import Expression, IsUnknown, Number, Operand, choose
 
 MOST_SAMPLES = 64
-"""The greatest number of samples in a window. The window keeps the last ones."""
+"""The greatest number of samples in a window. The window keeps the newest samples."""
 
 
 class View(enum.Enum):
@@ -51,8 +51,8 @@ class SamplingRow:
     length of its window if it `has_window`, the time constant if it `feeds_back`. A function that
     feeds back stores its results instead of samples: `NEWEST` is the new sample, `BEFORE` the
     previous result. `at_rest` is the value for a number that does not change. For some functions,
-    infinite samples are ordinary numbers (S8); for the others, S4 applies. Functions that `wait`
-    are unknown until a sample has come, which is not a sensor failure (S30).
+    infinite samples are ordinary numbers (S8); for other functions, S4 applies. Functions that
+    `wait` are unknown until a sample has come, which is not a sensor failure (S30).
     """
 
     rule: str
@@ -72,7 +72,7 @@ class SamplingRow:
 
     @property
     def gives_a_sample(self) -> bool:
-        """True if the value is one of the samples, whatever their type."""
+        """True if the value is one of the samples, whatever the type of the samples."""
         return self.expression == Operand(0)
 
     @property
@@ -86,17 +86,17 @@ class SamplingRow:
 
 
 def _rate(newest: Expression, before: Expression, seconds: Expression) -> Expression:
-    """S19."""
+    """S19: the rate of change."""
     return (newest - before) / seconds
 
 
 def _median(lower: Expression, upper: Expression) -> Expression:
-    """S43."""
+    """S43: the median."""
     return choose(lower.equals(upper), lower, lower / 2.0 + upper / 2.0)
 
 
 def _mean(total: Expression, count: Expression) -> Expression:
-    """S49."""
+    """S49: the mean."""
     return total / count
 
 

@@ -1,6 +1,7 @@
 """The shapes of regions, and the functions of one shape (S63, S64, S81).
 
-The numbers of a shape are known at compile time: they are part of the expressions of its functions.
+The numbers of a shape are known at compile time: they are constants in the expressions of its
+functions.
 """
 
 from __future__ import annotations
@@ -36,9 +37,7 @@ class Polygon:
 
 @dataclass(frozen=True)
 class Rectangle:
-    """A rectangle between two corners, of which `low` has the lower x and y. Its edges belong to
-    it.
-    """
+    """A rectangle between two corners; `low` has the lower x and y. Its edges belong to it."""
 
     name: str
     about: str
@@ -95,7 +94,7 @@ def inside_of(shape: Shape) -> Subfunction:
 
 
 def _in_polygon(polygon: Polygon) -> Expression:
-    """S63. Points outside the bounding box are decided at once."""
+    """S63: 1 inside the polygon, else 0. Points outside the bounding box are decided at once."""
     xs, ys = zip(*polygon.corners, strict=True)
     edges = [edge for edge in map(_upwards, _edges(polygon)) if edge]
     name, about = f"crossings_{polygon.name}", f"edges of {polygon.about}"
@@ -106,8 +105,8 @@ def _in_polygon(polygon: Polygon) -> Expression:
 
 
 def _crossings(name: str, about: str, edges: Sequence[_Edge]) -> Subfunction:
-    """1 if the ray from a point crosses an odd number of edges. If there are many edges, only those
-    at the height of the point are tested: the others count 0.
+    """1 if the ray from a point crosses an odd number of edges. If there are many edges, only the
+    edges at the height of the point are tested; other edges count 0.
     """
     middle = sorted(lower for _, lower, _, _ in edges)[len(edges) // 2]
     below = [edge for edge in edges if edge[1] < middle]
@@ -261,7 +260,7 @@ def together(name: str, about: str, parts: Sequence[Expression], combine: Combin
 
 
 def first(parts: Sequence[Expression]) -> Expression:
-    """1 if one of the parts is 1, else 0. C stops at the first."""
+    """1 if one of the parts is 1, else 0. C stops at the first such part."""
     found: Expression = Number(0.0)
     for part in reversed(parts):
         found = choose(part.equals(1.0), 1.0, found)

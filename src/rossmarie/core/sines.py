@@ -35,7 +35,7 @@ FIRST, SECOND, THIRD = 1.5707963267341256, 6.077100506303966e-11, 2.022266248795
 """
 
 ROUNDING = 1.5 * 2.0**52
-"""Adding this number and subtracting it again rounds a number to a whole one."""
+"""The addition and subtraction of this number rounds a number to a whole number."""
 
 SINE_TERMS = (
     -0.16666666666666666,
@@ -102,10 +102,10 @@ def _turned(x: Expression, ahead: int) -> Expression:
 
 
 def sine(angle: Expression) -> Expression:
-    """S69, of an angle in radians."""
+    """S69: the sine of an angle in radians."""
     return _turned(angle, 0)
 
 
 def cosine(angle: Expression) -> Expression:
-    """S69, of an angle in radians."""
+    """S69: the cosine of an angle in radians."""
     return _turned(angle, 1)

@@ -18,14 +18,14 @@ from rossmarie.extras import EXTRAS
 from rossmarie.ir import Category, Machine
 
 TOGGLE_NS = 1_000_000_000
-"""The default time within which a rule may not toggle, in nanoseconds."""
+"""The default time in ns within which a rule may not toggle."""
 
 
 @dataclass(frozen=True)
 class Analysis:
-    """All findings on a rules file, and the witnesses as recordings (CSV), by file name; the rules
-    as they were asked, None if nothing was. `proved` are the spans of the requirements that were
-    proved.
+    """All findings on a rules file, and the witnesses as recordings (CSV), by file name. The rules
+    are the queried rules; None if no query ran. `proved` are the spans of the requirements that
+    were proved.
     """
 
     findings: tuple[Finding, ...]
@@ -114,7 +114,7 @@ def analyzed(
 def _answers(
     compiled: Compiled, thorough: bool, toggle_ns: int, on_step: Callable[[str], None]
 ) -> Iterator[tuple[Machine, Finding]]:
-    """Each finding with the machine that it is about."""
+    """Each finding with the machine that the finding is about."""
     from rossmarie.analysis.queries import ask_all, ask_required  # importing the solver is slow
 
     machine = compiled.machine
@@ -126,9 +126,7 @@ def _answers(
 
 
 def _is_reported(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
-    """Say whether the check has reported, from its text alone, that nothing clears a rule
-    (ROSS408).
-    """
+    """Say whether the check has already reported that nothing clears a rule (ROSS408)."""
     if found.code != "ROSS707":
         return False
     rule = next(rule for rule in machine.rules if rule.head == found.primary.span)

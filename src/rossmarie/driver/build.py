@@ -83,12 +83,13 @@ def build_files(
     """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
     file, and `only` rules of these categories.
 
-    A file with unchanged content is not written, so a build system sees no change. A file for the
-    user's own code is written only if it is missing. With `replaces_others`, files that were not
-    generated from these rules are replaced.
-    Raises `RulesError` for errors in the rules, for constructs that the target does not support,
-    and for a folder that contains another package. Raises `ForeignFileError` if an existing file
-    was not generated from these rules. In these cases no file is written. Raises `OSError` if the
+    A file whose content would not change is not written, so that a build system sees no change. An
+    existing file that belongs to the user is not written either. With `replaces_others`, files that
+    were not generated from these rules are replaced.
+
+    Raises `RulesError` for errors in the rules, for features that the target does not support, and
+    for a folder that contains another package. Raises `ForeignFileError` if a present file was not
+    generated from these rules. In all these cases no file is written. Raises `OSError` if the
     folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
@@ -99,7 +100,7 @@ def build_files(
     of_user = TARGETS[target].owned_by_user
     kept = set() if placement.part_of else {name for name in of_user if (folder / name).exists()}
     files = {name: text for name, text in files.items() if name not in kept}
-    # In a part of a package the files of the user lie elsewhere, and these are only examples.
+    # In a part of a package, the user's own files have other places; these files are only examples.
     written = write_generated(
         files, folder, rules, unnamed=of_user, replaces_others=replaces_others
     )
@@ -125,8 +126,8 @@ def write_generated(
     unnamed: Collection[str] = (),
     replaces_others: bool = False,
 ) -> list[Path]:
-    """Write what was generated from rules, by name, into a folder, and give the paths. Raises
-    as `build_files` does; files that are `unnamed` do not name their rules.
+    """Write files that were generated from rules, by name, into a folder. Returns their paths.
+    Raises the errors of `build_files`. Files that are `unnamed` do not name their rules.
     """
     changed = {}
     for name, text in files.items():

@@ -25,7 +25,7 @@ class Stage(str, enum.Enum):
 
 
 JSON_STAGES = (Stage.PARSE, Stage.LOWER)
-"""The stages with a JSON form of their result."""
+"""The stages whose result has a JSON form."""
 
 
 def dump(

@@ -29,14 +29,14 @@ _BEGUN = {
     "#!": "a script",
     "{": "a JSON file",
 }
-"""Texts at the beginning of a file with which no rules file begins."""
+"""Texts at the beginning of a file. No rules file begins with them."""
 
 _LONGEST = max(map(len, _BEGUN))
 
 
 def foreign_kind(path: Path, text: str) -> str | None:
-    """The type of a file that is not a rules file, by its name or its first characters; None if it
-    may be one.
+    """The type of a file that is not a rules file, by its name or its first characters; None if the
+    file may be a rules file.
     """
     begin = text.lstrip()[:_LONGEST].lower()
     found = next((kind for sign, kind in _BEGUN.items() if begin.startswith(sign)), None)

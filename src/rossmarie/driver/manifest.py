@@ -1,5 +1,5 @@
-"""Licence, maintainers and version of a generated package: from options, else from the package that
-contains the rules.
+"""Licence, maintainers and version of a generated package. They come from options, or else from the
+package that contains the rules.
 
 The package of the rules is the first `package.xml` in their folder or in a folder above, up to the
 root of their workspace or repository. A generated `package.xml` does not count, because it is not a
@@ -43,7 +43,7 @@ class Described:
 
 
 def describe(rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]) -> Described:
-    """The manifest of the package of some rules. Values given by options are not looked up.
+    """The manifest of the package of some rules. Values from options are not searched for.
 
     Raises `BadPackageXmlError` if the package of the rules cannot be read or has a field that is
     not valid here, and `OSError`.

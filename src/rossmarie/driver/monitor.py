@@ -37,25 +37,26 @@ class Run(Protocol):
 
 
 class Bound(Protocol):
-    """Columns that fit a monitor. They must not change while they are used."""
+    """Columns that fit a monitor. They must not change while the monitor uses them."""
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> Run:
-        """Process the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to, not including, `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
         """
 
 
 class Monitor:
-    """A rules file, running. Names of fields are names of inputs: `speed`, `orientation.x`.
+    """The running monitor of a rules file. Names of fields are names of inputs: `speed`,
+    `orientation.x`.
 
-    Instants are integers in nanoseconds on one clock; values are in the units of the messages.
-    An instant that is no integer raises `TypeError`, one outside the years 1896 to 2116
-    (`ir.EARLIEST_NS`, `ir.LATEST_NS`) `ValueError`; a refused call changes nothing.
+    Instants are integers in ns on one clock; values are in the units of the messages. An instant
+    that is not an integer raises `TypeError`. An instant outside the years 1896 to 2116
+    (`ir.EARLIEST_NS`, `ir.LATEST_NS`) raises `ValueError`. A refused call changes nothing.
     """
 
     def __init__(self, machine: Machine) -> None:
-        """Margins of the machine are for guards. A monitor runs without them."""
+        """The monitor of a machine. It runs without the machine's margins, which are for guards."""
         self._with_margins = machine
         self.machine = without_margins(machine)
         started = start_monitor(self.machine)
@@ -65,8 +66,8 @@ class Monitor:
         self._values = NamedValues(machine)
 
     def fresh(self) -> Monitor:
-        """Another monitor of the same rules in its initial state. This is cheap:
-        nothing is generated, built or loaded again.
+        """Another monitor of the same rules in its initial state. This is cheap: nothing is
+        generated, built or loaded again.
         """
         another = copy(self)
         another._engine = self._engine.fresh()  # noqa: SLF001 - of this class
@@ -96,8 +97,8 @@ class Monitor:
         return tuple(rule.name for rule, is_active in pairs if is_active)
 
     def next_wake(self) -> int | None:
-        """The instant (ns) at which to call `advance` if no message arrives before. None if there
-        is no such instant.
+        """The instant in ns at which the caller has to call `advance` if no message comes before;
+        None if there is none.
         """
         return self._engine.next_wake()
 
@@ -105,28 +106,29 @@ class Monitor:
         """Process arriving messages: one on each topic with a named field. Unnamed fields are
         unknown.
 
-        If rules read only the age of an input, give the name of the input with any value. Raises
-        `KeyError` for a name that no rule reads, and `TypeError` for a value of the wrong type or
-        an instant that is not an integer. Raises `OverflowError` for an integer beyond all floats,
-        and `ValueError` for an instant out of range. Raises `MemoryError` if the log of events
-        cannot grow; then events are lost.
+        For an input whose rules use only its age, give the input's own name, with any value.
+
+        Raises `KeyError` for a name that no rule reads. Raises `TypeError` for a value whose type
+        differs from the field's, or for an instant that is not an integer. Raises `OverflowError`
+        for an integer beyond all floats, `ValueError` for an instant out of range, and
+        `MemoryError` if events were lost for lack of memory.
         """
         return self._engine.update(as_instant(at_ns), self._values.messages(values))
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Let time pass without a message. Timers due exactly at this instant fire.
+        """Let time pass without a message. Timers that are due exactly at this instant fire.
 
-        Raises `TypeError` for an instant that is no integer, `ValueError` for one out of
+        Raises `TypeError` for an instant that is not an integer, `ValueError` for an instant out of
         range, `MemoryError` if events were lost for lack of memory.
         """
         return self._engine.advance(as_instant(at_ns))
 
     def reset(self, at_ns: int, rule: str | None = None) -> list[Event]:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear.
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared.
 
         Raises `ValueError` for an unknown rule or an instant out of range, `TypeError` for an
-        instant that is no integer, `MemoryError` if events were lost for lack of memory.
+        instant that is not an integer, `MemoryError` if events were lost for lack of memory.
         """
         return self._engine.reset(
             as_instant(at_ns), None if rule is None else self.rules.index(rule)
@@ -141,7 +143,7 @@ class Monitor:
 
         The scalars are those that rules read, in the order of `fields(topic)`. -1 means that the
         instant is out of range. Numbers are Python's own types. Events wait for `take_events`.
-        Raises `ValueError` for an unknown topic, and for a topic whose arrays rules read.
+        Raises `ValueError` for an unknown topic, and for a topic with arrays that rules read.
         """
         return self._engine.update_call(self._topic(topic))
 
@@ -154,7 +156,7 @@ class Monitor:
 
     def fields(self, topic: str) -> tuple[str, ...]:
         """The scalars of a topic that rules read, in the order of `update_call`, without arrays and
-        without inputs of which rules read only the age.
+        without inputs whose rules use only their age.
 
         Raises `ValueError` for a topic that no input reads.
         """
@@ -163,11 +165,11 @@ class Monitor:
     def run(self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]) -> Run:
         """Process whole columns. Each row is a message on every topic with a given column.
 
-        `times_ns` has the shape (rows,), as every column of scalars; a column of an array has the
-        shape (rows, elements). Every field that rules read needs a column. The column of an input
-        of which rules read only the age may be left out; then the input never arrives. Raises
-        `ColumnError`, a `ValueError`, before processing if the columns do not fit, and
-        `MemoryError` if events were lost for lack of memory.
+        `times_ns` has the shape (rows,), in ns. A column of scalars has the same shape; a column
+        of an array has the shape (rows, elements). Every field that rules read needs a column. If
+        rules use only the age of an input, its column is optional; without the column, the input
+        never arrives. Raises `ColumnError`, a `ValueError`, before processing if the columns do
+        not fit, and `MemoryError` if events were lost for lack of memory.
         """
         return self.bind(times_ns, columns).run(active=True)
 
@@ -200,8 +202,8 @@ def load(
 
     `only` selects rules by category, such as `only=["human"]`. Raises `RulesError` with all errors
     in the rules, or if no rule matches, and `ValueError` for an unknown category. Issues a
-    `RuntimeWarning` for each order that names an excluded rule, and, with the reason, if the
-    monitor is not native.
+    `RuntimeWarning` for each priority that names an excluded rule. If the monitor is not native,
+    issues a `RuntimeWarning` with the reason.
     """
     compiled = compile_file(
         Path(rules),

@@ -20,9 +20,9 @@ from rossmarie.driver.package_xml import (
 
 
 def check_package_folder(folder: Path, files: Mapping[str, str], rules: Path) -> Diagnostic | None:
-    """The finding on a folder that `files`, generated from `rules`, must not be written into: it
-    holds another package, or the same package for another generation of ROS. None if there is no
-    such problem.
+    """The finding on a folder into which `files`, generated from `rules`, must not be written: the
+    folder contains another package, or the same package for another generation of ROS. None if
+    there is no such problem.
     """
     path = folder / PACKAGE_XML
     if PACKAGE_XML not in files or not path.exists():

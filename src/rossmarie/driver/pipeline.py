@@ -1,4 +1,4 @@
-"""The stages in order: text -> syntax tree -> checked program -> machine.
+"""The stages in order, from the text over the syntax tree and the checked program to the machine.
 
 Each stage gets the result of the stage before it. Findings are collected, and no stage runs after a
 stage with errors.
@@ -37,7 +37,7 @@ class CheckResult:
 
 
 class RulesError(Exception):
-    """The error for a rules file with errors. `diagnostics` holds the visible ones, and the
+    """The error for a rules file with errors. `diagnostics` are the visible errors, and the
     warnings.
     """
 
@@ -58,7 +58,7 @@ def check_file(
 ) -> CheckResult:
     """Parse and check a rules file and everything that it imports.
 
-    `systems` are further system models, `message_folders` hold .msg files. A file `system.ross`
+    `systems` are further system models; `message_folders` contain .msg files. A file `system.ross`
     beside the rules is an implicit system model. `tests` is a file of tests in memory: it is
     checked as if it imported the rules. `only` keeps the rules with these categories (all if it is
     empty).

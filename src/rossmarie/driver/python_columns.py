@@ -1,4 +1,6 @@
-"""Whole columns, row by row through a monitor in Python; `rossmarie.native` does the same in C."""
+"""Whole columns, processed row by row by a monitor in Python. `rossmarie.native` does the same in
+C.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ class PythonColumns:
         ]
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> PythonRun:
-        """Process the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to, not including, `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows.
         """

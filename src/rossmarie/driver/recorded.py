@@ -43,16 +43,17 @@ from rossmarie.types import (
 )
 
 MOST_SIGNALS = 200
-"""Signals of one timeline that a reader can add."""
+"""The most signals of one timeline that a reader can add."""
 
 _HEADER = "std_msgs/Header"
 
 
 @dataclass(frozen=True)
 class _Number:
-    """A number in the messages on a channel; `unit` is empty if none is known.
+    """A number in the messages on a channel; `unit` is empty if no unit is known.
 
-    `name` is the first input that selects it. Columns of a CSV file may have names of inputs.
+    `name` is the first input that selects the number. Columns of a CSV file may have names of
+    inputs.
     """
 
     channel: Channel
@@ -63,7 +64,7 @@ class _Number:
 
     @property
     def text(self) -> str:
-        """Its topic and its place in the message."""
+        """The topic of the number and its path in the message."""
         return f"{self.channel.topic} {path_words(self.path)}"
 
 
@@ -76,7 +77,7 @@ def recorded_plots(
     """Sample the numbers on the topics of the inputs, at most `MOST_SIGNALS`.
 
     A number without any recorded value is left out. `start_ns` is the stamp at which the axis
-    begins. Findings were reported by the replay before, so this function reports none.
+    begins. The replay before has reported all findings, so this function reports none.
     """
     numbers = list(dict.fromkeys(_numbers_of(inputs)))[:MOST_SIGNALS]
     machine = _machine(numbers)

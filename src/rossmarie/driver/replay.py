@@ -35,7 +35,7 @@ def replay_file(
 ) -> tuple[Replay, tuple[Diagnostic, ...]]:
     """The verdicts of a rules file on a recording, and the findings on both.
 
-    `topic_map` leads from topics of the rules to recorded ones. `with_recorded` also samples the
+    `topic_map` maps topics of the rules to recorded topics. `with_recorded` also samples the
     numbers that no rule compares, in a second pass over the recording. Raises `RulesError` for
     errors in the rules (`only` of these categories) and `RecordingError` if nothing can be read.
     """
@@ -86,7 +86,7 @@ def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tupl
 def _reported(
     batches: Iterator[Batch], recording: Recording, on_progress: Progress
 ) -> Iterator[Batch]:
-    """The same batches, with progress reports."""
+    """The batches, unchanged; progress is reported meanwhile."""
     length = max(recording.end_ns - recording.start_ns, 1)
     reported = 0.0
     for batch in batches:

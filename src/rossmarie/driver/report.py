@@ -1,4 +1,4 @@
-"""The safety report: from a rules file, and the reports on it, to its safety file."""
+"""The safety report: it makes a safety file from a rules file and the reports on the rules."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def _evidence(kind: EvidenceKind, path: Path) -> Evidence:
 def _strange(
     content: SafetyFile, verification: Path | None, coverage: Path | None
 ) -> Iterator[Diagnostic]:
-    """Warnings on reports about another text of the rules."""
+    """Warnings about reports that belong to another text of the rules."""
     for path, evidence in ((verification, content.verification), (coverage, content.coverage)):
         if path is None or evidence is None:
             continue
@@ -106,7 +106,7 @@ def _strange(
             yield at_file(finding, path)
 
 
-# --- what the rules declare ------------------------------------------------------------------
+# --- the declarations of the rules -------------------------------------------------------
 
 
 def _constants(result: CheckResult) -> Iterator[Declared]:

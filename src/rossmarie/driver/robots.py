@@ -34,12 +34,12 @@ class Robot:
 
     @property
     def rules(self) -> Path:
-        """Its rules."""
+        """The path of the robot's rules."""
         return self.folder / f"{self.name}.ross"
 
     @property
     def recording(self) -> Path:
-        """Its recording, which makes each rule active and then inactive."""
+        """The path of the robot's recording, which makes each rule active and then inactive."""
         return self.folder / f"{self.name}.mcap"
 
     @property
@@ -55,5 +55,5 @@ def robots() -> Sequence[Robot]:
 
 
 def robot(name: str) -> Robot:
-    """The robot with a name, in upper or lower case. Raises `UnknownExampleError`."""
+    """The robot with this name, in upper or lower case. Raises `UnknownExampleError`."""
     return named({each.name: each for each in robots()}, name, "robot")

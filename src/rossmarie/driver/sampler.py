@@ -20,7 +20,7 @@ _BLOCK = 20_000
 
 
 class Sampler:
-    """Keeps the samples of some signals that a picture needs."""
+    """Stores the samples of some signals that a picture needs."""
 
     def __init__(self, machine: Machine) -> None:
         self._plans = plan_plots(machine)
@@ -57,7 +57,7 @@ class Sampler:
                 self._thin()
 
     def _thin(self) -> None:
-        """Move the collected samples to the kept ones."""
+        """Move the collected samples to the stored samples."""
         times = self._axis.place(self._times_ns[: self._noted])
         for values, kept in zip(self._values, self._kept, strict=True):
             kept.add(times, values[: self._noted], self._limit)
@@ -74,7 +74,9 @@ class Sampler:
 
 
 class Kept:
-    """The samples of one signal: all, or those that a picture needs of more than twice a limit."""
+    """The samples of one signal. All samples are stored up to twice a limit; beyond it, only the
+    samples that a picture needs are stored.
+    """
 
     def __init__(self) -> None:
         self.times: NDArray[np.int64] = np.empty(0, dtype=np.int64)

@@ -1,5 +1,5 @@
-"""The visible part of very many findings: the first of each file, and a note that there are
-more.
+"""The visible part of very many findings: the first findings of each file, and a note that there
+are more.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _CLOSING: Mapping[Severity, type[TooManyErrors | TooManyWarnings]] = {
 
 def shortened(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Findings in order, limited to the first `MAXIMUM_ERRORS` errors and as many warnings of each
-    file. A finding of the same severity replaces the rest.
+    file. A finding of the same severity replaces the remaining findings.
     """
     counts: Counter[tuple[int, Severity]] = Counter()
     shown = []

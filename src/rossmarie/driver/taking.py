@@ -1,6 +1,6 @@
-"""Batches of updates -> events, and samples of the signals that a timeline shows.
+"""Turns batches of updates into events, and samples of the signals that a timeline shows.
 
-The native monitor provides both. A monitor in Python keeps only the numbers that it needs, so the
+The native monitor provides both. A monitor in Python stores only the numbers that it needs, so the
 interpreter runs beside it for the samples.
 """
 

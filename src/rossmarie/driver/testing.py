@@ -27,7 +27,9 @@ from rossmarie.testing.unreachable import unreachable
 from rossmarie.testing.unread import unread
 
 SUFFIX = ".tests.ross"
-"""The ending of test files: `rules.tests.ross` beside `rules.ross` holds tests of it."""
+"""The suffix of test files: `rules.tests.ross` beside `rules.ross` contains the tests of
+`rules.ross`.
+"""
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ class UnknownTestError(Exception):
 
 
 def tests_beside(rules: Path) -> Path:
-    """The file that holds, or would hold, the tests of a rules file."""
+    """The path of the file with the tests of a rules file. The file need not exist."""
     return rules if rules.name.endswith(SUFFIX) else rules.with_name(rules.stem + SUFFIX)
 
 
@@ -77,7 +79,7 @@ def run_test_file(
 ) -> RanTests:
     """Run the tests of a rules file and of the file of tests beside it, on the interpreter and, if
     `in_c`, in C. Only tests run whose name matches one of `names`, in which `*` stands for any
-    text. The coverage concerns `tested_rules`.
+    text. The coverage is about `tested_rules`.
 
     Raises `RulesError` and `UnknownTestError`.
     """
@@ -96,8 +98,8 @@ def run_test_file(
 
 
 def tested_rules(machine: Machine, rules: Path) -> Sequence[int]:
-    """The numbers of the rules that tests of a rules file concern. Rules of imported library files
-    are left out, because the library has tests for them.
+    """The numbers of the rules that the tests of a rules file are about. Rules of imported library
+    files are left out, because the library has tests for them.
     """
     is_shipped = LIBRARY in rules.resolve().parents
     return [
@@ -139,7 +141,7 @@ def run_tests(
 
 
 def _native(machine: Machine) -> NativeMonitor | str:
-    """The machine in C, or the reason why there is none."""
+    """The machine in C, or the reason why it cannot be built."""
     refused = next(iter(c99.unsupported(machine)), None)
     if refused is not None:
         return refused.title

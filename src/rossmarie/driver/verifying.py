@@ -27,7 +27,9 @@ from rossmarie.verification.reactor_harness import reactor_harness
 
 @dataclass(frozen=True)
 class Queries:
-    """The queries about a rules file: `programs`, each with its checks, about `files`."""
+    """The queries about a rules file: `programs`, each with its checks. `files` are the files that
+    the queries are about.
+    """
 
     compiled: Compiled
     files: Mapping[str, str]
@@ -45,7 +47,8 @@ def queries_of(
     message_folders: Sequence[Path] = (),
     only: Sequence[ir.Category] = (),
 ) -> Queries:
-    """The queries about the rules of a file, or `only` about the rules of these categories.
+    """The queries about the rules of a file. With `only`, they are about the rules of these
+    categories.
 
     Raises `RulesError`.
     """
@@ -69,7 +72,7 @@ def _programs(machine: ir.Machine) -> Iterator[Harness]:
 def keep(
     queries: Queries, folder: Path, rules: Path, *, replaces_others: bool = False
 ) -> list[Path]:
-    """Write the prover's input files. Raises as `build_files` does."""
+    """Write the prover's input files. Raises the errors of `build_files`."""
     return write_generated(queries.texts(), folder, rules, replaces_others=replaces_others)
 
 

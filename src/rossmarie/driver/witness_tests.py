@@ -45,7 +45,7 @@ class WitnessTests:
 
 @dataclass(frozen=True)
 class _Shown:
-    """A script, the rules that it concerns, and its witness."""
+    """A script, its rules, and its witness."""
 
     script: Script
     rules: tuple[int, ...]
@@ -106,7 +106,7 @@ def _with_witness(findings: Sequence[Finding]) -> Iterator[tuple[Finding, Witnes
 
 
 def _rules_of(machine: Machine, finding: Finding, witness: Witness) -> tuple[int, ...]:
-    """The rules that a finding points at, else the rules that are active in its witness, else
+    """The rules that a finding points at, or else the rules that are active in its witness, or else
     all.
     """
     places = [finding.diagnostic.primary, *finding.diagnostic.labels]
@@ -122,7 +122,9 @@ def _rules_of(machine: Machine, finding: Finding, witness: Witness) -> tuple[int
 
 
 def _expecting(machine: Machine, shown: _Shown, script: Script) -> Script:
-    """The script as it is parsed, with the observed behavior as expectations."""
+    """The script in the form in which it will be parsed, with the observed behavior as
+    expectations.
+    """
     expectations = [
         expected
         for rule in shown.rules

@@ -59,9 +59,9 @@ def _workers() -> Iterator[ProcessPoolExecutor]:
 
 
 def _give_up_writing(pool: ProcessPoolExecutor) -> None:
-    """Let the pool stop writing. A long query may be half written to a worker that has ended; the
-    writer ends only without a reader. Python closes the reader itself from 3.11.5 on (gh-94777);
-    before, it waits forever.
+    """Let the pool stop writing. A long query may be half written to a worker that has ended. The
+    writer ends only if no process can read. Python closes the reading end itself from 3.11.5 on
+    (gh-94777); older versions wait forever.
     """
     if sys.version_info >= (3, 11, 5):
         return  # closing it a second time would fail
@@ -71,7 +71,7 @@ def _give_up_writing(pool: ProcessPoolExecutor) -> None:
 
 
 def _begin() -> None:
-    """Ignore Ctrl-C: an interrupt concerns the whole run, which ends its workers. If the run ends
+    """Ignore Ctrl-C: the whole run handles an interrupt, and ends its workers. If the run ends
     without doing so, the workers end themselves.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -29,7 +29,7 @@ from rossmarie.driver.foreign import WEB_PAGE, foreign_kind
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 
 SYSTEM_MODEL = "system.ross"
-"""The name of the implicit system model: a file of this name beside the rules."""
+"""The name of the implicit system model, a file beside the rules."""
 
 MOST_INSTANCES = 256
 """The greatest number of files that are imported under names, or with values."""
@@ -60,7 +60,7 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
 
 
 class _Wanted(NamedTuple):
-    """A file to open for an import in another file. `importer` is None for files of the command
+    """A file to open for an import in another file. `importer` is None for files from the command
     line.
     """
 
@@ -70,7 +70,9 @@ class _Wanted(NamedTuple):
 
     @property
     def space(self) -> tuple[str, ...]:
-        """The name space of the file: that of the whole program, unless the import has a name."""
+        """The name space of the file: the name space of the whole program, unless the import has a
+        name.
+        """
         if self.written is None or self.importer is None or not _is_instance(self.written):
             return ()
         alias = self.written.alias
@@ -86,13 +88,13 @@ class _Loader:
     parsed: dict[Path, ast.Module] = field(default_factory=dict)
 
     def with_last(self, path: Path) -> list[Imported]:
-        """All files, with that of `path` at the end."""
+        """All files, with the file at `path` at the end."""
         last = self.visited[_identity(path), ()]
         return [each for each in self.loaded if each is not last] + [last]
 
     def load(self, path: Path) -> None:
-        """Add the file at `path` after everything it imports (with an explicit stack, so that a
-        long chain of imports cannot exhaust Python's stack).
+        """Add the file at `path` after everything that it imports. The stack is explicit, so that a
+        long chain of imports cannot exhaust Python's stack.
         """
         stack: list[tuple[Imported, list[_Wanted]]] = []
         self._open(_Wanted(path), stack)
@@ -105,7 +107,7 @@ class _Loader:
                 stack.pop()
 
     def refuse_rules(self, system: Path) -> None:
-        """Report a file that is named as a system model and has rules."""
+        """Report a system model that contains rules."""
         module = self.parsed[_identity(system)]
         rule = next((item for item in module.items if isinstance(item, ast.Rule)), None)
         if rule is not None:
@@ -140,7 +142,7 @@ class _Loader:
         stack.append((imported, _imports(imported, path.parent, self.main)))
 
     def _again(self, known: Imported, wanted: _Wanted) -> None:
-        """Handle an import of a loaded file: its values count if there are none so far."""
+        """Handle an import of a loaded file: its values count if the file has none so far."""
         written = wanted.written
         if written is None or not written.given or written.alias is not None:
             return

@@ -1,5 +1,5 @@
-"""A monitor in Python with the reactor of its rules; each decision equals that of `native`'s
-guard.
+"""A monitor in Python with the reactor of its rules. Each decision equals the decision of
+`native`'s guard.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ from rossmarie.native import AllowCall, StepCall, packed_note
 
 
 class PythonGuard:
-    """A monitor and its reactor, which runs after each call of the monitor, at the same instant.
-    Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and `ir.LATEST_NS`,
-    except `bounds`.
+    """A monitor and its reactor. The reactor runs after each call of the monitor, at the same
+    instant. Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`, except `bounds`.
     """
 
     def __init__(self, machine: Machine, source: str) -> None:
@@ -56,7 +56,7 @@ class PythonGuard:
         self._events: list[Event] = []
         self._orders: list[Order] = []
         self.now_ns = EARLIEST_NS
-        """The current instant; before the first call, an instant out of range."""
+        """The current instant in ns; before the first call, an instant out of range."""
 
     def restart(self) -> None:
         """Forget everything. Functions that `update_call` returned before become invalid."""
@@ -93,7 +93,9 @@ class PythonGuard:
         self._reactor.open()
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` has to be called if no other call comes before."""
+        """The instant in ns at which the caller has to call `advance` if no other call comes
+        before.
+        """
         wakes = (self._monitor.next_wake(), self._reactor.next_wake())
         return min((wake for wake in wakes if wake is not None), default=None)
 
@@ -110,18 +112,18 @@ class PythonGuard:
         self._follow(at_ns)
 
     def advance(self, at_ns: int) -> None:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         self._events += self._monitor.advance(at_ns)
         self._follow(at_ns)
 
     def reset(self, at_ns: int, rule: int | None = None) -> None:
-        """Reset one latched rule, or all, for an operator."""
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator."""
         self._events += self._monitor.reset(at_ns, rule)
         self._follow(at_ns)
 
     def report(self, at_ns: int, task: int, *, success: bool) -> None:
-        """Report the end of a task that was ordered to start. Raises `IndexError` if there is no
-        such task.
+        """Report the end of a task that got the command to start. Raises `IndexError` if there is
+        no such task.
         """
         if not 0 <= task < len(self._machine.reactions.tasks):
             raise IndexError(f"there is no task {task}")
@@ -130,8 +132,8 @@ class PythonGuard:
         self._follow(at_ns)
 
     def update_call(self, channel: int) -> Callable[..., int]:
-        """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
-        channel. `PythonMonitor.update_call` describes the arguments.
+        """A function for one message on a channel: `(at_ns, *slots) -> number of new events and
+        task commands`. `PythonMonitor.update_call` describes the arguments.
         """
         take = self._monitor.update_call(channel)
 
@@ -147,7 +149,7 @@ class PythonGuard:
         return call
 
     def watch_call(self, channel: int) -> Callable[..., int | None]:
-        """A function for one message on a channel, like that of `native`'s guard."""
+        """A function for one message on a channel, like the function of `native`'s guard."""
         inputs = self._machine.inputs
         if any(inputs[each.input].channel == channel for each in self._machine.lists):
             raise ValueError("a channel with lists has no fast call")
@@ -172,12 +174,12 @@ class PythonGuard:
         return PythonRow([self.fresh() for _ in range(count)])
 
     def take_events(self) -> list[Event]:
-        """The events since the last call. Orders stay."""
+        """The events since the last call. Task commands stay."""
         events, self._events = self._events, []
         return events
 
     def save(self) -> object:
-        """The whole state, and the orders that have not been taken."""
+        """The whole state, and the task commands that have not been taken."""
         kept = deepcopy((self._reactor, self._missing, self._orders, self.now_ns))
         return (self._monitor.save(), kept)
 
@@ -194,7 +196,7 @@ class PythonGuard:
         return self.steps(wiring).step
 
     def allow_call(self, wiring: Wiring) -> AllowCall:
-        """A function that says which of some actions would pass unchanged."""
+        """A function that returns which of some actions would pass unchanged."""
         steps = self.steps(wiring)
         return lambda actions: np.array([steps.allows(each) for each in actions], np.bool_)
 
@@ -203,18 +205,18 @@ class PythonGuard:
         return PythonSteps(self._machine, self, wiring)
 
     def take(self) -> Reported:
-        """All events and orders since the last call."""
+        """All events and task commands since the last call."""
         orders, self._orders = self._orders, []
         return Reported(self.take_events(), orders)
 
     @property
     def has_news(self) -> bool:
-        """True if there are events or orders to take."""
+        """True if there are events or task commands to take."""
         return bool(self._events or self._orders)
 
     @property
     def begun(self) -> set[int]:
-        """The tasks that have started, among the orders that have not been taken."""
+        """The tasks that have started, among the task commands that have not been taken."""
         return {each.task for each in self._orders if each.kind is OrderKind.START}
 
     def note(self, said: int) -> bytes:
@@ -225,7 +227,7 @@ class PythonGuard:
         return packed_note(said, active, self.margins, self.states, self._reactor.since_ns)
 
     def _follow(self, at_ns: int) -> None:
-        """Run the reactor, and perform the resets of all latched rules that it orders."""
+        """Run the reactor, and perform its resets of all latched rules."""
         self.now_ns = at_ns
         while self._ordered(
             self._reactor.react(at_ns, self.active, self._monitor.watches, self._monitor.readings)
@@ -233,6 +235,6 @@ class PythonGuard:
             self._events += self._monitor.reset(at_ns)
 
     def _ordered(self, orders: list[Order]) -> bool:
-        """Say whether any of the orders is a reset."""
+        """Say whether any of the task commands is a reset."""
         self._orders += orders
         return any(each.kind is OrderKind.START and each.task in self._resets for each in orders)

@@ -18,7 +18,7 @@ _NAN = float("nan")
 
 class PythonMonitor:
     """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside that range.
+    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside this range.
     """
 
     def __init__(self, machine: ir.Machine, source: str) -> None:
@@ -76,12 +76,12 @@ class PythonMonitor:
         return self._events_of(at_ns, self._generated.update, fields)
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         return self._events_of(at_ns, self._generated.advance)
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear.
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared.
         """
         return self._events_of(at_ns, self._generated.reset, rule)
 
@@ -97,7 +97,7 @@ class PythonMonitor:
     # --- state -------------------------------------------------------------------------------
 
     def save(self) -> object:
-        """The whole state: the variables that its functions keep between calls."""
+        """The whole state: the variables that the monitor's functions keep between calls."""
         return deepcopy({name: cell.cell_contents for name, cell in self._cells().items()})
 
     def load(self, saved: object) -> None:
@@ -129,23 +129,24 @@ class PythonMonitor:
     # --- fast calls --------------------------------------------------------------------------
 
     def update_call(self, channel: int) -> Callable[..., int]:
-        """A function `(at_ns, *slots) -> number of new events` for one message on a channel, with
-        its slots in index order, in the units of the message. -1: the instant is out of range.
+        """A function for one message on a channel: `(at_ns, *slots) -> number of new events`. Slots
+        are in index order, in the units of the message. The result -1 means that the instant is out
+        of range.
 
-        Numbers are Python's own types, because some numpy types compare differently. The
-        events wait for `take_events`. Raises `ValueError` if the channel carries arrays.
+        Numbers are Python's own types, because some NumPy types compare differently. The events
+        wait for `take_events`. Raises `ValueError` if the channel carries arrays.
         """
         if self._arrays[channel]:
             raise ValueError("a channel with arrays has no fast call")
         return self.message_call(channel)
 
     def message_call(self, channel: int) -> Callable[..., int]:
-        """The same for any channel. The arrays follow the slots."""
+        """A similar function for any channel. The arrays follow the slots."""
         call: Callable[..., int] = self._generated[channel]
         return call
 
     def take_events(self) -> list[Event]:
-        """The events of the fast calls since the last time."""
+        """The events of the fast calls since the last call of this method."""
         self._keep()
         taken, self._waiting = self._waiting, []
         return taken
@@ -159,7 +160,7 @@ class PythonMonitor:
         return [self._event(reported) for reported in self._generated.take_events()]
 
     def _keep(self) -> None:
-        """Keep the events of fast calls until they are taken."""
+        """Store the events of fast calls until `take_events`."""
         self._waiting += [self._event(reported) for reported in self._generated.take_events()]
 
     def _event(self, reported: Any) -> Event:
@@ -181,7 +182,7 @@ class PythonMonitor:
         return [*slots, *(self._elements(array, values) for array in self._arrays[channel])]
 
     def _elements(self, array: int, values: ChannelValues) -> list[float] | None:
-        """The elements of an array; None for a column that the message does not have."""
+        """The elements of an array; None for a column that is missing in the message."""
         if array not in values.arrays and self._is_column[array]:
             return None
         return list(values.arrays.get(array, ()))

@@ -1,4 +1,4 @@
-"""Guards in a row, in Python; the counterpart of `native`'s row."""
+"""Guards in a row, in Python. This is the counterpart of `native`'s row."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from rossmarie.native import CHANGED
 
 
 class Steered(Protocol):
-    """A guard in the row."""
+    """The interface of a guard in the row."""
 
     @property
     def now_ns(self) -> int:
-        """The current instant; before the first call, an instant out of range."""
+        """The current instant in ns; before the first call, an instant out of range."""
 
     @property
     def active(self) -> Sequence[bool]:
@@ -29,10 +29,10 @@ class Steered(Protocol):
         """The margins that rules declare, in SI units."""
 
     def take(self) -> ir.Reported:
-        """All events and orders since the last call."""
+        """All events and task commands since the last call."""
 
     def take_events(self) -> list[ir.Event]:
-        """The events among them. Orders stay."""
+        """The events since the last call. Task commands stay."""
 
     def restart(self) -> None:
         """Forget everything."""
@@ -82,7 +82,7 @@ class PythonRow:
         return count, active, changed
 
     def _instant(self, row: int, times_ns: NDArray[np.int64] | None) -> int | None:
-        """The instant of a row; None if it is not possible, or not known yet."""
+        """The instant of a row; None if it is out of range or not known yet."""
         now_ns = self._guards[row].now_ns
         if times_ns is None:
             return None if now_ns == ir.EARLIEST_NS else now_ns

@@ -1,4 +1,4 @@
-"""Steps of a guard in Python; each number equals that of the steps in C."""
+"""Steps of a guard in Python. Each number equals the number from the steps in C."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from rossmarie.native import CHANGED, CLOSED, REFUSED, REPORTED, fits, put_back
 
 
 class Stepped(Protocol):
-    """The guard that performs the steps."""
+    """The interface of the guard that performs the steps."""
 
     @property
     def now_ns(self) -> int:
-        """The current instant; before the first call, an instant out of range."""
+        """The current instant in ns; before the first call, an instant out of range."""
 
     @property
     def states(self) -> Sequence[State]:
@@ -43,11 +43,11 @@ class Stepped(Protocol):
 
     @property
     def has_news(self) -> bool:
-        """True if there are events or orders to take."""
+        """True if there are events or task commands to take."""
 
     @property
     def begun(self) -> set[int]:
-        """The tasks that have started, among the orders that have not been taken."""
+        """The tasks that have started, among the task commands that have not been taken."""
 
     def open(self) -> None:
         """Let commands pass."""
@@ -111,7 +111,7 @@ class PythonSteps:
         return self._guard.note(said | (REPORTED if self._guard.has_news else 0))
 
     def _decide(self, at_ns: int, action: NDArray[Any]) -> int:
-        """Change an action into a permitted one. Returns bits that tell what was changed."""
+        """Change an action into a permitted action. Returns bits that describe the changes."""
         begun = self._guard.begun
         numbers = action.astype(np.float64).tolist()
         said = 0

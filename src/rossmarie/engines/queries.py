@@ -7,8 +7,8 @@ from rossmarie.ir.skills import SkillMessage, answer
 
 
 class Queries:
-    """The queries of one machine. `named` maps the words of each, `doing Push(Object: Fragile)`, to
-    its slots: several inputs may have the same query.
+    """The queries of one machine. `named` maps the words of each query, `doing Push(Object:
+    Fragile)`, to its slots: several inputs may have the same query.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -38,6 +38,6 @@ class Queries:
         return {index: answer(self._steps[index], message) for index in asked}
 
     def words(self, index: int) -> str | None:
-        """The words of the query in a slot; None if it has none of its own."""
+        """The words of the query in a slot; None if the slot has no words of its own."""
         step = self._steps.get(index)
         return str(step) if isinstance(step, Doing) else None

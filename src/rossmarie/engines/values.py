@@ -49,7 +49,7 @@ _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 class NamedValues:
     """The names of one machine. Names of fields are names of inputs: `speed`, `orientation.x`. An
-    input of which rules read only the age has its own name. A query about skills is named by its
+    input whose rules read only its age has its own name. A query about skills is named by its
     words, `doing Push`, for all inputs with this query.
     """
 
@@ -65,8 +65,8 @@ class NamedValues:
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
         """The messages, by channel: one on each channel with a named field.
 
-        Raises `KeyError` for a name that no rule reads, `TypeError` for a value of another type
-        than the field, `OverflowError` for an integer beyond all floats.
+        Raises `KeyError` for a name that no rule reads, `TypeError` for a value whose type differs
+        from the field's, and `OverflowError` for an integer beyond all floats.
         """
         slots: dict[int, dict[int, float]] = {}
         arrays: dict[int, dict[int, Sequence[float]]] = {}

@@ -1,4 +1,4 @@
-"""Arrays of a policy. Values that are not arrays are refused before anything changes."""
+"""Arrays of a policy. Other values are refused before anything changes."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ FLOATS = (np.float64, np.float32)
 
 
 def require_array(what: str, array: object) -> None:
-    """Raise `TypeError` for a value that is not an array, `MappingError` for an array that is not
-    flat floats.
+    """Raise `TypeError` for a value that is not an array, and `MappingError` for an array that is
+    not flat or not of floats.
     """
     if not isinstance(array, np.ndarray):
         refuse(what, array)

@@ -42,8 +42,8 @@ class GuardBatch:
         row_of: Callable[[int], GuardRow],
         wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
-        """`row_of` makes the guards, `wiring_of` connects arrays of the sizes of an observation and
-        of an action.
+        """`row_of` creates the guards. `wiring_of` connects arrays of the sizes of an observation
+        and of an action.
         """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
@@ -61,7 +61,9 @@ class GuardBatch:
         return self._count
 
     def __reduce__(self) -> NoReturn:
-        """Refuse `copy`, `deepcopy` and `pickle`: the copy would share the state of the guards."""
+        """Refuse `copy`, `deepcopy` and `pickle`, because the copy would share the state of the
+        guards.
+        """
         raise TypeError(
             "a batch of guards cannot be copied or pickled: make another with `guard.batch(n)`"
         )
@@ -113,8 +115,8 @@ class GuardBatch:
         return BatchDecision(_of_type(numbers, actions), active, changed)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Say which of some actions, of shape (k, m), would pass unchanged in each environment, as
-        a mask of shape (n, k). Changes nothing. Raises the errors of `decide`.
+        """For actions of shape (k, m), whether each would pass unchanged in each environment, as a
+        mask of shape (n, k). Changes nothing. Raises the errors of `decide`.
         """
         with self._lock:
             self._connect(None, actions, "k")
@@ -193,7 +195,7 @@ class GuardBatch:
         return np.ascontiguousarray(times)
 
     def _width(self, what: str, rows: Array, length: str | None = None) -> int:
-        """The numbers in a row. There are `length` rows, or as many as guards."""
+        """The number of values in a row. There are `length` rows, or as many as guards."""
         if not isinstance(rows, np.ndarray):
             raise TypeError(f"{what} are a {type(rows).__name__}, not a NumPy array")
         if rows.ndim != 2 or (length is None and len(rows) != self._count):
@@ -206,7 +208,7 @@ class GuardBatch:
 
 
 def _of_type(numbers: Array, actions: Array) -> Array:
-    """Numbers as actions, of the type of the proposed actions."""
+    """Numbers as actions. They get the type of the proposed actions."""
     if actions.dtype == np.float64:
         return numbers
     executed = np.array(actions, order="C")

@@ -15,7 +15,7 @@ Message = TypeVar("Message")
 Bounds = Sequence[FieldBounds]
 
 UPDATE_PERIOD_NS = 50_000_000
-"""The time between two commands of the filter itself, and between two calls of `update`."""
+"""The time in ns between two commands of the filter itself, and between two calls of `update`."""
 
 _UNBOUNDED = FieldBounds(1.0, -math.inf, math.inf)
 _NEVER = -(10**18)
@@ -26,18 +26,18 @@ class Commands(Protocol[Message]):
     """The messages of one command topic."""
 
     def still(self) -> Message:
-        """A command with all numbers 0."""
+        """A command in which all numbers are 0."""
 
     def numbers(self, message: Message, /) -> Sequence[float]:
         """The numbers of a command, in the order of the fields of its topic."""
 
     def with_numbers(self, message: Message, numbers: Sequence[float], /) -> Message:
-        """Another command with these numbers, and all other data of this command."""
+        """Another command with these numbers, and with all other data of `message`."""
 
 
 class CommandFilter(Generic[Message]):
-    """The filter of one command topic. `bounds` returns the bounds at an instant. While they let
-    everything pass, it is called again only after `forget`.
+    """The filter of one command topic. `bounds` returns the bounds at an instant. While the bounds
+    let every command pass, `bounds` is called again only after `forget`.
     """
 
     def __init__(
@@ -56,10 +56,10 @@ class CommandFilter(Generic[Message]):
         self._sent: Bounds = ()
         self._is_taken_over = self._is_blocked = False
         self.is_restricting = False
-        """True if the last command sent is not the command of the program."""
+        """True if the last sent command differs from the command of the program."""
 
     def receive(self, now_ns: int, message: Message) -> None:
-        """Receive a command of a program. While a rule commands, it is ignored."""
+        """Receive a command of a program. While a rule commands, the command is ignored."""
         if self._is_taken_over:
             return
         self._latest, self._received_ns = message, now_ns
@@ -73,7 +73,7 @@ class CommandFilter(Generic[Message]):
         return self._free is not None and self._sent is self._free
 
     def take_over(self, now_ns: int, message: Message) -> None:
-        """Receive a command of a rule, which replaces the program's until `give_back`."""
+        """Receive a command of a rule. It replaces the program's commands until `give_back`."""
         self._is_taken_over = True
         self._latest = message
         self._pass(now_ns, message)
@@ -93,7 +93,7 @@ class CommandFilter(Generic[Message]):
         self._pass(now_ns, message)
 
     def update(self, now_ns: int) -> None:
-        """Apply the bounds. Call it whenever bounds may have changed, and regularly."""
+        """Apply the bounds. Call this method whenever bounds may have changed, and regularly."""
         bounds = self._bounds(now_ns)
         if bounds is self._sent:
             return
@@ -111,7 +111,7 @@ class CommandFilter(Generic[Message]):
         return self._is_taken_over or now_ns - self._received_ns < _TIMEOUT_NS
 
     def _tightens(self, bounds: Bounds) -> bool:
-        """Say whether bounds restrict a number that was sent last. This cannot wait."""
+        """Say whether bounds are tighter than at the last sent command, and thus apply at once."""
         return any(
             new.factor < old.factor or new.low > old.low or new.high < old.high
             for new, old in zip(bounds, self._sent, strict=True)

@@ -1,4 +1,4 @@
-"""The core of a guard: it decides. Its owner carries messages, and performs its orders."""
+"""The core of a guard: it decides. Its owner carries messages, and performs its task commands."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ class Core:
     """The monitor and the reactor of a rules file, together. After each message and each step of
     time, the reactor processes the verdicts of the monitor at the same instant (R1).
 
-    Fields, instants and errors are as in `rossmarie.Monitor`. Tasks, commands and orders are
-    indices in `machine.reactions`. A refused call changes nothing.
+    Fields, instants and errors are as in `rossmarie.Monitor`. Tasks, command topics and task
+    commands are indices in `machine.reactions`. A refused call changes nothing.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -49,7 +49,9 @@ class Core:
         return self._engine.has_all_inputs
 
     def open(self) -> None:
-        """Let commands pass. Before, every field of every command is bounded to zero (R12)."""
+        """Let commands pass. Before this call, every field of every command is bounded to zero
+        (R12).
+        """
         self._engine.open()
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
@@ -57,8 +59,8 @@ class Core:
         return self._engine.bounds(at_ns, command)
 
     def next_wake(self) -> int | None:
-        """The instant in nanoseconds at which `advance` has to be called if no message comes
-        before; None if there is none.
+        """The instant in ns at which the caller has to call `advance` if no message comes before;
+        None if there is none.
         """
         return self._engine.next_wake()
 
@@ -69,25 +71,25 @@ class Core:
     # --- events and time ---------------------------------------------------------------------
 
     def update(self, at_ns: int, values: Mapping[str, Value]) -> Reported:
-        """Messages arrive: one on each topic of which a field is named."""
+        """Process messages: one on each topic with a named field."""
         self._engine.update(as_instant(at_ns), self._values.messages(values))
         return self.take()
 
     def advance(self, at_ns: int) -> Reported:
-        """Time passes without a message; what is due at this very instant happens as well."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         self._engine.advance(as_instant(at_ns))
         return self.take()
 
     def reset(self, at_ns: int, rule: str | None = None) -> Reported:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear.
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared.
         """
         names = [each.name for each in self.machine.rules]
         self._engine.reset(as_instant(at_ns), None if rule is None else names.index(rule))
         return self.take()
 
     def report(self, at_ns: int, task: int, *, success: bool) -> Reported:
-        """Report the end of a task that was ordered to start. For a task that is not running,
+        """Report the end of a task that got the command to start. For a task that is not running,
         nothing follows (R6). Raises `IndexError` if there is no such task.
         """
         self._engine.report(as_instant(at_ns), task, success=success)
@@ -95,17 +97,17 @@ class Core:
 
     def watch_call(self, topic: str) -> Callable[..., int | None]:
         """The fastest call for one topic: `(at_ns, *scalars, *arrays)`, in the order of the
-        machine, with only those that rules read. Returns None if events or orders wait for `take`;
-        else the instant at which `advance` has to be called if no message comes before
-        (`ir.NEVER_NS`: never).
+        machine, with only the fields that rules read. It returns None if events or task commands
+        wait for `take`. Otherwise it returns the instant in ns at which the caller has to call
+        `advance` if no message comes before (`ir.NEVER_NS`: never).
 
-        Arrays are numpy arrays of float64 or float32. Raises `ValueError` for a topic of which
-        rules read lists; the returned function raises it for an instant out of range.
+        Arrays are NumPy arrays of float64 or float32. Raises `ValueError` for a topic with lists
+        that rules read; the returned function raises it for an instant out of range.
         """
         return self._engine.watch_call(self._topics.index(topic))
 
     def take(self) -> Reported:
-        """The events and orders since the last call, from the functions that `watch_call`
+        """The events and task commands since the last call, from the functions that `watch_call`
         returned.
         """
         return self._engine.take()

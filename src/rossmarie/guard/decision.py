@@ -46,7 +46,7 @@ Array = NDArray[Any]
 
 
 Before: TypeAlias = "tuple[int, bytes] | None"
-"""The instant and the facts of the previous observation; None at the first one."""
+"""The instant and the facts of the previous observation; None at the first observation."""
 
 
 def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
@@ -72,10 +72,11 @@ def feedback_between(
 
 @dataclass(frozen=True)
 class Request:
-    """A request of rules beside the action. `kind` says whether its `effect` starts, stops, or is
-    given up because another rule overrules it or because it has failed. `task` is its number; the
-    program that starts it reports its end with `Guard.report`. With `OrderKind.RETRACE`, send
-    `pose`: x, y and z in m, and with an orientation its quaternion (x, y, z, w).
+    """A request of rules beside the action. `kind` tells whether its `effect` starts or stops, or
+    whether the effect must be given up because another rule overrules it or because it has failed.
+    `task` is its number. The program that starts a task reports the task's end with `Guard.report`.
+    With `OrderKind.RETRACE`, send `pose`: x, y and z in m, and with an orientation its quaternion
+    (x, y, z, w).
     """
 
     kind: OrderKind
@@ -142,7 +143,7 @@ class Decision:
 
     @property
     def refused(self) -> bool:
-        """True if the proposed action had a number that is not finite."""
+        """True if the proposed action contained a number that is not finite."""
         return bool(self._note[0] & REFUSED)
 
     @property
@@ -164,8 +165,9 @@ class Decision:
     @property
     def margin(self) -> NDArray[np.float64]:
         """The distances of conditions to the point where their value changes, of shape (margins,),
-        in the order of `Guard.rules_with_margin`, each in the unit that its rule declares: positive
-        while the condition is false, negative while it is true, NaN while it is unknown.
+        in the order of `Guard.rules_with_margin`, each in the unit that its rule declares. A margin
+        is positive while the condition is false, negative while it is true, and NaN while it is
+        unknown.
         """
         return margins_in(self._note, self._reasons.meter)
 
@@ -203,7 +205,7 @@ class Decision:
             yield words + (f", by {', '.join(rules)}" if rules else "")
 
     def _changes(self) -> Iterator[tuple[str, list[str]]]:
-        """Each changed number, in words, and the rules that would change it alone."""
+        """Each changed number, in words, and the rules that alone would change it."""
         if self._given is None:
             return
         for part in self._reasons.wiring.commands:

@@ -14,8 +14,8 @@ Floats = NDArray[np.float64]
 
 
 class FeedbackMeter:
-    """The amounts of all rules. It works on one guard, with arrays of shape (rules,), and on guards
-    in a row, of shape (n, rules).
+    """The amounts of all rules. The meter works on one guard, with arrays of shape (rules,), and on
+    several guards, with arrays of shape (n, rules).
     """
 
     def __init__(self, machine: Machine) -> None:

@@ -48,8 +48,7 @@ _NEWS = CHANGED | REPORTED
 
 
 class Guard:
-    """A guard between a policy and its robot. Instants are integers in nanoseconds, which never go
-    back.
+    """A guard between a policy and its robot. Instants are integers in ns, which never decrease.
 
     A copy is an independent guard with the same state. Calls from several threads wait for each
     other.
@@ -73,11 +72,11 @@ class Guard:
         self.reason = started.reason
         self._engine = started.engine
         self.on_event: Callable[[Event], object] = _unheard
-        """Called with each verdict, in order, for logging."""
+        """A function that is called with each verdict, in order, for logging."""
         self._begin()
 
     def _begin(self) -> None:
-        self._reasons: Reasons  # connected by the first step
+        self._reasons: Reasons  # the first step connects the arrays
         self._step: StepCall = self._first_step
         self._topic_steps: Sequence[StepCall] = ()
         self._at_ns: int | None = None
@@ -160,7 +159,7 @@ class Guard:
             return self._decision(at_ns, executed, note, action)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Say which of some actions, of shape (k, m), would pass unchanged after the last
+        """For actions of shape (k, m), whether each would pass unchanged after the last
         observation, as a mask of shape (k,). Changes nothing. Raises the errors of `decide`.
         """
         if not isinstance(actions, np.ndarray):
@@ -187,7 +186,7 @@ class Guard:
         note: bytes | None = None
         for step in self._topic_steps:
             note = step(at_ns, observation, None)
-            if note is None:  # for the first topic: then nothing has changed
+            if note is None:  # for the first topic; the refused call has changed nothing
                 return None
         return note
 
@@ -201,8 +200,8 @@ class Guard:
         return Decision(at_ns, executed, note, self._reasons, before, earlier, given, requests)
 
     def _see(self, at_ns: int, note: bytes) -> None:
-        """Record an observation, and the observation before it. Of earlier observations without a
-        decision, record only the feedback.
+        """Record an observation, and the observation before it. Earlier observations without a
+        decision contribute only their feedback.
         """
         self._at_ns = at_ns
         if self._is_decided:
@@ -223,8 +222,8 @@ class Guard:
             self._note(self._engine.take_events())
 
     def reset(self, rule: str | None = None) -> None:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear. Raises `ValueError` for an unknown rule.
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared. Raises `ValueError` for an unknown rule.
         """
         if rule is not None and rule not in self.rules:
             near = near_name(rule, self.rules)
@@ -242,7 +241,7 @@ class Guard:
             self._begin()
 
     def batch(self, count: int) -> GuardBatch:
-        """A batch of `count` guards with the same rules and declarations, in the first state."""
+        """A batch of `count` guards with the same rules and declarations, in the initial state."""
         return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
@@ -348,7 +347,9 @@ class Guard:
         )
 
     def _require_fit(self, at_ns: int, observation: Array | None, action: Array | None) -> None:
-        """Raise an error for misfits. With the first action, connect again for its size."""
+        """Raise an error if the arguments do not fit. The first action connects the arrays
+        again.
+        """
         assert self._sizes is not None
         if action is not None and self._sizes[1] is None:
             require_array("action", action)
@@ -370,7 +371,7 @@ class Guard:
             )
 
     def _take(self) -> tuple[Request, ...]:
-        """Record the reported events and orders. Returns the requests."""
+        """Record the reported events and task commands. Returns the requests."""
         reported = self._engine.take()
         self._note(reported.events)
         return tuple(requests_of(self.machine, reported.orders, self._acted))
@@ -388,11 +389,11 @@ class Guard:
 
 
 def _unheard(_: Event) -> None:
-    """Ignore an event: there is no log."""
+    """Ignore an event, because there is no log."""
 
 
 def _again(machine: Machine, observe: Declared, act: Declared, state: GuardState) -> Guard:
-    """A guard with the state of another one. Raises the errors of `restore`."""
+    """A guard with the state of another guard. Raises the errors of `restore`."""
     guard = Guard(machine, observe, act)
     guard.restore(state)
     return guard

@@ -1,12 +1,12 @@
-"""Declarations of what the numbers of observations and actions are, checked against a rules file.
+"""Declarations of the numbers in observations and actions, checked against a rules file.
 
     observe={"speed": 0, "force.z": (8, "N"), "joints.position": slice(1, 8), "battery": None}
     act={"/cmd_vel.linear.x": 0, "angular.z": (1, "deg/s")}
 
-A number is given by its index, an array by a slice, followed by a unit if it differs from the unit
-of the message. None is a field that the arrays do not contain. An array with named elements is
-given by a slice, too, or element by element: `efforts.elbow`. A query about skills is given by its
-words, `doing Push(Object: Fragile)`, and is 1 or 0.
+An index gives a number, a slice gives an array. A unit follows if it differs from the unit of the
+message. None is for a field that the arrays do not contain. For an array with named elements, give
+a slice, or declare each element: `efforts.elbow`. A query about skills has its words as name,
+`doing Push(Object: Fragile)`, and is 1 or 0.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class MappingError(ValueError):
 
 @dataclass(frozen=True)
 class _Entry:
-    """A declared field. `part` has everything but the indexes. A `listed` entry is an element of
+    """A declared field. `part` has everything except the indexes. A `listed` entry is an element of
     the declared array.
     """
 
@@ -302,7 +302,7 @@ def _full_name(topic: str, field: CommandField) -> str:
 
 
 def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
-    """The names of all fields of commands: with the topic, or by any unique ending."""
+    """The names of all fields of commands: with the topic, or by any unique end of the path."""
     found: list[tuple[str, tuple[int, int]]] = []
     for number, command in enumerate(machine.reactions.commands):
         for index, field in enumerate(command.fields):
@@ -317,8 +317,8 @@ def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
 def _converted(
     name: str, unit: str, of_message: str, scale: float | None = None, offset: float = 0.0
 ) -> Part:
-    """The part of a field whose unit differs from that of its message. The number of a message
-    becomes SI by its own scale and offset, or by those of its unit.
+    """The part of a field whose unit differs from that of its message. The message's own scale and
+    offset, or those of its unit, convert a number of a message to SI.
     """
     given, wanted = _parsed(name, unit), _parsed(name, of_message)
     if given.dimension != wanted.dimension:

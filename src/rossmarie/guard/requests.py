@@ -1,4 +1,4 @@
-"""The orders of a reactor that the owner of a guard has to perform."""
+"""The task commands of a reactor that the owner of a guard has to perform."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from rossmarie.ir.reactions import (
 def requests_of(
     machine: Machine, orders: Sequence[Order], acted: Collection[int]
 ) -> Iterator[Request]:
-    """The orders that the guard does not perform itself, if actions contain the commands
+    """The task commands that the guard does not perform itself, if actions contain the commands
     `acted`.
     """
     reactions = machine.reactions

@@ -19,8 +19,8 @@ from rossmarie.guard import Declared, MappingError
 from rossmarie.gym.observations import Array, Spots
 
 Allows: TypeAlias = Callable[[Array], NDArray[np.bool_]]
-"""A query whether flat actions, of shape (k, m), would pass unchanged. The answer has the shape
-(k,) or (n, k).
+"""A function that says which flat actions, of shape (k, m), would pass unchanged. Its result has
+the shape (k,) or (n, k).
 """
 
 
@@ -30,12 +30,10 @@ class Actions(Protocol):
     declared: Declared
     """The meaning of the numbers of flat actions, for a guard."""
     size: int
-    """The size of a flat action."""
+    """The number of values in a flat action."""
 
     def flat(self, action: Any) -> Array:
-        """Actions as flat arrays. Raises `ValueError` for a value that is not an action of the
-        space.
-        """
+        """Actions as flat arrays. Raises `ValueError` if a value is not an action of the space."""
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
         """The actions to execute, from the proposed actions and the actions that the guard has
@@ -71,7 +69,7 @@ class Vectors:
         }
 
     def flat(self, action: Any) -> Array:
-        """Actions as flat arrays. Only values that are not arrays are copied."""
+        """Actions as flat arrays. Values that are arrays are not copied."""
         array = np.asarray(action)
         leading = array.shape[: array.ndim - len(self._shape)]
         if array.shape != (*leading, *self._shape):
@@ -83,7 +81,7 @@ class Vectors:
         return bounded.reshape(np.shape(action))
 
     def mask(self, _: Allows, /) -> None:
-        """There is no mask."""
+        """None, because actions are not choices."""
 
 
 class Choices:
@@ -119,7 +117,7 @@ class Choices:
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
         """The choices themselves if they pass unchanged; otherwise the passing choice nearest to
-        the bounded numbers. If none passes, the nearest choice.
+        the bounded numbers. If no choice passes, the nearest choice.
         """
         is_changed = (bounded != self.flat(action)).any(axis=-1)
         if not is_changed.any():

@@ -18,16 +18,18 @@ from rossmarie.gym.observations import Array, Spots
 class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
     """An environment that executes only permitted actions.
 
-    When the guard bounds an action, it has processed the same
-    observation as the policy. Then it processes the next observation, one period later. Time is
-    counted in steps, from 0 in each episode. `info` has:
+    When the guard bounds an action, it has processed the same observation as the policy. Then it
+    processes the next observation, one period later. Time is counted in steps, from 0 in each
+    episode. `info` has these entries:
 
-                                - `guard`: the actions `proposed` and `executed`, `intervened` (True
-    if they differ, or would differ if the rules were enforced), `active` (a mask of the active
-    rules at the new observation, in the order of `rules`), `feedback` (of each rule for this step)
-    and `margin` (at the new observation, in the order of `rules_with_margin`);
-    - `cost`: 1.0 if a rule was active in the step, added to that of the environment if it has one;
-    - `action_mask`, for choices: 1 for each choice that would pass unchanged in the next step;
+    - `guard`: a dictionary with these entries:
+        - `proposed` and `executed`: the actions;
+        - `intervened`: True if the actions differ, or would differ if the rules were enforced;
+        - `active`: a mask of the active rules at the new observation, in the order of `rules`;
+        - `feedback`: the feedback of each rule for this step;
+        - `margin`: the margins at the new observation, in the order of `rules_with_margin`.
+    - `cost`: 1.0 if a rule was active in the step, plus the environment's own cost, if it has one.
+    - `action_mask`, for choices: 1 for each choice that would pass unchanged in the next step.
     - `no_choice_passes`, for choices: True if the whole mask is 0. Then the choice nearest to the
       permitted numbers is executed, although the rules do not permit it.
     """
@@ -49,7 +51,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
     ) -> None:
         """`observe` and `act` are the declarations of `Monitor.guard`. In a dictionary of
         observations, the key precedes the place; for choices, `act` has a list with the number of
-        each choice. `latched` says whether a latched rule holds the robot or truncates the episode.
+        each choice. With `latched`, a latched rule holds the robot or truncates the episode.
         `targets` maps names of `act` that are target positions to the numbers of the observation
         with the present position. With `with_feedback`, the feedback of all rules is subtracted
         from the reward. `substeps` is the number of physics steps of the environment in a step;
@@ -57,7 +59,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         `enforce`, actions are executed as proposed, and the guard only reports its decisions. With
         `one_by_one`, the topics of an observation arrive one after another, as at a ROS node; then
         verdicts equal those of a node, also for rules that use several topics. `rules` is a file,
-        or a monitor of it.
+        or a monitor of a file.
 
         Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
         fit the rules or the spaces.
@@ -140,8 +142,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
 
     def observe_substep(self, observation: Any) -> None:
         """Let the guard process an observation within a step, after one more substep. Environments
-        call it. The reactions of rules take effect in the next step. Raises `ValueError` outside a
-        step, and after the last substep.
+        call this method. The reactions of rules take effect in the next step. Raises `ValueError`
+        outside a step, and after the last substep.
         """
         if self._taken == self._substeps:
             raise ValueError(

@@ -38,8 +38,8 @@ class Declarations:
 
 
 class Passed(NamedTuple):
-    """One action or several: as proposed, as executed, and whether the rules have changed it, or
-    would have.
+    """One action or several: the proposed actions, the executed actions, and a flag for each. The
+    flag is True if the rules have changed the action, or would have changed it.
     """
 
     proposed: Any
@@ -96,8 +96,8 @@ class Interface:
         allows: Allows,
         which: NDArray[np.bool_] | None = None,
     ) -> Passed:
-        """Let one action or several pass, as far as the rules allow. `decide` bounds flat actions.
-        With many environments, only those that `which` marks execute their actions.
+        """Pass one action or several, as far as the rules allow. `decide` bounds flat actions. With
+        many environments, only those that `which` marks execute their actions.
         """
         proposed = self.actions.flat(action)
         speeds = self.targets.speeds(proposed)

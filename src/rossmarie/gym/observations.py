@@ -17,9 +17,9 @@ from rossmarie.ir import near_name
 Array: TypeAlias = NDArray[Any]
 Index: TypeAlias = "int | slice"
 Spot: TypeAlias = "Place | str | tuple[str, Index] | tuple[str, Index, str] | list[Any]"
-"""The place of a field: a place of `Guard` or, in an observation that is a dictionary, the key of
-an entry and the place in it (`"arm.joints"` for a nested entry). A key alone means all numbers of
-the entry. A list is the same as a tuple, for specifications from JSON.
+"""The place of a field. It is a place of `Guard`. If an observation is a dictionary, it is the key
+of an entry and the place in the entry (`"arm.joints"` for a nested entry). A key alone means all
+numbers of the entry. A list is the same as a tuple, for specifications from JSON.
 """
 
 Spots: TypeAlias = Mapping[str, Spot]
@@ -28,7 +28,7 @@ _FLOATS = (np.float64, np.float32)
 
 @dataclass(frozen=True)
 class _Leaf:
-    """An entry of observations with numbers, `size` of them, beginning at `first`."""
+    """An entry of observations with `size` numbers, beginning at `first`."""
 
     keys: tuple[str | int, ...]
     first: int
@@ -43,7 +43,7 @@ class Observations:
     """The observations of one environment."""
 
     def __init__(self, space: Space[Any]) -> None:
-        """Raises `MappingError` for a space that contains anything but numbers."""
+        """Raises `MappingError` for a space that contains other values than numbers."""
         self._leaves: list[_Leaf] = []
         for keys, part in _parts(space, ()):
             first = self._leaves[-1].first + self._leaves[-1].size if self._leaves else 0

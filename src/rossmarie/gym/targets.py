@@ -49,8 +49,8 @@ class Targets:
         return moved
 
     def back(self, flat: Array, speeds: Array, bounded: Array) -> Array:
-        """The actions to execute: bounded speeds become targets, which are not further from the
-        last targets.
+        """The actions to execute. Bounded speeds become targets; rounding moves these only towards
+        the last targets.
         """
         if not self._places:
             return bounded

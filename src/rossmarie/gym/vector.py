@@ -21,9 +21,9 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
     """Environments that execute only permitted actions, each like a `GuardedEnv`.
 
     `infos` has the same entries, with a row for each environment, and masks in Gymnasium's form.
-    `metadata["autoreset_mode"]` determines how an episode ends and the next one begins. In
-    NEXT_STEP, the step in which an environment begins anew ignores its action: `_executed` is
-    False.
+    `metadata["autoreset_mode"]` determines how an episode ends and the next episode begins. In
+    NEXT_STEP, an environment ignores its action in the step in which it begins an episode; then
+    `_executed` is False.
     """
 
     def __init__(
@@ -39,8 +39,8 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         with_feedback: bool = False,
         enforce: bool = True,
     ) -> None:
-        """The arguments are those of `GuardedEnv`. Environments that begin anew by themselves do
-        not know that a latched rule has truncated an episode, so for them `latched` is "hold";
+        """The arguments are those of `GuardedEnv`. Environments that begin episodes by themselves
+        do not know that a latched rule has truncated an episode, so for them `latched` is "hold";
         alternatively, make each of them a `GuardedEnv`. Raises the errors of `GuardedEnv`.
         """
         super().__init__(env)
@@ -134,7 +134,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         return active, margin
 
     def _last(self, seen: Array, infos: Mapping[str, Any], ended: Mask) -> Array:
-        """The last observations of ended episodes, which SAME_STEP returns beside the first
+        """The last observations of ended episodes. SAME_STEP returns them beside the first
         observations of the next episodes.
         """
         if self._mode is not AutoresetMode.SAME_STEP or not ended.any():
@@ -165,7 +165,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
 
 
 def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:
-    """The mode in which environments begin anew."""
+    """The mode in which environments begin new episodes."""
     if "autoreset_mode" not in env.metadata:
         logger.warn(f"{env} does not say its autoreset_mode; its guard goes by NEXT_STEP")
         return AutoresetMode.NEXT_STEP

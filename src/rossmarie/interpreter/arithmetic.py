@@ -1,7 +1,7 @@
 """Functions of numbers (rules S3 to S6), computed as the core defines them.
 
-Python's floats are IEEE binary64 and round like C's doubles. If C returns an infinity or NaN and
-Python raises, this module returns the result of C.
+Python's floats are IEEE binary64 and round like C's doubles. If C returns an infinity or NaN where
+Python raises an exception, this module returns the result of C.
 """
 
 from __future__ import annotations
@@ -46,13 +46,13 @@ def plain(function: AnyFunction, operands: tuple[float, ...]) -> float:
 
 
 def of_samples(function: Sampling, views: tuple[float, ...]) -> float:
-    """The value of a function of samples, from its views of them (S4, S8)."""
+    """The value of a function of samples, from the function's views of them (S4, S8)."""
     value = _sampling_program(function)(views)
     return value if sampling_row(function).keeps_infinities else finite_or_nan(value)
 
 
 def finite_or_nan(value: float) -> float:
-    """A number that is not finite is unknown (S4)."""
+    """The number, or NaN if the number is not finite (S4)."""
     return value if math.isfinite(value) else NAN
 
 

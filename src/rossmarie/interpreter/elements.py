@@ -29,8 +29,8 @@ class Elements:
         self._arrays = ir.element_arrays(machine)
 
     def fold(self, node: ir.Fold) -> float:
-        """The least or greatest element; NaN if an element is NaN, or the array is unknown (S23).
-        Over an empty list, the neutral element of the fold (S53).
+        """The least or greatest element. NaN if an element is NaN, or if the array is unknown
+        (S23). Over an empty list, the result is the neutral element of the fold (S53).
         """
         if not self._is_known(self._arrays.signals[node.element]):
             return NAN
@@ -40,8 +40,8 @@ class Elements:
         return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values, first)
 
     def count(self, node: ir.Count) -> float:
-        """The number of elements for which a proposition is true; NaN if it is unknown for one
-        element, or the array is unknown (S24).
+        """The number of elements for which a proposition is true. NaN if the proposition is unknown
+        for an element, or if the array is unknown (S24).
         """
         values = self._propositions(node.element)
         if (
@@ -52,7 +52,7 @@ class Elements:
         return float(values.count(TruthValue.TRUE))
 
     def quantified(self, node: ir.Quantified) -> TruthValue:
-        """Kleene's disjunction or conjunction over the elements; unknown if the array is unknown
+        """Kleene's disjunction or conjunction over the elements. Unknown if the array is unknown
         (S25).
         """
         if not self._is_known(self._arrays.propositions[node.element]):

@@ -1,7 +1,7 @@
 """One evaluation: every signal, then every proposition, from left to right.
 
-The inputs in memory are updated before. All nodes are evaluated each time; a target may skip nodes
-that cannot have changed.
+The inputs in memory are up to date before an evaluation. All nodes are evaluated each time; a
+target may skip nodes that cannot have changed.
 """
 
 from __future__ import annotations
@@ -81,7 +81,9 @@ class Evaluator:
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> float:
-        """S26, S74: computed when the elements arrive, forgotten when an input expires."""
+        """S26, S74: results are computed when the elements arrive, and forgotten when an input
+        expires.
+        """
         support = self._supports.signals[index]
         if support.channels & updated:
             if isinstance(node, ir.Fold):
@@ -97,7 +99,9 @@ class Evaluator:
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> float:
-        """S18 and S21. A function that feeds back stores its result instead of a sample."""
+        """S18 and S21: take a sample. A function that feeds back stores its result instead of a
+        sample.
+        """
         support = self._supports.signals[node.signal]
         samples = self._memory.samples[index]
         feeds_back = sampling_row(node.function).feeds_back
@@ -170,7 +174,7 @@ class Evaluator:
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> TruthValue:
-        """S26, S74, as for folds."""
+        """S26, S74: the same as for folds."""
         support = self._supports.propositions[index]
         if support.channels & updated:
             self._memory.quantified[index] = self.elements.quantified(node)
@@ -179,7 +183,7 @@ class Evaluator:
         return self._memory.quantified[index]
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> TruthValue:
-        """S30: an unknown leaf is stale if the cause is an input with a timeout that is missing."""
+        """S30: an unknown leaf is stale if the cause is a missing input with a timeout."""
         support = self._supports.propositions[index]
         lacking = {
             self._machine.slots[slot].input
@@ -196,9 +200,8 @@ class Evaluator:
         return TruthValue.STALE if is_stale else TruthValue.UNKNOWN
 
     def _is_excused(self, support: ir.Support) -> bool:
-        """S30: say whether a leaf is unknown because of its operands and not because of its
-        arithmetic: a missing number, elements out of range (REP 117), an empty list, or a sample
-        that has not come yet.
+        """S30: say whether operands, not arithmetic, make a leaf unknown: a missing number,
+        elements out of range (REP 117), an empty list, or a sample that has not come yet.
         """
         memory, supports = self._memory, self._supports.signals
         values = [memory.slots[slot] for slot in support.slots]
@@ -211,7 +214,7 @@ class Evaluator:
         return not all(value < math.inf for value in values) or -math.inf in of_lists
 
     def _age_reaches(self, node: ir.AgeReaches, at_ns: int) -> TruthValue:
-        """S31."""
+        """S31: the age of an input."""
         memory = self._memory.inputs[node.input]
         if memory.state is InputState.NEVER:
             return TruthValue.UNKNOWN
@@ -220,7 +223,7 @@ class Evaluator:
     def _oscillates(
         self, index: int, node: ir.Oscillates, at_ns: int, updated: frozenset[int]
     ) -> TruthValue:
-        """S32."""
+        """S32: an oscillation."""
         channels = self._supports.signals[node.signal].channels
         if not channels:
             return TruthValue.FALSE
@@ -235,14 +238,14 @@ class Evaluator:
         return oscillation.recent.look(source, node.window_ns, at_ns)
 
     def _recurs(self, index: int, node: ir.Recurs, at_ns: int) -> TruthValue:
-        """S48."""
+        """S48: a count of edges."""
         operand = self._known(node.operand)
         recurrence = self._memory.recurrences[index]
         recurrence.take(operand, at_ns)
         return recurrence.recent.look(operand, node.window_ns, at_ns)
 
     def _held(self, index: int, node: ir.Held, at_ns: int) -> TruthValue:
-        """S33."""
+        """S33: a `for`."""
         operand = self._known(node.operand)
         held = self._memory.held[index]
         if operand is not TruthValue.TRUE:
@@ -253,7 +256,7 @@ class Evaluator:
         return TruthValue.TRUE if at_ns - held.start_ns >= node.duration_ns else held.before
 
     def _since(self, index: int, node: ir.Since) -> TruthValue:
-        """S44."""
+        """S44: a `since`."""
         held, begun = self._known(node.held), self._known(node.begun)
         before = kleene.disjunction((begun, self._memory.since[index]))
         value = kleene.disjunction((begun, kleene.conjunction((held, before))))

@@ -30,7 +30,7 @@ _BLOCKED = FieldBounds(1.0, 0.0, 0.0)
 
 @dataclass
 class Force:
-    """The state of a limit: in force, or the instant from which it is being lifted."""
+    """The state of a limit: in force, or the instant since which it is being lifted."""
 
     is_on: bool = False
     lifted_ns: int | None = None
@@ -74,17 +74,17 @@ class Filter:
         self._is_open = True
 
     def lifted_ns(self, task: int) -> int:
-        """The instant from which a limit is being lifted; `NEVER_NS` for all other tasks."""
+        """The instant since which a limit is being lifted; `NEVER_NS` for all other tasks."""
         force = self._forces.get(task, _NOTHING)
         return ir.NEVER_NS if force.lifted_ns is None else force.lifted_ns
 
     def start(self, task: int) -> None:
-        """Note that a task is ordered to start. Only limits and scales matter."""
+        """Note the start of a task. Only limits and scales matter."""
         if task in self._forces:
             self._forces[task] = Force(is_on=True)
 
     def stop(self, task: int, at_ns: int) -> None:
-        """Note that a task is ordered to stop."""
+        """Note the end of a task."""
         if task in self._forces:
             self._forces[task] = Force(is_on=False, lifted_ns=at_ns)
 

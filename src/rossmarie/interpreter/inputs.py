@@ -64,8 +64,8 @@ class Inputs:
         return None if ir.known_count(values, columns, most) is None else values.arrays[index]
 
     def restart(self, at_ns: int) -> None:
-        """S17: after a jump, every input is as old as before. No limit on an age is above
-        `LONGEST_NS`, so older inputs count as that old.
+        """S17: after a jump, every input is as old as before. No limit of an age is above
+        `LONGEST_NS`, so the ages of older inputs are set to `LONGEST_NS`.
         """
         now_ns = self._memory.now_ns
         assert now_ns is not None, "only a clock that ran can jump"

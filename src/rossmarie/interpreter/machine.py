@@ -1,8 +1,8 @@
 """The executable semantics of a machine: the reference for every target.
 
-The input is a machine that `ir.verify` has passed. The code follows `docs/explanation/semantics.md`
-rule by rule (S1, S2, ... in the comments) and prefers clarity to speed: every node is evaluated
-every time.
+The input is a machine that `ir.verify` has accepted. The code follows
+`docs/explanation/semantics.md` rule by rule (S1, S2, ... in the comments) and prefers clarity to
+speed: every node is evaluated every time.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rossmarie.ir import (
 
 class Interpreter:
     """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside that range.
+    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside this range.
     """
 
     def __init__(self, machine: ir.Machine) -> None:
@@ -75,7 +75,7 @@ class Interpreter:
         return tuple(present.state for present in self._memory.inputs)
 
     def age_ns(self, used: int) -> int | None:
-        """The age of the last message of an input; None before the first."""
+        """The age in ns of the last message of an input; None before the first message."""
         present = self._memory.inputs[used]
         if present.state is InputState.NEVER or self._memory.now_ns is None:
             return None
@@ -83,14 +83,14 @@ class Interpreter:
 
     def latch(self, rule: int) -> None:
         """Before the first event, make a latched rule active, as it was when its state was saved
-        (S42). Afterwards, and on other rules, this has no effect.
+        (S42). After the first event, and for other rules, this method has no effect.
         """
         if self._memory.now_ns is None and self._machine.rules[rule].release is None:
             self._active[rule] = True
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` has to be called if no message comes before (S15); None if
-        there is none.
+        """The instant at which the caller has to call `advance` if no message comes before (S15);
+        None if there is none.
         """
         return next_wake(self._machine, self._memory)
 
@@ -101,7 +101,7 @@ class Interpreter:
         return events + self._evaluate(at_ns, frozenset(messages))
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         is_new = self._memory.now_ns is None or at_ns < self._memory.now_ns
         events = self._catch_up(at_ns)
         wake_ns = self.next_wake()
@@ -111,8 +111,8 @@ class Interpreter:
         return events
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear (S38).
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared (S38).
         """
         events = self.advance(at_ns)
         resettable = range(len(self._machine.rules)) if rule is None else (rule,)
@@ -138,7 +138,9 @@ class Interpreter:
         return events
 
     def _evaluate(self, at_ns: int, updated: frozenset[int] = frozenset()) -> list[Event]:
-        """One evaluation: inputs expire, everything is computed, rules change (S11)."""
+        """One evaluation: inputs expire, all signals and propositions are computed, rules change
+        (S11).
+        """
         expired = self._inputs.expire(at_ns)
         self._evaluator.evaluate(at_ns, updated, expired)
         self._memory.now_ns = at_ns

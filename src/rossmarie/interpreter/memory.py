@@ -1,5 +1,5 @@
-"""The memory of a monitor between two evaluations. Its size is bounded: nothing grows with the
-trace.
+"""The memory of a monitor between two evaluations. Its size is bounded, because nothing grows with
+the trace.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class InputMemory:
 
 class Samples:
     """The last two samples of a signal (S18), or the samples in a window, at most `MOST_SAMPLES`.
-    For a function that feeds back (S50), its results.
+    For a function that feeds back (S50), they are its results.
     """
 
     def __init__(self, node: ir.Sampled) -> None:
@@ -88,8 +88,8 @@ class Samples:
 
 @dataclass
 class HeldMemory:
-    """The instant from which the operand of a `for` has been true, and its value before (S33).
-    Before the start, the operand counts as true only if declared so.
+    """The instant since which the operand of a `for` has been true, and its value before (S33).
+    Before the start, the operand counts as true only if the `for` states so.
     """
 
     start_ns: int | None = None
@@ -108,8 +108,8 @@ class Direction(enum.Enum):
 class Recent:
     """The instants of the last few turning points or edges, counted within a window (S32, S48).
 
-    `gap` is the value of their source when it was last unknown, and `gap_end_ns` the instant at
-    which that ended; None while it lasts.
+    `gap` is the value of their source when the source was last unknown. `gap_end_ns` is the instant
+    at which the gap ended; None while the gap lasts.
     """
 
     instants: deque[int]
@@ -134,7 +134,7 @@ class Recent:
         return self.gap if is_near else TruthValue.FALSE
 
     def oldest_ns(self) -> int | None:
-        """The instant of the n-th latest; None if there are fewer."""
+        """The instant of the n-th latest turning point or edge; None if there are fewer."""
         return self.instants[0] if len(self.instants) == self.instants.maxlen else None
 
 
@@ -190,9 +190,9 @@ class Oscillation:
 @dataclass
 class Memory:
     """The whole memory, by the indices of the machine. Elementwise signals and propositions have no
-    entry of their own: they stay NaN and None. `since` holds the value of each `since` at the last
-    evaluation. An unknown array is None. `quantified` holds the answers of quantifiers, computed
-    when their elements arrived (S26).
+    entries of their own: their values stay NaN and None. `since` contains the value of each `since`
+    at the last evaluation. An unknown array is None. `quantified` contains the results of
+    quantifiers, computed when their elements arrived (S26).
     """
 
     slots: list[float]
@@ -210,7 +210,7 @@ class Memory:
     now_ns: int | None = None
 
     def restart(self, at_ns: int) -> None:
-        """Forget everything that was measured against a clock (S17)."""
+        """Forget everything that was measured by the clock (S17)."""
         for samples in self.samples.values():
             samples.forget()
         for oscillation in self.oscillations.values():

@@ -1,8 +1,8 @@
 """The executable semantics of reactions: the reference for the generated reactors.
 
-The input is the reactions of a machine that `ir.verify` has passed. The code follows
+The input is the reactions of a machine that `ir.verify` has accepted. The code follows
 `docs/explanation/reactions.md` rule by rule (R1, R2, ... in the comments). The reactor decides and
-remembers. Its owner carries out the orders, and reports their results.
+remembers. Its owner carries out the task commands, and reports their results.
 """
 
 from __future__ import annotations
@@ -49,12 +49,12 @@ class Engagement:
 
 
 class Reactor:
-    """Turns the activity of rules into orders. Instants are nanoseconds on one clock, between
-    `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside that range.
+    """Derives task commands from active rules. Instants are nanoseconds on one clock, between
+    `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside this range.
 
-    `active` holds, for each rule, whether it is active and not exempted (R1), and `watches` the
+    `active` contains, for each rule, whether it is active and not exempted (R1). `watches` are the
     values of the confirmations of `cancel`, in the order of `Machine.watches`. `readings` are the
-    numbers for memories of poses, in the order of `Machine.readings`; without them nothing is
+    numbers for memories of poses, in the order of `Machine.readings`; without them no pose is
     recorded.
     """
 
@@ -78,8 +78,8 @@ class Reactor:
 
     @property
     def since_ns(self) -> tuple[int, ...]:
-        """The instant from which each task has been in its state; `NEVER_NS` for an idle task,
-        unless it is a limit or scale that was lifted.
+        """The instant since which each task has been in its state. For an idle task it is
+        `NEVER_NS`, unless the task is a limit or scale that was lifted.
         """
         return tuple(
             self._filter.lifted_ns(task) if progress.state is State.IDLE else progress.started_ns
@@ -99,7 +99,7 @@ class Reactor:
         watches: Sequence[TruthValue],
         readings: Sequence[float] = (),
     ) -> list[Order]:
-        """The orders that follow from the active rules at an instant."""
+        """The task commands that follow from the active rules at an instant."""
         self._set_clock(at_ns)
         engaged = self._engaged(active)
         for rule, is_engaged in enumerate(engaged):
@@ -117,7 +117,7 @@ class Reactor:
     def report(
         self, at_ns: int, task: int, success: bool, watches: Sequence[TruthValue]
     ) -> list[Order]:
-        """The orders that follow from the end of a task; none for a task that is not running
+        """The task commands that follow from the end of a task; none for a task that is not running
         (R6).
         """
         self._set_clock(at_ns)
@@ -141,7 +141,7 @@ class Reactor:
         return self._filter.bounds(at_ns, command)
 
     def _engaged(self, active: Sequence[bool]) -> list[bool]:
-        """R1: for each rule, whether it is carried out."""
+        """R1: for each rule, whether its plan is carried out."""
         return [
             active[rule] and not any(active[other] for other in plan.unless)
             for rule, plan in enumerate(self._reactions.plans)
@@ -160,7 +160,7 @@ class Reactor:
         self._now_ns = at_ns
 
     def _deadlines(self, *states: State) -> list[tuple[int, int]]:
-        """The tasks in these states whose end is awaited, each with the instant of its timeout."""
+        """The awaited tasks in these states, each with the instant of its timeout."""
         return [
             (task, progress.started_ns + timeout_ns)
             for task, progress in enumerate(self._tasks)
@@ -171,8 +171,8 @@ class Reactor:
     # --- resources ---------------------------------------------------------------------------
 
     def _overruler(self, task: int) -> int | None:
-        """R2: the engaged rule that owns the resource of a task; None if it is the task's own rule,
-        or publishes the same message.
+        """R2: the engaged rule that owns the resource of a task. None if this is the task's own
+        rule, or if the owner publishes the same message.
         """
         resource = self._reactions.tasks[task].resource
         if resource is None:
@@ -187,8 +187,8 @@ class Reactor:
         return not self._rests(rule) and resource in needed
 
     def _pass_resources_on(self) -> None:
-        """R8: first everything is given up, then the consequences follow, then tasks start
-        again.
+        """R8: first, tasks give up their resources; then the escalations start; then waiting tasks
+        start again.
         """
         overruled = {
             task: by
@@ -234,8 +234,8 @@ class Reactor:
             self._escalate()
 
     def _start(self, tasks: Iterable[int]) -> None:
-        """R4, R7: tasks whose resource another rule owns do not start. An escalation that has
-        followed an earlier failure does not follow again (R6).
+        """R4, R7: start tasks, except those whose resource another rule owns. An escalation that
+        has followed an earlier failure does not follow again (R6).
         """
         for task in tasks:
             if self._tasks[task].state is not State.IDLE:
@@ -286,8 +286,8 @@ class Reactor:
         self._engagements[rule] = None
 
     def _settle(self, watches: Sequence[TruthValue]) -> list[Order]:
-        """Handle ends of tasks (R4, R15), then start following stages (R5). Returns all orders of
-        the call.
+        """Handle the ends of tasks (R4, R15), then start the next stages (R5). Returns all task
+        commands of the call.
         """
         for task, due_ns in self._deadlines(State.RUNNING):
             is_over = self._tasks[task].is_reported and self._is_confirmed(task, watches)
@@ -337,7 +337,7 @@ class Reactor:
             if self._reactions.tasks[other].resource == resource
         )
 
-    # --- orders ------------------------------------------------------------------------------
+    # --- task commands -----------------------------------------------------------------------
 
     def _order(self, kind: OrderKind, task: int, by: int | None = None) -> None:
         self._orders.append(Order(kind, task, by))

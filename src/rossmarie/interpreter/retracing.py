@@ -15,8 +15,8 @@ Pose = tuple[float, ...]
 
 @dataclass
 class _Kept:
-    """The poses of a memory, the oldest first, the instant of the last recording, and whether all
-    readings were known at the last evaluation.
+    """The poses of a memory, the oldest pose first, the instant of the last recording, and whether
+    all readings were known at the last evaluation.
     """
 
     memory: Memory
@@ -46,7 +46,9 @@ class _Kept:
 
 
 class Retracing:
-    """All memories of a machine, and the instant at which each retracing task has last sent."""
+    """All memories of a machine, and the instant at which each retracing task sent its last
+    pose.
+    """
 
     def __init__(self, reactions: Reactions) -> None:
         tasks = enumerate(reactions.tasks)
@@ -69,13 +71,13 @@ class Retracing:
         )
 
     def set_back(self, by_ns: int) -> None:
-        """R14."""
+        """R14: set all instants back."""
         self._sent_ns = {task: sent_ns - by_ns for task, sent_ns in self._sent_ns.items()}
         for kept in self._memories:
             kept.recorded_ns -= by_ns
 
     def record(self, at_ns: int, engaged: Sequence[bool], readings: Sequence[float]) -> None:
-        """R16: record nothing while a rule that retraces the memory is carried out."""
+        """R16: record a pose, except while a rule that retraces the memory is carried out."""
         for kept in self._memories if readings else ():
             pose = tuple(readings[each] for each in kept.memory.readings)
             kept.is_known = all(map(math.isfinite, pose))
@@ -103,7 +105,7 @@ class Retracing:
         return [each for each in due if each is not None]
 
     def _due_ns(self, task: int) -> int | None:
-        """The instant from which a task may send its next pose; None if it has none, or if the
+        """The instant from which a task may send its next pose; None if there is no pose, or if the
         robot's position is unknown.
         """
         effect = self._effects.get(task)

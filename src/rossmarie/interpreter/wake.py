@@ -45,7 +45,9 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 
 
 def _window_since_ns(recent: Recent, value: TruthValue | None) -> int | None:
-    """The begin of the window at whose end a proposition changes (ns); None if it does not."""
+    """The beginning in ns of the window at whose end a proposition changes; None if it does not
+    change.
+    """
     match value:
         case TruthValue.TRUE:
             oldest_ns = recent.oldest_ns()

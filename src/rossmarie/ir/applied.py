@@ -1,4 +1,4 @@
-"""The functions of numbers that a machine calls. Targets define only these."""
+"""The functions of numbers that a machine calls. Targets define only these functions."""
 
 from __future__ import annotations
 

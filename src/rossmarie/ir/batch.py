@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import Array, Machine, Slot
 
-if TYPE_CHECKING:  # numpy is slow to import, and most commands never need it
+if TYPE_CHECKING:  # NumPy is slow to import, and most commands do not need it
     import numpy as np
     from numpy.typing import NDArray
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:  # numpy is slow to import, and most commands never need it
 
 
 class Elements(NamedTuple):
-    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. If `known` is 0,
+    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. If `known[i]` is 0,
     update i has no such array; then a list with this column is unknown.
     """
 
@@ -28,9 +28,9 @@ class Elements(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Batch:
-    """Updates that follow each other.
+    """Successive updates.
 
-    `arriving` has the shape (updates, channels), with 1 where there is a message on a channel;
+    `arriving` has the shape (updates, channels), with 1 if there is a message on a channel;
     `slots` has the shape (updates, slots), with NaN for unknown values; `arrays` has one entry for
     each array of the machine. Values are in the units of the messages, as in `ChannelValues`.
     """

@@ -1,6 +1,6 @@
 """The arrays of a machine that contain beams of a `sensor_msgs/LaserScan` (S71 to S73).
 
-`scans.py` takes their numbers from a scan, with numpy, which most commands never need.
+`scans.py` computes their numbers from a scan with NumPy, which most commands do not need.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from rossmarie.ir.model import Array
 from rossmarie.ir.path import Beams, Path, Sector
 
 USUAL_DISTANCES = (0.05, 30.0)
-"""The range of distances in m that a scan of a test measures by default."""
+"""The default range of distances in m that a scan of a test measures."""
 
 
 def is_of_scan(array: Array) -> bool:
@@ -18,10 +18,10 @@ def is_of_scan(array: Array) -> bool:
 
 
 def scan_path(path: Path) -> Path | None:
-    """The path of the scan at whose beams a path ends; None for any other path."""
+    """The path of the scan, if a path ends with beams of the scan; None for any other path."""
     for place, step in enumerate(path):
         if isinstance(step, Sector):
-            return path[: place - 1]  # in front of `ranges`
+            return path[: place - 1]  # the path before `ranges`
         if isinstance(step, Beams):
             return path[:place]
     return None

@@ -1,5 +1,5 @@
-"""The numbers beside elements (S74): numbers of slots and constants, read when elements of an array
-or of a list arrive.
+"""The numbers beside elements (S74): numbers of slots and constants that are used together with the
+elements of an array or of a list.
 
 The input is a machine whose operands precede their users.
 """
@@ -13,7 +13,7 @@ from rossmarie.ir.support import compared_signals, element_arrays, signal_operan
 
 
 def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
-    """Say of each signal whether it may stand beside elements: only functions of slots and
+    """For each signal, whether it may be used beside elements. Only functions of slots and
     constants may, because their values are known before elements are evaluated.
     """
     found: list[bool] = []
@@ -29,8 +29,8 @@ def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
 
 
 def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
-    """The signals beside the elements of each array, without constants, in index order. For a list,
-    the first column reports them. Arrays without such signals are left out.
+    """The signals beside the elements of each array, without constants, in index order. A list has
+    one entry, for its first column. Arrays without such signals are left out.
     """
     arrays = element_arrays(machine)
     found: dict[int, set[int]] = {}
@@ -49,7 +49,7 @@ def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
 
 
 def made_beside(machine: ir.Machine) -> frozenset[int]:
-    """The signals that stand beside elements, and all that they are made of."""
+    """The signals beside elements, and all their operands."""
     waiting = [signal for signals in beside(machine).values() for signal in signals]
     found: set[int] = set()
     while waiting:

@@ -1,32 +1,31 @@
 """Bound the evaluations that one call of a monitor can take, from the structure of its machine
 alone.
 
-Before an event, the monitor runs the wakes that are due (S13). Each wake has its own instant, and
-at least one timer is due at this instant. After a jump backwards there are no wakes (S17). So there
-are at most as many wakes as due timers. This module counts the due timers, with one bit for each.
+Before an event, the monitor runs the wakes that fell due (S13). Each wake has an instant of its
+own, at which at least one timer is due. After a jump backwards there are no wakes (S17). So there
+are at most as many wakes as timers that fall due. This module counts these, with one bit for each.
+The timer of an age or a timeout falls due once, and so does the window of an oscillation: only
+messages start them again. The timer of `C for d` falls due at most once for each stretch in which C
+is true. The first stretch may have begun before the call. Between two stretches, C ceases to be
+true and becomes true again. So the timer falls due at most n + 1 times, if C becomes true n times
+or ceases to be true n times, whichever is less.
 
-- The timer of an age or a timeout falls due once. So does the window of an oscillation. Only
-  messages restart these timers.
-- The timer of `C for d` falls due at most once for each period in which C is true. The first period
-  may have begun before the event. Between two periods, C ceases to be true and becomes true. So the
-  number is at most one more than the number of times that C becomes true, and at most one more than
-  the number of times that C ceases to be true.
+The numbers of these changes are computed from left to right:
 
-These numbers are computed from left to right:
-
-- A signal changes only to NaN, when one of its inputs expires. A leaf over this signal is stale
-  from then on (S30).
-- An `and` or `or` becomes or ceases to be true or false only together with one of its operands.
+- A signal changes only to NaN, when an input in its support expires. A leaf with this signal is
+  stale from then on (S30).
+- `and` and `or` change only together with one of their operands.
 - `C for d` becomes true when its timer falls due, and ceases to be true when C does. It becomes
-  false only when C does: until its timer falls due, it has the value that C had before (S33). It
-  ceases to be false when its timer falls due, or when C ceases to be false or to be true. (A
-  condition that counts as true before the start is true at the first event, before any timer.)
-- `A since B` becomes true or ceases to be false only when B does, because its memory gives its
-  earlier value. It ceases to be true or becomes false only when A or B does (S44).
-- A count of edges of C within d is reached only with an edge: C becomes true and ceases to be
-  false. The count is no longer reached when the window of an edge ends: of a counted edge, or of
-  a later edge. A value that is unknown after a gap is known one window after the gap. A gap ends
-  when C becomes true or false.
+  false only when C does: while C is true and the timer runs, it has the value that C had before
+  (S33). It ceases to be false when its timer falls due, or when C ceases to be false or true. A
+  `for` that counts as true before the start becomes true without its timer. This happens at the
+  first event, before which no timer falls due.
+- `A since B` becomes true or ceases to be false only when B does, because otherwise it keeps its
+  last value. It ceases to be true or becomes false only when A or B does (S44).
+- The edges of C within d become enough only at an edge, where C becomes true and ceases to be
+  false. They cease to be enough when the window of an edge ends: of an edge that counts now, or
+  of an edge during the call. A value that is unknown after a gap is known again one window later;
+  a gap ends where C becomes true or false.
 """
 
 from __future__ import annotations
@@ -43,16 +42,16 @@ from rossmarie.ir.support import proposition_operands, supports
 def most_evaluations(machine: ir.Machine) -> int:
     """A bound on the evaluations of one call, including the event itself.
 
-    Takes time and memory in proportion to the bound: ask only of machines that `MOST_EVALUATIONS`
-    does not rule out.
+    The function takes time and memory in proportion to the bound. Call it only for machines that
+    `MOST_EVALUATIONS` does not rule out.
     """
     return 1 + sum(count for _, count in wakes(machine))
 
 
 def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Proposition, int]]:
-    """The evaluations that each input and each proposition adds, from left to right: the number of
-    times that its timer falls due in one call. It is 0 if there is no timer, or if it shares that
-    of one before it.
+    """The evaluations that each input and each proposition adds, from left to right. This is the
+    number of times that its timer falls due in one call. It is 0 if there is no timer, or if an
+    earlier input or proposition has the same timer.
     """
     counted = _Counted(machine)
     for declared in machine.inputs:
@@ -97,7 +96,7 @@ class _Counted:
         self._ages: dict[tuple[int, int], int] = {}
 
     def expiry(self, declared: ir.Input) -> int:
-        """The evaluation at which an input expires, as a bit; 0 if it never does."""
+        """The evaluation at which an input expires, as a bit; 0 if the input never expires."""
         if declared.timeout_ns is None:
             return 0
         return self._age(declared.channel, declared.timeout_ns)

@@ -13,8 +13,8 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answe
 class SkillCall:
     """A skill that runs, or that can start next (`is_ahead`), and the classes of its arguments, as
     pairs of a parameter and a class. An argument without a value has no class; an argument with
-    several classes occurs once for each. `text` is the call in the notation of tests, None if there
-    is none.
+    several classes occurs once for each. `text` is the call in the notation of tests; None if the
+    call has none.
     """
 
     skill: str
@@ -43,7 +43,7 @@ def query_at(path: Path) -> Doing | None:
 
 
 def covering(calls: Iterable[SkillCall], wanted: dict[Doing, bool]) -> tuple[SkillCall, ...] | None:
-    """A few calls that together give queries these answers; None if there are none."""
+    """A few calls that together give queries these answers; None if no calls do."""
     possible = [(call, {step for step in wanted if call.answers(step)}) for call in calls]
     left = {step for step, is_yes in wanted.items() if is_yes}
     useful = [(call, yes) for call, yes in possible if yes <= left]

@@ -15,7 +15,8 @@ _ROUNDING = 1e-12
 
 def raw_of(source: Slot | Array, si: float) -> float:
     """S7 in reverse: the number in a message for the SI value `si`; for a field of whole numbers,
-    the nearest one. A value in the unit of the message arrives exactly as the rules would read it.
+    the nearest whole number. A value in the unit of the message arrives exactly as the rules would
+    read it.
     """
     is_plain = source.scale == 1.0 and source.offset == 0.0
     number = si if is_plain else (si - source.offset) / source.scale
@@ -41,7 +42,7 @@ def holds_flags(array: Array) -> bool:
 
 
 def is_carried(limits: Limits, raw: float) -> bool:
-    """Say whether a field with such limits can carry a number, up to rounding."""
+    """Say whether a field with these limits can carry a number, up to rounding."""
     if not math.isfinite(raw):
         return False
     near = round(raw)

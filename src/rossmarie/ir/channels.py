@@ -32,13 +32,13 @@ def bare_frame(name: str) -> str:
 
 @dataclass(frozen=True)
 class Channel:
-    """A topic: one message on it is one update of all its inputs.
+    """A topic: one message on the topic is one update of all its inputs.
 
-    With an `edge`, the channel is that transform: `topic` is only a name, `message_type` is the
-    type of the transform, and a message on the topic of the edge updates this channel if it
-    contains the transform.
+    With an `edge`, the channel is a transform: `topic` is only a name, and `message_type` is the
+    type of the transform. A message on the topic of the edge updates this channel if it contains
+    the transform.
 
-    `gaps_ns` are the least and the greatest time between two messages, None if they are not
+    `gaps_ns` are the least and the greatest time between two messages; None if they are not
     declared. They come from a system model, and no monitor relies on them.
     """
 
@@ -49,10 +49,10 @@ class Channel:
 
     @property
     def source(self) -> str:
-        """The topic that its messages come on."""
+        """The topic of the channel's messages."""
         return self.topic if self.edge is None else self.edge.topic
 
     @property
     def source_type(self) -> str:
-        """The type of the messages on that topic."""
+        """The type of the messages on the source topic."""
         return self.message_type if self.edge is None else TRANSFORMS

@@ -17,7 +17,7 @@ from rossmarie.ir.path import AXES
 from rossmarie.ir.wiring import PointColumns
 
 _KINDS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
-"""The kinds of numpy, by the `datatype` of a `sensor_msgs/PointField`."""
+"""The NumPy types, by the `datatype` of a `sensor_msgs/PointField`."""
 
 _MOST_NAMED = 16
 """The number of fields that an error message lists; a malicious cloud may have millions."""
@@ -27,7 +27,7 @@ _SINGLE = (0, 1)
 
 
 class Cloud(Protocol):
-    """An object with the fields of the message, of whatever class."""
+    """An object of any class with the fields of the message."""
 
     height: int
     width: int
@@ -120,13 +120,13 @@ def _column(
     # A single row may state any step to the next row, because there is none.
     steps = (layout.row_step if layout.rows > 1 else 0, layout.point_step)
     numbers: NDArray[Any] = np.ndarray(shape, type_, data, int(field.offset), steps)
-    with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
+    with np.errstate(invalid="ignore"):  # all kinds of NaN become the same NaN
         return numbers.astype(np.float64).ravel()
 
 
 def leave_out(cloud: PointColumns, arrays: dict[int, Sequence[float]]) -> None:
-    """Remove the points without a position from the columns of a cloud (S57), if these are complete
-    and of equal length.
+    """Remove the points without a position from the columns of a cloud (S57), if the columns are
+    complete and of equal length.
     """
     found = [arrays[column] for column in cloud.columns if column in arrays]
     is_whole = len(found) == len(cloud.columns) and len({len(each) for each in found}) == 1

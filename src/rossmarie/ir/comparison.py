@@ -21,7 +21,7 @@ COMPARISONS: Mapping[Comparison, Callable[[Any, Any], Any]] = {
     Comparison.GREATER: operator.gt,
     Comparison.GREATER_OR_EQUAL: operator.ge,
 }
-"""The comparisons of two numbers, or of columns of them."""
+"""The comparisons of two numbers, or of columns of numbers."""
 
 
 def compare(comparison: Comparison, left: float, right: float) -> TruthValue:
@@ -39,5 +39,5 @@ def is_between(value: float, low: float, high: float) -> TruthValue:
 
 
 def is_set(value: float) -> TruthValue:
-    """A flag, which is 0.0 or else true (S29)."""
+    """A flag, which is false if it is 0.0, and true otherwise (S29)."""
     return TruthValue.UNKNOWN if math.isnan(value) else proposition_of(value != 0.0)

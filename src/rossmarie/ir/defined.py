@@ -38,7 +38,7 @@ class Response:
 
 
 def defined(machine: ir.Machine, proposition: int) -> Once | Response | None:
-    """The defined operator that a proposition stands for; None if there is none."""
+    """The defined operator that a proposition stands for; None if it stands for none."""
     outer = machine.propositions[proposition].node
     held = machine.propositions[outer.operand].node if isinstance(outer, ir.Not) else outer
     if held is outer or not isinstance(held, ir.Held):
@@ -65,7 +65,7 @@ def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Respons
 
 
 def held_of(machine: ir.Machine, proposition: int) -> int | None:
-    """The `for` that a proposition is, or that its definition contains; None if there is none."""
+    """The `for` itself, or the `for` in the definition of a proposition; None if there is none."""
     node = machine.propositions[proposition].node
     if isinstance(node, ir.Held):
         return proposition

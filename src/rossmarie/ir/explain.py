@@ -1,7 +1,7 @@
 """Explanations of verdicts: from the snapshot in a verdict to the user's own words.
 
-The input is a verified machine and one of its verdicts. The causes are the parts that alone decide
-the value of the rule's condition:
+The input is a verified machine and a verdict of it. The causes are the parts of the rule's
+condition that alone decide its value:
 
 - all operands of a true `and`, and the true operands of a true `or`;
 - all operands of a false `or`, and the false operands of a false `and`;
@@ -23,7 +23,7 @@ from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
 @dataclass(frozen=True)
 class Reading:
-    """The value of a signal, in the unit that the user sees. `shown` is value and unit."""
+    """The value of a signal, in the unit that the user sees. `shown` is the value with its unit."""
 
     signal: int
     text: str
@@ -36,9 +36,9 @@ class Reading:
 class Cause:
     """A deciding condition, with the values that it compares.
 
-    `name` is the user's name of it, or of the nearest condition around it. `since_ns` is the
-    instant from which it has had its value; for a true `C for d`, the instant from which C has been
-    true. `limits` are the values of the named constants that the condition compares with.
+    `name` is the user's name of the condition, or of the nearest condition around it. `since_ns` is
+    the instant since which it has had its value; for a true `C for d`, the instant since which C
+    has been true. `limits` are the values of the named constants that the condition compares with.
     """
 
     proposition: int
@@ -89,8 +89,8 @@ class StaleInput:
 
 @dataclass(frozen=True)
 class Explanation:
-    """The explanation of an activation or a clearing. `contract` is the condition for clearing.
-    `exempted` is the rule that is not applied, if an exemption activated the rule.
+    """The explanation of an activation or a clearing. `contract` is the condition for clearing. If
+    the rule stands for an exemption, `exempted` is the rule that is not applied.
     """
 
     rule: str
@@ -102,8 +102,8 @@ class Explanation:
     exempted: str | None = None
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each stale input; if none is to blame, a line for each cause. Before them
-        stands the rule that is not applied.
+        """A line for each stale input; if no input is to blame, a line for each cause. The first
+        line names the rule that is not applied, if there is one.
         """
         first = () if self.exempted is None else (self.exempted,)
         if self.stale_inputs:
@@ -178,8 +178,8 @@ class _Snapshot:
         self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
 
     def is_exemption_used(self) -> bool:
-        """Say whether the rule stands for an exemption, and its skill is known to run. A rule that
-        is active because of a stale input may miss the context as well.
+        """Say whether the rule stands for an exemption whose skill is known to run. If the rule is
+        active because of a stale input, the context may be missing as well.
         """
         is_active = self._verdict.change is not Change.CLEARED
         exempts = self._rule.exempts
@@ -205,7 +205,7 @@ class _Snapshot:
                 waiting += [(operand, name) for operand in reversed(self._deciding(proposition))]
 
     def stale_inputs(self, causes: tuple[Cause, ...]) -> tuple[StaleInput, ...]:
-        """The inputs to blame for the causes that are unknown because an input is missing."""
+        """The inputs to blame, if causes are unknown because an input is missing."""
         unknown = [each.proposition for each in causes if each.value is TruthValue.STALE]
         leaves = [
             leaf
@@ -233,7 +233,7 @@ class _Snapshot:
     # --- causes ------------------------------------------------------------------------------
 
     def _deciding(self, proposition: int) -> tuple[int, ...]:
-        """The operands that alone decide a proposition: those of equal value, or the negated
+        """The operands that alone decide a proposition: operands of equal value, or the negated
         operand. For an operator that looks back in time, the operands that it names.
         """
         whole = defined(self._machine, proposition)
@@ -255,7 +255,7 @@ class _Snapshot:
 
     def _is_unit(self, proposition: int) -> bool:
         """Say whether a proposition is reported as a whole: a leaf, a duration, a count of edges,
-        or a negation of one.
+        or a negation of one of these.
         """
         node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not):
@@ -277,7 +277,7 @@ class _Snapshot:
         )
 
     def _chain(self, proposition: int) -> Iterator[int]:
-        """The proposition and the operands that it negates or prolongs, from the outside to the
+        """The proposition, and the operands that it negates or prolongs, from the outside to the
         inside.
         """
         yield proposition

@@ -1,4 +1,4 @@
-"""The feedback of rules to a learner. No monitor uses it."""
+"""The feedback of rules to a learner. Monitors ignore it."""
 
 from __future__ import annotations
 

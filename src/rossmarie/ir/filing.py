@@ -1,7 +1,7 @@
 """The purpose of rules: their categories, the hazards that they mitigate, and the exemptions that
 they stand for.
 
-No monitor uses any of it. A selection of categories makes a machine of the matching rules.
+Monitors ignore all of this. A selection of categories gives a machine with only the matching rules.
 """
 
 from __future__ import annotations
@@ -59,9 +59,9 @@ class Hazard:
 
 @dataclass(frozen=True)
 class Exemption:
-    """An exemption as a rule, which is active while another rule is not applied. `rule` is the name
-    of the other rule, `doing` the running skill, as in `doing Push(Object: Fragile)`, and `permits`
-    the permissions in the description of the skill, in words.
+    """An exemption in the form of a rule, which is active while another rule is not applied. `rule`
+    is the name of the other rule. `doing` is the running skill, as in `doing Push(Object:
+    Fragile)`. `permits` are the permissions in the description of the skill, in words.
     """
 
     rule: str

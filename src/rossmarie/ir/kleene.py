@@ -10,7 +10,7 @@ _NEGATED = {TruthValue.FALSE: TruthValue.TRUE, TruthValue.TRUE: TruthValue.FALSE
 
 
 def proposition_of(value: bool) -> TruthValue:
-    """A definite value."""
+    """The truth value of a Boolean."""
     return TruthValue.TRUE if value else TruthValue.FALSE
 
 
@@ -20,12 +20,12 @@ def negation(operand: TruthValue) -> TruthValue:
 
 
 def conjunction(operands: Iterable[TruthValue]) -> TruthValue:
-    """`and`: false if any is false, else the greatest."""
+    """`and`: false if any operand is false, else the greatest operand."""
     values = tuple(operands)
     return TruthValue.FALSE if TruthValue.FALSE in values else max(values, default=TruthValue.TRUE)
 
 
 def disjunction(operands: Iterable[TruthValue]) -> TruthValue:
-    """`or`: true if any is true, else the greatest."""
+    """`or`: true if any operand is true, else the greatest operand."""
     values = tuple(operands)
     return TruthValue.TRUE if TruthValue.TRUE in values else max(values, default=TruthValue.FALSE)

@@ -28,9 +28,10 @@ def below_margins(machine: ir.Machine) -> frozenset[int]:
 
 
 def without_margins(machine: ir.Machine) -> ir.Machine:
-    """The machine without margins: monitors, nodes and proofs use this machine.
+    """The machine without margins, which monitors, nodes and proofs use.
 
-    Margins stand behind all other signals; one that is a number of the rules as well stays.
+    Signals of margins come after all other signals. A margin that the rules use as a number
+    remains.
     """
     if not margins_of(machine):
         return machine

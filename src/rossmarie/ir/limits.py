@@ -10,16 +10,16 @@ from operator import index
 from typing import SupportsIndex
 
 EARLIEST_NS = -(2**61)
-"""Instants lie above this (in the year 1896, counted from the Unix epoch)."""
+"""The lower limit of instants (in the year 1896, counted from the Unix epoch)."""
 
 LATEST_NS = 2**62
-"""Instants lie below this (in the year 2116, counted from the Unix epoch)."""
+"""The upper limit of instants (in the year 2116, counted from the Unix epoch)."""
 
 LONGEST_NS = 2**61
-"""Durations lie below this (73 years)."""
+"""The upper limit of durations (73 years)."""
 
 NEVER_NS = 2**63 - 1
-"""Later than every instant: in C, something that has not happened."""
+"""A value after every instant; in C, it stands for an event that has not happened."""
 
 MOST_POSES = 10_000
 """The most poses that a memory can hold."""
@@ -28,11 +28,11 @@ MOST_POSES_IN_ALL = 100_000
 """The most poses that all effects of a program can ask for."""
 
 MOST_EVALUATIONS = 10_000
-"""The most evaluations in one call of a monitor, however long the silence before it was."""
+"""The most evaluations in one call of a monitor, however long the time since the last call."""
 
 
 def as_instant(at_ns: SupportsIndex) -> int:
-    """An instant as an integer. Raises `TypeError` for one that is no integer."""
+    """An instant as an integer. Raises `TypeError` if the instant is not an integer."""
     try:
         return index(at_ns)
     except TypeError:

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 class ChannelValues:
     """The numbers of one message, by slot and by array index, in the units of the message.
 
-    Flags are 0.0 or 1.0, texts as in `Machine.texts`. A slot of the channel that is left out is
-    NaN; an array that is left out is empty. A list with a missing column is unknown.
+    Flags are 0.0 or 1.0, texts as in `Machine.texts`. A missing slot of the channel is NaN; a
+    missing array is empty. A list with a missing column is unknown.
     """
 
     slots: Mapping[int, float] = field(default_factory=dict)
@@ -19,8 +19,8 @@ class ChannelValues:
 
 
 def known_count(values: ChannelValues, columns: Sequence[int], most: int) -> int | None:
-    """The number of elements of a list with these columns in a message (S51). None if it is
-    unknown: there are more than `most`, a column is missing, or the columns differ in length.
+    """The number of elements of a list with these columns in a message (S51). None if the list is
+    unknown: it has more than `most` elements, a column is missing, or the columns differ in length.
     """
     counts = {len(values.arrays[column]) if column in values.arrays else None for column in columns}
     (count,) = counts if len(counts) == 1 else (None,)

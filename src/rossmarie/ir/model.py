@@ -1,8 +1,8 @@
 """The monitor machine, on one screen: every target compiles it, and the interpreter executes it.
 
-A machine reads **slots** (scalar numbers that arrive with messages), computes **signals** (numbers)
-and **propositions** (three-valued), and runs **rules** on them. Tuples refer to each other by
-index, and every operand stands before its user, so evaluation is one pass from left to right.
+A machine reads **slots** (scalar numbers in messages), computes **signals** (numbers) and
+**propositions** (three-valued), and runs **rules** on them. Tuples refer to each other by index,
+and every operand comes before its user, so evaluation is one pass from left to right.
 
 All numbers are IEEE 754 binary64 in SI units (angles in radians, time in seconds); NaN is
 "unknown". Flags are 0.0 or 1.0; a text is the index of its literal in `Machine.texts`, or -1.0 for
@@ -39,7 +39,9 @@ FLAG_LIMITS = (0.0, 1.0)
 
 @dataclass(frozen=True)
 class Input:
-    """A named input; `timeout_ns` is the age at which it is stale, None if it never is."""
+    """A named input; `timeout_ns` is the age at which it is stale; None if it never becomes
+    stale.
+    """
 
     name: str
     channel: int
@@ -67,7 +69,7 @@ class Slot:
 @dataclass(frozen=True)
 class List:
     """A list of messages inside a message. A list with more than `most` elements counts as stale,
-    as if it had not come (S51).
+    like a list that has not come (S51).
     """
 
     input: int
@@ -122,8 +124,8 @@ class Apply:
 
 @dataclass(frozen=True)
 class Sampled:
-    """A function of the last samples of a signal. `window_ns` is its time: the length of its
-    window, or its time constant; 0 if it has none.
+    """A function of the last samples of a signal. `window_ns` is the length of its window, or its
+    time constant; 0 if it has neither.
     """
 
     function: Sampling
@@ -195,7 +197,7 @@ class Literal:
 
 @dataclass(frozen=True)
 class Compare:
-    """`left OP right`; unknown if either side is."""
+    """`left OP right`; unknown if either operand is unknown."""
 
     comparison: Comparison
     left: int
@@ -220,7 +222,7 @@ class Flag:
 
 @dataclass(frozen=True)
 class AgeReaches:
-    """The last message of an input is at least `age_ns` old; unknown before the first."""
+    """The last message of an input is at least `age_ns` old; unknown before the first message."""
 
     input: int
     age_ns: int
@@ -239,7 +241,7 @@ class Oscillates:
 
 
 class Quantifier(enum.Enum):
-    """Over the elements of an array."""
+    """A quantifier over the elements of an array."""
 
     ANY = "any"
     ALL = "all"
@@ -255,21 +257,21 @@ class Quantified:
 
 @dataclass(frozen=True)
 class Not:
-    """Kleene negation."""
+    """The Kleene negation."""
 
     operand: int
 
 
 @dataclass(frozen=True)
 class And:
-    """Kleene conjunction of two or more."""
+    """The Kleene conjunction of two or more operands."""
 
     operands: tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Or:
-    """Kleene disjunction of two or more."""
+    """The Kleene disjunction of two or more operands."""
 
     operands: tuple[int, ...]
 
@@ -287,7 +289,7 @@ class Held:
 
 @dataclass(frozen=True)
 class Since:
-    """`begun` has been true, and `held` ever since."""
+    """`begun` was true at some instant, and `held` has been true ever since."""
 
     held: int
     begun: int
@@ -327,12 +329,12 @@ class Rule:
     with a timeout is missing) until `condition` is false and `release` is true. A latched rule
     (`release` is None) waits for a reset while `condition` is false.
 
-    `head` is the place that findings point at, its name or else its condition. `contract` describes
-    in words how the rule is cleared. A verdict carries the states of `terms` (propositions) and
+    `head` is the place for findings: the rule's name, or else its condition. `contract` describes
+    in words how the rule is cleared. A verdict contains the states of `terms` (propositions) and
     `signals` (signals that are not constant). `inputs` are the inputs that the rule depends on,
-    `hazards` the hazards that it mitigates. Monitors ignore `categories`, `feedback` and `exempts`,
-    the exemption that the rule stands for. A rule that is `always` applied has no exemptions, and
-    an operator cannot grant any.
+    `hazards` the hazards that it mitigates. Monitors ignore `categories`, `feedback`, and
+    `exempts`, the exemption that the rule stands for. A rule that is `always` applied has no
+    exemptions, and an operator cannot grant any.
     """
 
     name: str
@@ -361,8 +363,8 @@ class Rule:
 @dataclass(frozen=True)
 class Machine:
     """A whole rules file. `watches` are the propositions that confirmations in `reactions` use.
-    `left_out` are the rules outside a selection, None without a selection. `readings` are the
-    signals that memories of poses use. `calls` are the calls of skills that queries distinguish,
+    `left_out` are the rules outside a selection; None without a selection. `readings` are the
+    signals that memories of poses use. `calls` are the calls of skills that queries distinguish;
     empty if unknown.
     """
 

@@ -1,9 +1,9 @@
 """Names of the fields that a machine reads: the input, and as much of the path as is needed.
 
-An input that carries one field is called by its name alone (`speed`); where there are several, the
-last words of the path tell them apart (`orientation.x`). Any longer ending is good as well. An
-element that is read by itself beside its whole array (`ranges.5`) leaves the name to the array. A
-sector of an input that reads the ranges is that of the input (`ranges[-30 deg .. 30 deg]`).
+An input with one field has a name that is the input's name (`speed`). If an input has several
+fields, the last words of the path tell them apart (`orientation.x`); any longer end of the path is
+also a name. If an array is read as a whole, a single element (`ranges.5`) does not have the array's
+names. A sector has the name of the input that reads the ranges (`ranges[-30 deg .. 30 deg]`).
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def scan_names(machine: Machine) -> dict[str, ScanFields]:
 
 
 def arrival_names(machine: Machine) -> dict[str, int]:
-    """The inputs of which rules read no field, only the age: their names, and their channels."""
+    """The inputs from which rules read only the age: their names, and their channels."""
     slots = {slot.input for slot in machine.slots}
     arrays = {array.input for array in machine.arrays}
     return {
@@ -87,14 +87,14 @@ def arrival_names(machine: Machine) -> dict[str, int]:
 
 
 def near_name(name: str, known: Iterable[str]) -> str | None:
-    """The known name that was probably meant: a field, if the name of its input is given."""
+    """The known name that the user probably meant; for the name of an input, one of its fields."""
     names = sorted(known, key=lambda each: (len(each), each))
     inside = [each for each in names if each.startswith(f"{name}.")]
     return next(iter(inside or difflib.get_close_matches(name, names, n=1)), None)
 
 
 def _names(machine: Machine, field: Slot | Array | List) -> set[str]:
-    """The input, and the input with every ending of the path."""
+    """The names of a field: the input, and the input with every end of the path."""
     return _names_at(machine, field.input, field.path)
 
 

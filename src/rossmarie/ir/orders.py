@@ -1,4 +1,4 @@
-"""The output of a reactor: orders about tasks, states of tasks, and bounds on commands."""
+"""The output of a reactor: task commands, states of tasks, and bounds on commands."""
 
 from __future__ import annotations
 
@@ -14,28 +14,29 @@ class State(enum.IntEnum):
     """The state of a task."""
 
     IDLE = 0
-    RUNNING = 1  # ordered; its end is awaited
-    HOLDING = 2  # in force, until it is stopped
-    WAITING = 3  # overruled; wanted again when its rule owns the resource
+    RUNNING = 1  # started; the node waits for its end
+    HOLDING = 2  # in force until it is stopped
+    WAITING = 3  # overruled; it starts again when its rule owns the resource
     DONE = 4
     FAILED = 5
-    OVERDUE = 6  # overruled for longer than its time: it has failed, and is wanted again
+    OVERDUE = 6  # overruled for longer than its timeout: it has failed, and starts again later
 
 
 class OrderKind(enum.Enum):
-    """The kind of an order: an instruction about a task, or news of it."""
+    """The kind of a task command: an instruction about a task, or a report about it."""
 
     START = "start"
-    STOP = "stop"  # its rule was released: undo it
-    OVERRULED = "overruled"  # another rule has the resource: give it up, or do not begin
-    FAILED = "failed"  # give it up
+    STOP = "stop"  # its rule was released: undo the task
+    OVERRULED = "overruled"  # another rule has the resource: give the task up, or do not begin it
+    FAILED = "failed"  # give the task up
     RETRACE = "retrace"  # send this pose
 
 
 @dataclass(frozen=True)
 class Order:
-    """An order to the owner of the reactor: an action, or news. `by` is the rule that overrules,
-    `pose` the pose that a `retrace` sends: a position in m, and with an orientation its quaternion.
+    """A task command to the owner of the reactor: an instruction, or a report. `by` is the rule
+    that overrules. `pose` is the pose that a `retrace` sends: a position in m, and with an
+    orientation its quaternion.
     """
 
     kind: OrderKind
@@ -57,8 +58,8 @@ class Reported(NamedTuple):
 
 @dataclass(frozen=True)
 class FieldBounds:
-    """The bounds on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
-    is not finite.
+    """The bounds on a field of a command: x becomes `min(max(x * factor, low), high)`, or 0 if x is
+    not finite.
     """
 
     factor: float
@@ -66,7 +67,7 @@ class FieldBounds:
     high: float
 
     def of(self, value: float) -> float:
-        """A number of a command, after bounding."""
+        """The bounded value of a number in a command."""
         if not math.isfinite(value):
             return 0.0
         return min(max(value * self.factor, self.low), self.high)

@@ -10,8 +10,8 @@ from rossmarie.ir.reactions import Effect, Reactions, Task
 
 
 def fails_at_once(task: Task) -> bool:
-    """Say whether a task fails as soon as it waits: it has no time limit that could expire, and an
-    escalation follows.
+    """Say whether a task fails as soon as it waits: it has no time limit that could expire, but an
+    escalation.
     """
     is_awaited = reactions.timeout_ns(task.effect) is not None
     return reactions.waits(task.effect) and not is_awaited and bool(task.otherwise)
@@ -24,7 +24,7 @@ def may_be_overdue(task: Task) -> bool:
 
 
 def can_fail(task: Task) -> bool:
-    """Say whether a task can ever get the order FAILED."""
+    """Say whether a task can ever get the task command FAILED."""
     is_awaited = reactions.timeout_ns(task.effect) is not None
     is_stale = task.resource is not None and not reactions.waits(task.effect)
     return is_awaited or is_stale or fails_at_once(task)
@@ -34,8 +34,8 @@ Deed = tuple[object, ...]
 
 
 def deed(effect: Effect) -> Deed | None:
-    """The deed of an effect on its resource, if several tasks can do it together, or one in place
-    of another; else None.
+    """The deed of an effect on its resource, if several tasks can do it together, or one task in
+    place of another; else None.
     """
     match effect:
         case reactions.CancelGoal(server=server):

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ByName:
-    """The element of an array with the name `key`: its place is the place of that string in the
-    list `names`, a path from the message. There is no such element if the list does not contain the
-    string exactly once, or if its length differs from that of the array (S7).
+    """The element of an array with the name `key`. Its place is the place of this string in the
+    list `names`, which is a path from the message. The element does not exist if the list does not
+    contain the string exactly once, or if the lengths of list and array differ (S7).
     """
 
     names: tuple[str, ...]
@@ -25,14 +25,15 @@ class ByName:
         return names.count(self.key) == 1
 
     def place(self, names: Sequence[str], length: int) -> int | None:
-        """The place of the element in an array of a length, if the list has these names."""
+        """The place of the element in an array of this length, if the list has these names."""
         return names.index(self.key) if len(names) == length and self.is_among(names) else None
 
 
 @dataclass(frozen=True)
 class Listed:
     """The element of an array with the name `key` in a list of `count` names in the rules. `place`
-    is the place of the name there. There is no such element if the array has another length (S55).
+    is the place of the name in the list. The element does not exist if the array has another length
+    (S55).
     """
 
     place: int
@@ -43,7 +44,7 @@ class Listed:
         return self.key
 
     def place_among(self, length: int) -> int | None:
-        """The place of the element in an array of a length."""
+        """The place of the element in an array of this length."""
         return self.place if length == self.count else None
 
 
@@ -70,9 +71,9 @@ POINTS = Points()
 
 @dataclass(frozen=True)
 class Sector:
-    """A step behind the `ranges` of a `sensor_msgs/LaserScan`: the readings between two angles, as
+    """A step after the `ranges` of a `sensor_msgs/LaserScan`: the readings between two angles, as
     an array. The angles are in radians, from `first` counter-clockwise over `width`. Each scan
-    gives the angles of its beams (S71).
+    contains the angles of its beams (S71).
     """
 
     first: float
@@ -101,7 +102,7 @@ RETURNS, INVALID = Beams("points"), Beams("invalid")
 class Doing:
     """The flag "a running skill is one of `skills`, and its arguments have these classes", of a
     `skill_context_msgs/SkillContext`. `arguments` are pairs of a parameter and the allowed classes
-    of its argument. Skills and classes include all that are derived from those in the rules,
+    of its argument. Skills and classes include everything that is derived from those in the rules,
     sorted, so readers need no hierarchy.
 
     With `is_ahead`, the query is about skills that can start next; an unknown argument may be of
@@ -128,9 +129,9 @@ class Doing:
 @dataclass(frozen=True)
 class Quantity:
     """The number that is the argument `parameter` of the single running skill among `skills`, in a
-    `skill_context_msgs/SkillContext`. With a `property`, the number is that property of the thing
-    in the argument. It is in SI if it has a unit. A boolean is 0 or 1 (`is_boolean`). `skills` and
-    `written` are like those of `Doing`.
+    `skill_context_msgs/SkillContext`. With a `property`, the number is this property of the thing
+    in the argument. The number is in SI if it has a unit. A boolean is 0 or 1 (`is_boolean`).
+    `skills` and `written` are like those of `Doing`.
     """
 
     export: str
@@ -154,33 +155,36 @@ AXES = ("x", "y", "z")
 """The fields with the position of a point. Without a position there is no point (S57)."""
 
 Step = str | int | ByName | Listed | Each | Points | Sector | Beams | Doing | Quantity
-"""The name of a field, the place or the name of an element, every element, the points of a cloud,
-a sector or the beams of a scan, or a query to the skills that run.
+"""The name of a field, the place or the name of an element, every element, the points of a cloud, a
+sector or the beams of a scan, or a query about the running skills.
 """
 
 Path = tuple[Step, ...]
 
 
 def extent(element: int | Listed) -> tuple[int, int]:
-    """The place of an element, and the least length of an array that has it."""
+    """The place of an element, and the least length of an array with the element."""
     if isinstance(element, int):
         return element, element + 1
     return element.place, element.count
 
 
 def path_text(path: Iterable[Step]) -> str:
-    """A path as users write it behind the name of an input: `.position[0]`, `.effort["elbow"]`."""
+    """A path in the user's notation after the name of an input: `.position[0]`,
+    `.effort["elbow"]`.
+    """
     return "".join(map(_step_text, path))
 
 
 def path_words(path: Iterable[Step]) -> str:
-    """A path by itself: `pose.position.x`, `effort[2]`."""
+    """A path without an input: `pose.position.x`, `effort[2]`."""
     return path_text(path).removeprefix(".")
 
 
 def path_names(path: Iterable[Step]) -> list[str]:
-    """The names on a path, places and names of elements included; a field of all elements of a list
-    has the name of the field alone, and a sector the name of the array with its angles.
+    """The names on a path, including places and names of elements. For a field of all elements of a
+    list, they are the names of the field alone; for a sector, the name of the array with its
+    angles.
     """
     names: list[str] = []
     for step in path:

@@ -6,7 +6,7 @@ consequences: the bounds on command topics, the running tasks, and the effects t
 It only decides. The node around it performs the effects (publishes, calls, sends goals) and reports
 their results. `docs/explanation/reactions.md` defines the meaning (R1, R2, ...).
 
-All numbers are in the units of the messages that they go into.
+All numbers are in the units of the messages that contain them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ FieldPath = tuple[str | int, ...]
 
 @dataclass(frozen=True)
 class CommandField:
-    """A floating-point number of a command, or with `is_array` the elements of an array of them."""
+    """A floating-point number of a command; with `is_array`, the elements of an array of
+    numbers.
+    """
 
     path: FieldPath
     is_array: bool
@@ -45,8 +47,8 @@ class CommandTopic:
 
 @dataclass(frozen=True)
 class Bound:
-    """While in force the field stays in `[low, high]`, which contains 0. After release the ends
-    move apart by `ramp` per second; None: the bound is lifted at once.
+    """While in force, a bound keeps the field in `[low, high]`, which contains 0. After release the
+    ends move apart by `ramp` per second; if `ramp` is None, the bound is lifted at once.
     """
 
     field: int
@@ -65,8 +67,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Scale:
-    """`scale /cmd_vel by 50 %`: every field is multiplied by `factor` (0 to 1); after release the
-    factor grows by `ramp` per second, up to 1; None: it is 1 at once.
+    """`scale /cmd_vel by 50 %`: every field is multiplied by `factor` (0 to 1). After release the
+    factor grows by `ramp` per second, up to 1; if `ramp` is None, it is 1 at once.
     """
 
     topic: int
@@ -115,8 +117,8 @@ class Retrace:
 
 @dataclass(frozen=True)
 class Call:
-    """`call SERVICE : TYPE { ... } within D`. Fails if the answer has a field `success` that is
-    false, or arrives too late.
+    """`call SERVICE : TYPE { ... } within D`. The call fails if the answer arrives too late, or has
+    a field `success` that is false.
     """
 
     service: str
@@ -127,7 +129,7 @@ class Call:
 
 @dataclass(frozen=True)
 class SetParameter:
-    """`set NODE.PARAMETER to VALUE within D`. On release the old value is restored."""
+    """`set NODE.PARAMETER to VALUE within D`. Release restores the old value."""
 
     node: str
     parameter: str
@@ -137,7 +139,7 @@ class SetParameter:
 
 @dataclass(frozen=True)
 class SwitchControllers:
-    """`switch MANAGER { start A; stop B; } within D`; switched back on release."""
+    """`switch MANAGER { start A; stop B; } within D`. Release switches the controllers back."""
 
     manager: str
     start: tuple[str, ...]
@@ -146,7 +148,7 @@ class SwitchControllers:
 
 
 class Interrupted(enum.Enum):
-    """The handling of the interrupted goal, on release."""
+    """The treatment of the interrupted goal on release."""
 
     DROP = "drop"
     RESEND = "resend"
@@ -154,7 +156,9 @@ class Interrupted(enum.Enum):
 
 @dataclass(frozen=True)
 class SendGoal:
-    """`send TYPE { ... } to SERVER within D then resend`. Cancels the current goal first."""
+    """`send TYPE { ... } to SERVER within D then resend`. The effect first cancels the current
+    goal.
+    """
 
     server: str
     action_type: str
@@ -166,7 +170,7 @@ class SendGoal:
 @dataclass(frozen=True)
 class CancelGoal:
     """`cancel SERVER confirm by COND within D then resend`. `confirmation` is an index of
-    `Machine.watches`; None: the server's word is enough.
+    `Machine.watches`; None if the server's reply is enough.
     """
 
     server: str
@@ -179,7 +183,7 @@ class CancelGoal:
 class Level(enum.Enum):
     """The severity of a log line or diagnosis."""
 
-    DEBUG = "debug"  # logs only
+    DEBUG = "debug"  # the level logs only
     INFORMATION = "info"
     WARNING = "warning"
     ERROR = "error"
@@ -195,7 +199,7 @@ class Log:
 
 @dataclass(frozen=True)
 class Diagnose:
-    """`diagnose LEVEL TEXT`: a status in the diagnostics for as long as it is in force."""
+    """`diagnose LEVEL TEXT`: a status in the diagnostics while the effect is in force."""
 
     level: Level
     text: str
@@ -203,7 +207,7 @@ class Diagnose:
 
 @dataclass(frozen=True)
 class Hook:
-    """`hook NAME`: a function of the user's, called at the start and at the end."""
+    """`hook NAME`: a function of the user, called at the start and at the end."""
 
     name: str
 
@@ -214,13 +218,13 @@ class Reset:
 
 
 Awaited = Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
-"""Effects whose end is awaited, with a time limit."""
+"""Effects whose end the node awaits, with a time limit."""
 
 Effect = Limit | Scale | Publish | Retrace | Awaited | Log | Diagnose | Hook | Reset
 
 
 POSES = (3, 7)
-"""The numbers of a position, and of a position and a quaternion."""
+"""The number of values of a position, and of a position with a quaternion."""
 
 
 # --- plans -----------------------------------------------------------------------------------
@@ -230,7 +234,7 @@ POSES = (3, 7)
 class Task:
     """One effect of one action at one place in the plan of one rule.
 
-    `resource` is the index of its exclusive resource, None if it needs none. `otherwise` are the
+    `resource` is the index of its exclusive resource; None if it needs none. `otherwise` are the
     tasks that start when it fails; they belong to no stage and may have an `otherwise` themselves.
     """
 
@@ -252,7 +256,7 @@ class Action:
 
 @dataclass(frozen=True)
 class RecoveryPlan:
-    """The plan of a rule: stages one after the other; the tasks of a stage side by side.
+    """The plan of a rule: its stages follow each other; the tasks of a stage run side by side.
 
     `tasks` are all its tasks in file order, including escalations. The plan is not carried out
     while one of the rules `unless` is active.
@@ -265,7 +269,7 @@ class RecoveryPlan:
 
 @dataclass(frozen=True)
 class Memory:
-    """A memory of at most `most` poses (R16), each at least `apart` m from the one before it and
+    """A memory of at most `most` poses (R16), each at least `apart` m from the pose before it and
     `apart_ns` later. `readings` are indexes of `Machine.readings`; the first three are a position.
     """
 
@@ -278,9 +282,9 @@ class Memory:
 @dataclass(frozen=True)
 class Reactions:
     """The reactions of the rules of a machine. `plans` has one entry for each rule. `order` lists
-    the rules in the order in which they get a resource that several need. `priorities` are the
-    pairs of rules of which the user put the first over the second. `memories` are the memories of
-    poses.
+    the rules in the order in which they get a resource that several rules need. `priorities` are
+    the pairs of rules in which the user put the first rule over the second. `memories` are the
+    memories of poses.
     """
 
     commands: tuple[CommandTopic, ...]
@@ -300,8 +304,8 @@ NO_REACTIONS = Reactions((), (), (), (), (), ())
 
 
 def timeout_ns(effect: Effect) -> int | None:
-    """The time in nanoseconds for which the end of an effect is awaited; None if it is not
-    awaited.
+    """The time in ns for which the node awaits the end of an effect; None if it does not await the
+    end.
     """
     match effect:
         case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
@@ -313,9 +317,7 @@ def timeout_ns(effect: Effect) -> int | None:
 
 
 def is_lasting(effect: Effect) -> bool:
-    """Say whether an effect stays in force after it is done, so that it has to be undone on
-    release.
-    """
+    """Say whether an effect stays in force after it is done. Release has to undo such an effect."""
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None
@@ -368,7 +370,9 @@ def target_of(effect: Effect) -> Target | None:
 
 
 def waits(effect: Effect) -> bool:
-    """Say whether an effect waits while another rule has its resource. Other effects fail then."""
+    """Say whether an effect waits while another rule has its resource. Other effects fail in this
+    case.
+    """
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None

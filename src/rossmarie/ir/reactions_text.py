@@ -1,6 +1,6 @@
-"""Reactions as text for people: one line per part. A part of `dump_text`.
+"""Reactions as text for readers: one line per part. A part of `dump_text`.
 
-Tasks are written `k0`, rules by name. The place in the rules file follows the bar.
+Tasks are written as `k0`, rules by name. The place in the rules file follows the bar.
 """
 
 from __future__ import annotations

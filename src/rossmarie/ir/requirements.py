@@ -10,9 +10,9 @@ from rossmarie.ir.model import Machine
 
 @dataclass(frozen=True)
 class Braking:
-    """The braking of a motion, in SI: `brake` is the least deceleration, `timeout_s` the longest
-    silence of its messages, `latency_s` all other time from a message to the brakes. `position` and
-    `speed` are in the words of the rules. Unless `is_of_one_message`, they arrive in separate
+    """The braking of a motion, in SI. `brake` is the least deceleration, `timeout_s` the longest
+    silence of its messages, and `latency_s` all other time from a message to the brakes. `position`
+    and `speed` are in the words of the rules. Unless `is_of_one_message`, they arrive in separate
     messages.
     """
 
@@ -28,7 +28,7 @@ class Braking:
 
     @property
     def reaction_s(self) -> float:
-        """The longest time in seconds from the state in the last message to the brakes."""
+        """The longest time in s from the state in the last message to the brakes."""
         return self.timeout_s + self.latency_s
 
     def reached(self, speed: float) -> float:
@@ -41,7 +41,7 @@ class Braking:
         return travelling * self.reaction_s
 
     def way(self, speed: float, wanted: float) -> float:
-        """The distance in m in which a measured speed becomes the wanted one, by rule S65."""
+        """The distance in m in which a measured speed falls to the wanted speed, by rule S65."""
         reached = self.reached(speed)
         braking = (reached * reached - wanted * wanted) / (2.0 * self.brake)
         return self.way_until_brakes(speed) + braking if reached > wanted else 0.0
@@ -49,10 +49,10 @@ class Braking:
 
 @dataclass(frozen=True)
 class Requirement:
-    """A rule keeps a motion below `speed` m/s in the places of a class: it is active before it is
-    too late to brake. `machine` is the machine of the rules with additional propositions: `truth`
-    is that it is too late and the condition of the rule is false. `text` is how it is written, at
-    `span`; `rule` is the name of the rule.
+    """A rule keeps a motion below `speed` m/s in the locations of a class: it is active before it
+    is too late to brake. `machine` is the machine of the rules with additional propositions. Its
+    proposition `truth` means that it is too late and the condition of the rule is false. `text` is
+    the requirement as written, at `span`; `rule` is the name of the rule.
     """
 
     rule: str

@@ -23,14 +23,16 @@ from rossmarie.ir.path import INVALID, RETURNS, Beams, Sector
 TURN = 2.0 * HALF_TURN
 
 SLACK = 0.01
-"""The share of an increment by which beams may miss an angle, because scans have 32-bit numbers."""
+"""The share of an increment by which beams may miss an angle, because scans contain 32-bit
+numbers.
+"""
 
 _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers differ by one beam in its definition."""
 
 
 class Scan(Protocol):
-    """An object with the fields of the message, of whatever class."""
+    """An object of any class with the fields of the message."""
 
     angle_min: float
     angle_max: float

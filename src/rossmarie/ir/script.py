@@ -28,7 +28,8 @@ class FieldValue:
     """A value for one field of the messages of a topic. `path` leads to the field from the message,
     `input` is the input that the user named. With an `angle` (`roll`, `pitch` or `yaw`), `path`
     leads to an orientation whose other two angles stay unchanged. `unit` is only the display unit
-    of the value; empty: the unit of the message. `span` is None in a script without a text.
+    of the value; if it is empty, the unit of the message is shown. `span` is None in a script
+    without a text.
     """
 
     input: str
@@ -42,8 +43,8 @@ class FieldValue:
 
 @dataclass(frozen=True)
 class Running:
-    """The skills that run and that can start next, and no others, from this message on `topic` on.
-    `text` is the notation of tests.
+    """The skills that run and that can start next, and no other skills, from this message on
+    `topic` on. `text` is the notation of tests.
     """
 
     topic: str
@@ -54,8 +55,8 @@ class Running:
 @dataclass(frozen=True)
 class ScriptedArrival:
     """A message on each of `topics`, which the user named by `inputs`, at `first_ns`, and then once
-    per period up to and including `last_ns`. `running` holds the running skills, for a message
-    about skills; None if they have not changed.
+    per period up to and including `last_ns`. For a message about skills, `running` contains the
+    running skills; None if they have not changed.
     """
 
     first_ns: int
@@ -74,7 +75,7 @@ class ScriptedArrival:
 
 @dataclass(frozen=True)
 class ScriptedReset:
-    """An operator resets one latched rule, by index, or all."""
+    """An operator resets one latched rule, given by its index, or all latched rules."""
 
     at_ns: int
     rule: int | None
@@ -96,7 +97,7 @@ class Expectation:
 
 @dataclass(frozen=True)
 class CommandExpectation:
-    """An expectation about a field of a command: the value behind the safety filter lies in `[low,
+    """An expectation about a field of a command: the output of the safety filter lies in `[low,
     high]`, whatever the input, at every instant from `first_ns` to `last_ns`, both included. Values
     are in the unit of the message, `unit`.
     """

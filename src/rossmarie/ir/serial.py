@@ -1,8 +1,9 @@
-"""A machine as JSON, and back. The text holds the sources too, so that spans keep their meaning.
+"""A machine as JSON, and back. The text also contains the sources, so that spans keep their
+meaning.
 
 The layout follows the classes of the model: an object per instance with a member per field, nodes
 tagged by the name of their class, enumerations by value, spans as `[file, start, end]`. `VERSION`
-is raised whenever that changes; other versions are refused.
+increases with every change of this layout; texts of other versions are refused.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ def machine_to_json(machine: ir.Machine) -> str:
 
 
 def machine_from_json(text: str) -> ir.Machine:
-    """The machine in a text. Raises `UnreadableMachine`; does not verify the machine."""
+    """The machine in a text, without verification. Raises `UnreadableMachine`."""
     try:
         whole = json.loads(text)
         if whole["format"] != FORMAT or whole["version"] != VERSION:

@@ -1,5 +1,5 @@
 """Parameters of the running node in a machine. The start value of a parameter arrives on its own
-channel, and counts only if it tightens.
+channel, and counts only if it is tighter than the default.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ AT_ZERO = 1e9
 
 @dataclass(frozen=True)
 class NodeParameter:
-    """A parameter of the node, in SI, between `usual` and `farthest`, which is greater if `is_up`.
-    Its display unit is `unit`.
+    """A parameter of the node, in SI. Its value lies between `usual`, the default, and `farthest`,
+    which is greater if `is_up`. Its display unit is `unit`.
     """
 
     name: str
@@ -42,7 +42,9 @@ class NodeParameter:
 
 
 def farthest(usual: float, *, is_up: bool) -> float:
-    """The last value that counts. The sign of a number stays, so that signs of products stay."""
+    """The last value that counts. It has the sign of the default, so that signs of products stay
+    the same.
+    """
     if usual == 0.0:
         return AT_ZERO if is_up else -AT_ZERO
     return usual * FARTHEST if is_up is (usual > 0.0) else usual / FARTHEST

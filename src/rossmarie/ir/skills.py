@@ -16,11 +16,11 @@ from typing import Any, Protocol
 from rossmarie.ir.path import Doing, Quantity, SkillStep
 
 MOST_RUNNING = 64
-"""The most skills that may run at the same time. A message with more is ignored."""
+"""The most skills that may run at the same time. A message with more skills is ignored."""
 MOST_ARGUMENTS = 64
-"""The most arguments of a skill. A message with more is ignored."""
+"""The most arguments of a skill. A message with more arguments is ignored."""
 MOST_PROPERTIES = 64
-"""The most properties of an argument. A message with more is ignored."""
+"""The most properties of an argument. A message with more properties is ignored."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class RunningSkill:
-    """A running skill, by the name of its description, or one that can start next (`is_ahead`).
+    """A running skill, by the name of its description, or a skill that can start next (`is_ahead`).
     Unknown arguments of the latter are missing.
     """
 
@@ -57,8 +57,8 @@ class RunningSkill:
 
 @dataclass(frozen=True)
 class SkillContext:
-    """All skills that run and that can start next, and the digest of the export that they come
-    from. If the skills that can start next are unknown, there are none.
+    """All skills that run and that can start next, and the digest of their export. If the skills
+    that can start next are unknown, there are none in it.
     """
 
     digest: str
@@ -81,7 +81,7 @@ class SkillMessage(Protocol):
 
     @property
     def digest(self) -> str:
-        """The digest of the export that the skills are from."""
+        """The digest of the export that contains the skills."""
 
     @property
     def running(self) -> Sequence[Any]:

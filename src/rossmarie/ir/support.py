@@ -52,8 +52,8 @@ class Supports:
 
 
 def all_channels(machine: ir.Machine, support: Support) -> frozenset[int]:
-    """All channels that a value depends on, including those of numbers beside elements, whose
-    messages alone change nothing.
+    """All channels that a value depends on, including the channels of numbers beside elements.
+    Messages on these channels alone change nothing.
     """
     return frozenset(machine.inputs[used].channel for used in support.inputs)
 
@@ -106,7 +106,7 @@ def compared_signals(node: ir.PropositionNode) -> tuple[int, ...]:
 
 
 def is_leaf(node: ir.PropositionNode) -> bool:
-    """Say whether a proposition depends directly on numbers, arrays or ages instead of other
+    """Say whether a proposition depends directly on numbers, arrays or ages, not on other
     propositions.
     """
     match node:
@@ -252,8 +252,8 @@ def is_of_list(machine: ir.Machine, support: Support) -> bool:
 
 @dataclass(frozen=True)
 class ElementArrays:
-    """The array of which each signal and proposition uses one element, by index; None if it has one
-    value for the whole machine. For a list, the array is the first column.
+    """The array of whose elements each signal and proposition uses one, by index; None if it has
+    one value for the whole machine. For a list, the array is the first column.
     """
 
     signals: tuple[int | None, ...]
@@ -263,7 +263,8 @@ class ElementArrays:
 def element_arrays(machine: ir.Machine) -> ElementArrays:
     """The signals and propositions that exist once for each element, with the array of each.
 
-    Raises `ValueError` if one takes elements of two arrays, other than columns of one list.
+    Raises `ValueError` if a signal or proposition uses elements of two arrays that are not columns
+    of one list.
     """
     firsts: dict[int, int] = {}
     for index, array in enumerate(machine.arrays):
@@ -318,7 +319,7 @@ def _single(arrays: Iterable[int | None]) -> int | None:
 
 
 def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
-    """The kind of values that a signal holds."""
+    """The kind of a signal's values."""
     match machine.signals[signal].node:
         case ir.Read(slot=slot):
             return machine.slots[slot].kind

@@ -1,5 +1,5 @@
-"""Resources that a rule takes away from a skill: a topic whose commands no longer pass, a server
-whose goals are cancelled.
+"""Resources that a rule takes away from a skill: a topic whose commands the filter blocks, or a
+server whose goals are cancelled.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rossmarie.skills import Use, UseKind
 
 @dataclass(frozen=True)
 class Taking:
-    """A rule, the task that takes something away, and the use of it in the skill."""
+    """A rule, the task that takes a resource away, and the skill's use of the resource."""
 
     rule: int
     task: reactions.Task

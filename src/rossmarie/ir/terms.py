@@ -10,8 +10,8 @@ from rossmarie.ir.support import is_leaf, whole_operands
 
 
 def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The propositions in a verdict of a rule with this condition: named ones, leaves, operators
-    over time, and defined operators (`once`, `after`) instead of their parts.
+    """The propositions in a verdict of a rule with this condition: named propositions, leaves,
+    operators over time, and defined operators (`once`, `after`) instead of their parts.
     """
     return tuple(_terms(machine, condition))
 

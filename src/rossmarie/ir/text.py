@@ -1,7 +1,7 @@
-"""A machine as text for people: one line per part, in the order of the machine.
+"""A machine as text for readers: one line per part, in the order of the machine.
 
-Signals are written `s0`, propositions `t0`, tasks `k0`; the user's text and its place follow the
-bar.
+Signals are written as `s0`, propositions as `t0`, tasks as `k0`. The user's text and its place
+follow the bar.
 """
 
 from __future__ import annotations

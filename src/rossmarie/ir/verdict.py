@@ -1,4 +1,4 @@
-"""The verdicts of a monitor: a rule became active or cleared, with the instant and the causes.
+"""The verdicts of a monitor: a rule became active or was cleared, with the instant and the causes.
 
 Every target yields exactly the same values.
 """
@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 
 class TruthValue(enum.IntEnum):
-    """Kleene's three values. Unknown has two forms; S means that an input with a timeout is
-    missing.
+    """Kleene's three truth values. Unknown has two forms; STALE means that an input with a timeout
+    is missing.
 
-    The numbers make conjunction and disjunction a maximum, see `docs/explanation/semantics.md`.
+    With these numbers, conjunction and disjunction are maxima, see `docs/explanation/semantics.md`.
     """
 
     FALSE = 0
@@ -42,9 +42,9 @@ class InputState(enum.IntEnum):
 class Verdict:
     """One change of one rule, with a snapshot of the values that the rule depends on.
 
-    `propositions[i]` and `since_ns[i]` (the instant from which it has had this value) belong to
-    `rule.terms[i]`, `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to
-    `rule.inputs[i]`.
+    `propositions[i]` and `since_ns[i]`, the instant since which it has had this value, belong to
+    `rule.terms[i]`; `values[i]` belongs to `rule.signals[i]` (SI; NaN is unknown); `inputs[i]`
+    belongs to `rule.inputs[i]`.
     """
 
     rule: int

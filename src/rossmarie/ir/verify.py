@@ -1,4 +1,4 @@
-"""Verify that a machine is well formed: it runs between passes, so that targets need no checks.
+"""Verify between passes that a machine is well formed, so that targets need no checks.
 
 When `verify` returns: every index is in range; every operand is before its user; elementwise nodes
 are below a fold, a count or a quantifier; constants and scales are finite; durations are valid.
@@ -42,7 +42,7 @@ _EQUALITY = (Comparison.EQUAL, Comparison.NOT_EQUAL)
 
 
 def verify(machine: ir.Machine) -> None:
-    """Raise `MalformedMachine` at the first defect, naming the node and what is wrong with it."""
+    """Raise `MalformedMachine` at the first defect. The error names the node and its defect."""
     _verify_inputs(machine)
     _verify_signals(machine)
     _verify_propositions(machine)
@@ -111,7 +111,7 @@ def _verify_query(slot: ir.Slot, where: str) -> None:
             kind = ir.Kind.FLAG if is_boolean else ir.Kind.REAL
             require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
-        case _:  # open: other paths ask no skills
+        case _:  # open: other paths contain no query about skills
             require(not _asks_skills(slot.path), where, "a query to skills inside a message")
 
 
@@ -223,7 +223,7 @@ def _verified_arrays(machine: ir.Machine) -> ElementArrays:
 
 
 def _verify_counts(machine: ir.Machine) -> None:
-    """The signals below a counted proposition stand before the count."""
+    """Require that the signals below a counted proposition come before the count."""
     for index, signal in enumerate(machine.signals):
         if isinstance(signal.node, ir.Count):
             where = f"signal {index} (Count)"
@@ -315,7 +315,7 @@ def _verify_kinds(machine: ir.Machine) -> None:
 
 
 def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[int, ...]:
-    """The operands that are texts: the frame of a point, and that of a region."""
+    """The operands that are texts: the frame of a point, and the frame of a region."""
     match node:
         case ir.Apply(function=RegionFunction(), operands=(_, _, seen, wanted)):
             pass
@@ -348,7 +348,7 @@ def _compares_flags(machine: ir.Machine, node: ir.PropositionNode) -> bool:
 
 
 def _compares_text(machine: ir.Machine, node: ir.PropositionNode) -> bool:
-    """Say whether a node compares texts. One is a literal: unknown texts have the same number."""
+    """Say whether a node compares a text with a literal. All unknown texts have one number."""
     if not isinstance(node, ir.Compare):
         return False
     is_of_text = kind_of(machine, node.left) is ir.Kind.TEXT

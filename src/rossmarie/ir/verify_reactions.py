@@ -1,7 +1,8 @@
 """Verify that the reactions of a machine are well formed. A part of `verify`.
 
-Afterwards every index is in range, every task stands in the plan of one rule and starts at one
-place of it, bounds let zero pass and are finite, and durations are as those of the machine.
+Afterwards every index is in range, every task belongs to the plan of one rule and starts at one
+place of the plan, bounds are finite and contain zero, and durations fulfil the same conditions as
+those of the machine.
 """
 
 from __future__ import annotations

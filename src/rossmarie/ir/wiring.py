@@ -13,9 +13,9 @@ from rossmarie.ir.support import columns_of
 
 @dataclass(frozen=True)
 class Part:
-    """The numbers of a field: `count` of them from `first` on, `step` apart; none if the arrays do
-    not have the field. A number x stands for `x * scale + offset` in the unit of the message, or
-    for a flag.
+    """The numbers of a field: `count` numbers from index `first` on, `step` apart; none if the
+    arrays do not contain the field. A number x stands for `x * scale + offset` in the unit of the
+    message; with `is_flag`, it stands for a flag.
     """
 
     first: int = 0
@@ -42,8 +42,8 @@ class CommandPart:
 
 @dataclass(frozen=True)
 class Publication:
-    """A command that a task publishes. Its numbers replace those of the action, while the task is
-    in force, or once. They are in the order of the parts of the command.
+    """A command that a task publishes. Its numbers replace the numbers of the action while the task
+    is in force, or once. They are in the order of the parts of the command.
     """
 
     task: int

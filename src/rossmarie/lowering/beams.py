@@ -1,4 +1,4 @@
-"""The points of a scan: their distance and direction, as a machine computes them (S72)."""
+"""The points of a scan: their distance and direction, as signals of a machine (S72)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def is_of_point(place: Place) -> bool:
 def coordinate(
     place: Place, distance_type: Quantity, shown: Shown, inputs: Inputs, nodes: Nodes
 ) -> int:
-    """The signal of a coordinate of the point at hand, in the frame of the scanner."""
+    """The signal of a coordinate of the current point, in the frame of the scanner."""
     *before, axis = place.path
 
     def column(name: str, type_: Quantity) -> int:

@@ -14,9 +14,9 @@ _SQUARE = parse_unit("m^2/s^2")
 def way_to_stop(
     measured: int, motion: CheckedMotion, wanted: float, shown: Shown, nodes: Nodes
 ) -> int:
-    """The distance in m from the position in the last message to the place where the motion has
-    slowed down, at the latest (S65). `measured` is the signal of its speed, `wanted` the target
-    speed in m/s.
+    """The greatest distance in m from the position in the last message to the place where the
+    motion has slowed down (S65). `measured` is the signal of its speed, `wanted` the target speed
+    in m/s.
     """
     span, name = shown.span, motion.declaration.name.text
 
@@ -37,7 +37,7 @@ def way_to_stop(
     fastest = number(motion.fastest, _SPEED)
     most = speed(ir.Function.ADD, speed(ir.Function.ABSOLUTE, measured), gained)
     reached = speed(ir.Function.MINIMUM, most, fastest)
-    # A separate speed message may be older or newer than the position, when the motion was faster.
+    # A separate speed message may be older or newer than the position, so the motion may be faster.
     travelling = reached if motion.is_of_one_message else fastest
     reaction = number(motion.reaction_s, _TIME)
     way = metres("way until the brakes", ir.Function.MULTIPLY, travelling, reaction)

@@ -15,8 +15,8 @@ from rossmarie.check.model import CheckedSkills
 from rossmarie.skills import Parameter, Skill
 
 MOST_CALLS = 512
-"""The most calls that are kept. If there are more, the machine has no information about answers
-that occur together.
+"""The most calls that are kept. If there are more calls, the machine has no information about
+answers that occur together.
 """
 
 Kinds: TypeAlias = tuple[str, ...]
@@ -30,8 +30,8 @@ NOT_KNOWN: Kinds = ()
 
 
 def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.SkillCall, ...]:
-    """One call for each combination of answers that a single call can give, except for only
-    "no".
+    """One call for each combination of answers that a single call can give. The combination with
+    only "no" is left out.
     """
     found: dict[tuple[bool, ...], ir.SkillCall] = {}
     kinds = sorted({step.is_ahead for step in steps})
@@ -70,8 +70,8 @@ def _calls_of(
 
 
 def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) -> str | None:
-    """The call in the notation of tests, which cannot express a thing with several classes, or a
-    missing thing.
+    """The call in the notation of tests. None if the call has a thing with several classes, or a
+    missing thing, because the notation cannot express them.
     """
     if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
         return None
@@ -84,8 +84,9 @@ def _kinds(
     thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
     """The classes that an argument may have, one for each kind that the queries distinguish, the
-    most general first. A thing can have other classes besides the one that its parameter requires.
-    Any parameter may have no value: so a thing that has left the world is reported.
+    most general first. A thing can have other classes besides the class that its parameter
+    requires. Any parameter may have no value: this is how a thing that has left the world is
+    reported.
     """
     below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
     own = _distinguished(below, asked, skills)
@@ -104,7 +105,9 @@ def _kinds(
 def _distinguished(
     names: Iterable[str], asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> dict[tuple[bool, ...], str]:
-    """Classes by the answers that they give, the most general of each kind."""
+    """Classes by their answers to the queries, the most general class for each combination of
+    answers.
+    """
     found: dict[tuple[bool, ...], str] = {}
     for name in sorted(names, key=lambda name: (len(skills.classes.above(name)), name)):
         found.setdefault(tuple(name in classes for classes in asked), name)

@@ -16,7 +16,7 @@ from rossmarie.syntax import ast
 @dataclass(frozen=True)
 class Contract:
     """The conditions for activation and clearing of a rule. `release` is None if only a reset
-    clears it. `written` is the condition in the rules file, without skills of scopes and
+    clears the rule. `written` is the condition in the rules file, without skills of scopes and
     exemptions.
     """
 
@@ -28,8 +28,8 @@ class Contract:
 
 @dataclass(frozen=True)
 class _Condition:
-    """The condition of a rule, also in words. `ends` holds the other conditions that make it
-    false.
+    """The condition of a rule, also in words. `ends` contains, in words, the other conditions that
+    make the condition false.
     """
 
     proposition: int
@@ -68,8 +68,8 @@ def contract_of(
 
 
 def _condition_of(rule: ast.Rule, propositions: Propositions, nodes: Nodes) -> _Condition:
-    """S60: the written condition, while a skill of the scope runs and no exempted one does; or, for
-    a rule that stands for an exemption, while the skill of the exemption runs.
+    """S60: the written condition while a skill of the scope runs and no exempted skill runs. For a
+    rule that stands for an exemption: while the skill of the exemption runs.
     """
     written = propositions.lower(rule.condition)
     skills = propositions.skills

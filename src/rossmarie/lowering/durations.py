@@ -6,5 +6,5 @@ from rossmarie.check.model import Value
 
 
 def duration_ns(value: Value) -> int:
-    """A constant duration, given in seconds, in whole nanoseconds."""
+    """A constant duration in whole nanoseconds. Its value is in seconds."""
     return round(value.numbers[0] * 1e9)

@@ -15,7 +15,7 @@ from rossmarie.types import Quantity, Quaternion, Text, Vector
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 Axis = Callable[[int], int]
-"""The signals of components by number, made on demand: a rule that uses x does not need y."""
+"""The signals of components by number, created on demand: a rule that uses x does not need y."""
 
 _TURNED = (ir.Function.TURNED_X, ir.Function.TURNED_Y, ir.Function.TURNED_Z)
 _COMPOSED = (
@@ -43,8 +43,8 @@ class Frames:
         self._nodes = nodes
 
     def seen(self, place: Place, type_: Vector | Quaternion, arrived: Axis, shown: Shown) -> Axis:
-        """The components of a vector or an orientation, which have `arrived`, in the frame of the
-        rules.
+        """The components of a vector or an orientation in the frame of the rules. `arrived` gives
+        the components of the message.
         """
         used = place.input
         parts = self._in_source(place, arrived)
@@ -57,7 +57,7 @@ class Frames:
         return parts
 
     def frame(self, place: Place, shown: Shown) -> int:
-        """The signal of the frame of a part of a message in the rules, as a text."""
+        """The signal of the frame that the rules give for a part of a message, as a text."""
         used = place.input
         reported = frame_field(used.whole, place.path)
         if used.target is not None:
@@ -70,7 +70,7 @@ class Frames:
     # --- the frame of the message ------------------------------------------------------------
 
     def _in_source(self, place: Place, arrived: Axis) -> Axis:
-        """The number that has arrived; unknown if the message has another frame (S77)."""
+        """The components of the message; unknown if the message has another frame (S77)."""
         used = place.input
         reported = frame_field(used.whole, place.path)
         if reported is None or used.source is None:
@@ -101,7 +101,7 @@ class Frames:
     # --- ways --------------------------------------------------------------------------------
 
     def _along(self, leg: Leg, parts: Axis, type_: Vector | Quaternion, shown: Shown) -> Axis:
-        """The same quantity in the frame at the end of a leg (S78)."""
+        """The same vector or orientation in the frame at the end of a leg (S78)."""
         if isinstance(type_, Quaternion):
             return self._composed(leg, parts, shown)
         if not type_.is_position:
@@ -148,7 +148,7 @@ class Frames:
         return self._read(frame, "translation", axis, _METRE, shown)
 
     def _turn(self, leg: Leg, shown: Shown) -> tuple[int, ...]:
-        """The rotation from one frame to the other; inverted on the path back."""
+        """The rotation from one frame to the other; it is inverted if the leg leads backwards."""
         frame = leg.frame
         if frame.mounted is not None:
             *axes, w = frame.mounted[3:]

@@ -1,6 +1,6 @@
 """The inputs of a machine: the channels, inputs, slots, arrays and texts that rules use.
 
-Each entry is made on demand, so a machine contains only entries that rules need.
+Each entry is created on demand, so a machine contains only entries that rules need.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Place:
         return self.part.path
 
     def field(self, name: str, type_: Type) -> Place:
-        """A field of this part, which has a type."""
+        """A field of this part, with its type."""
         return Place(self.input, self.part.field(name, type_))
 
     def sector(self, sector: ir.Sector) -> Place:
@@ -53,11 +53,11 @@ class Place:
         return Place(self.input, self.part.sector(sector))
 
     def element(self, index: int | str, owner: Type) -> Place:
-        """An element of this part, whose type is `owner`."""
+        """An element of this part. `owner` is the type of this part."""
         return Place(self.input, self.part.element(index, owner))
 
     def each(self) -> Place:
-        """Any element of this part, which is a list."""
+        """Any element of this part. This part is a list."""
         return Place(self.input, Part((*self.part.path, ir.EACH)))
 
     @property

@@ -1,7 +1,7 @@
-"""CheckedProgram -> Machine.
+"""Converts a CheckedProgram to a Machine.
 
 The input is a program without errors. The machine contains only the parts that its rules need.
-Equal expressions are computed once, constant expressions not at all, and every number is in SI.
+Equal expressions are computed once, and constant expressions not at all. Every number is in SI.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from rossmarie.units import DIMENSIONLESS
 
 @dataclass(frozen=True)
 class Lowered:
-    """A machine, and the builders that made it, so that more can be appended."""
+    """A machine, and the builders that created it, so that more parts can be added."""
 
     machine: ir.Machine
     contracts: Sequence[Contract]

@@ -1,7 +1,7 @@
 """The margins of conditions as signals: the distance of a condition from becoming true.
 
 The input is lowered propositions. A margin is positive while its condition is false, and negative
-while it is true; this is the robustness, in signal temporal logic, of the requirement that the
+while it is true. In signal temporal logic, this is the robustness of the requirement that the
 condition stays false. Negation is pushed down to the comparisons, so that each margin is a
 difference, or the least or greatest of other margins.
 """
@@ -22,14 +22,14 @@ _DOWNWARDS = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
 
 
 class Margins:
-    """Makes the signals of margins. Equal signals are shared."""
+    """Creates the signals of margins. Equal signals are shared."""
 
     def __init__(self, nodes: Nodes) -> None:
         self._nodes = nodes
         self._known: dict[_Key, int] = {}
 
     def of(self, proposition: int) -> int:
-        """The signal of the margin of a condition. The check has made sure that the condition has a
+        """The signal of the margin of a condition. The checker has ensured that the condition has a
         margin.
         """
         for key in self._needed((proposition, False)):
@@ -38,7 +38,9 @@ class Margins:
         return self._known[proposition, False]
 
     def _needed(self, key: _Key) -> list[_Key]:
-        """A proposition and all its operands, operands first: they have lesser indices."""
+        """A proposition and all its operands. Operands come first, because they have lesser
+        indices.
+        """
         found: set[_Key] = set()
         waiting = [key]
         while waiting:
@@ -103,7 +105,9 @@ class Margins:
         return self._gap(node.left, node.right, shown)
 
     def _against_a_constant(self, proposition: int) -> ir.Compare | None:
-        """The comparison of a number with a constant, if a proposition is one; else None."""
+        """The comparison of a number with a constant, if the proposition is such a comparison; else
+        None.
+        """
         node = self._nodes.propositions[proposition].node
         if isinstance(node, ir.Compare) and any(map(self._is_constant, (node.left, node.right))):
             return node
@@ -114,7 +118,7 @@ class Margins:
     ) -> int:
         """The least or greatest margin of elements compared with a constant, computed from the
         least or greatest element. A subtraction from each element would make infinite elements
-        unknown, for example where a laser sees nothing.
+        unknown, for example if a laser beam hits nothing.
         """
         holds_above = (node.comparison in _UPWARDS) is not negated
         left = self._folded(node.left, is_least is not holds_above, shown)
@@ -122,8 +126,8 @@ class Margins:
         return self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
 
     def _against_a_number(self, proposition: int) -> ir.Compare | None:
-        """The comparison of elements with a number beside them (S74), if a proposition is one; else
-        None.
+        """The comparison of elements with a number beside them (S74), if the proposition is such a
+        comparison; else None.
         """
         node = self._nodes.propositions[proposition].node
         is_one = isinstance(node, ir.Compare) and (
@@ -144,8 +148,8 @@ class Margins:
         self, node: ir.Compare, is_least: bool, negated: bool, shown: Shown
     ) -> int:
         """The least or greatest margin of elements compared with a number beside them, at the
-        instant at which the elements arrived. Infinite elements are cut to the greatest double
-        before the subtraction; a result that is still that large overflows, and so is unknown.
+        instant at which the elements arrived. Infinite elements are limited to the greatest double
+        before the subtraction. If the result overflows, it is unknown.
         """
         left, right = (
             side if self._is_beside(side) else self._cut(side, shown)
@@ -163,9 +167,7 @@ class Margins:
         return self._nodes.apply(ir.Function.MAXIMUM, (cut, low), shown)
 
     def _folded(self, signal: int, is_least: bool, shown: Shown) -> int:
-        """The least or greatest of a number over elements. A constant is the same for all
-        elements.
-        """
+        """The least or greatest of a number over elements. A constant is its own result."""
         if self._is_constant(signal):
             return signal
         return self._nodes.signal(ir.Fold(_folding(is_least), signal), shown)

@@ -1,5 +1,5 @@
-"""The signals and propositions of a machine under construction: equal nodes are shared, constant
-ones folded.
+"""The signals and propositions of a machine under construction. Equal nodes are shared, and
+constant nodes are folded.
 
 Every method with operands takes indices that an earlier call returned, so operands precede their
 users.
@@ -47,7 +47,7 @@ class Nodes:
         return self._add_signal(ir.Constant(value), key, shown)
 
     def signal(self, node: ir.SignalNode, shown: Shown) -> int:
-        """Any signal but a constant or a function."""
+        """Any signal except a constant or a function."""
         return self._add_signal(node, node, shown)
 
     def apply(self, function: ir.AnyFunction, operands: tuple[int, ...], shown: Shown) -> int:
@@ -77,7 +77,7 @@ class Nodes:
     # ------------------------------------------------------------------------------
 
     def literal(self, value: bool, shown: Shown) -> int:
-        """Always true or always false."""
+        """A proposition that is always true or always false."""
         return self._add_proposition(ir.Literal(value), shown)
 
     def leaf(self, node: ir.PropositionNode, shown: Shown) -> int:
@@ -88,7 +88,7 @@ class Nodes:
         return self._add_proposition(node, shown)
 
     def negation(self, operand: int, shown: Shown) -> int:
-        """`not`."""
+        """The negation, `not`."""
         node = self.propositions[operand].node
         if isinstance(node, ir.Literal):
             return self.literal(not node.value, shown)
@@ -97,9 +97,9 @@ class Nodes:
     def conjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
     ) -> int:
-        """`and` of one or more operands, without those that are always true. A proposition
-        `of_elements` stays one, even if a literal decides it, because only the message shows
-        whether there are elements.
+        """The conjunction, `and`, of one or more operands, without operands that are always true. A
+        proposition `of_elements` remains one, even if a literal decides it, because only the
+        message shows whether there are elements.
         """
         if any(self._is_literal(operand, value=False) for operand in operands):
             if of_elements and not self._are_literals(operands):
@@ -113,8 +113,8 @@ class Nodes:
     def disjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
     ) -> int:
-        """`or` of one or more operands, without those that are always false. `of_elements` is as
-        for `conjunction`.
+        """The disjunction, `or`, of one or more operands, without operands that are always false.
+        `of_elements` is as for `conjunction`.
         """
         if any(self._is_literal(operand, value=True) for operand in operands):
             if of_elements and not self._are_literals(operands):
@@ -126,16 +126,16 @@ class Nodes:
         return self._add_proposition(ir.Or(left), shown)
 
     def held(self, operand: int, duration_ns: int, shown: Shown, *, initially: bool = False) -> int:
-        """`for`. Even an operand that is always true was not true before the start, unless
-        `initially`.
+        """The operator `for`. Before the start, even an operand that is always true counts as
+        false, unless `initially`.
         """
         if self._is_literal(operand, value=initially) or self._is_literal(operand, value=False):
             return operand
         return self._add_proposition(ir.Held(operand, duration_ns, initially), shown)
 
     def since(self, held: int, begun: int, shown: Shown) -> int:
-        """`since`. If `begun` is constant, the result is simplified; if `held` is never true, it is
-        false.
+        """The operator `since`. If `begun` is constant, the result is simplified; if `held` is
+        never true, the result is false.
         """
         is_decided = isinstance(self.propositions[begun].node, ir.Literal)
         if is_decided or self._is_literal(held, value=False):
@@ -143,7 +143,7 @@ class Nodes:
         return self._add_proposition(ir.Since(held, begun), shown)
 
     def recurs(self, operand: int, count: int, window_ns: int, shown: Shown) -> int:
-        """At least `count` edges within a time. An operand that is always false has none."""
+        """At least `count` edges within a time. An operand that is always false has no edges."""
         if count == 0 or self._is_literal(operand, value=False):
             return self.literal(count == 0, shown)
         return self._add_proposition(ir.Recurs(operand, count, window_ns), shown)

@@ -1,7 +1,7 @@
 """Numeric expressions: scalars, vectors, orientations, and the elements of arrays.
 
-Types and units are known to fit. An array stands for any of its elements: the checker allows it
-only inside a fold, a count or a quantifier.
+Types and units have been checked. An array stands for any of its elements: the checker allows an
+array only inside a fold, a count or a quantifier.
 """
 
 from __future__ import annotations
@@ -58,13 +58,13 @@ _EACH = {
     "sin": ir.Function.SINE,
     "cos": ir.Function.COSINE,
 }
-"""Functions that are applied to each component, or to each element."""
+"""Functions that apply to each component, or to each element."""
 
 _WHOLE = {
     each.value: each
     for each in (ir.Function.NORM, ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 }
-"""Functions of all components of one argument together."""
+"""Functions that apply to all components of one argument together."""
 
 _FOLDINGS = {"min": ir.Folding.MINIMUM, "max": ir.Folding.MAXIMUM}
 
@@ -128,7 +128,7 @@ class Numbers:
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
 
     def _setting(self, given: Components, setting: ast.Constant, shown: Shown) -> Components:
-        """A parameter of the node: the given value, if it is tighter (S87)."""
+        """A parameter of the node: the given value, if it is tighter than the default (S87)."""
         assert setting.parameter is not None
         is_up = setting.parameter.tightens is not None and setting.parameter.tightens.text == "up"
         (usual,) = self._program.values[setting.value].numbers
@@ -144,7 +144,7 @@ class Numbers:
         return tuple(self._nodes.constant(number, shown) for number in numbers)
 
     def type_of(self, node: ast.Expression) -> Type:
-        """The type that the checker found."""
+        """The type from the checker."""
         return self._program.types[node]
 
     def pose(self, node: ast.Expression) -> Components:
@@ -172,7 +172,7 @@ class Numbers:
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
         match type_:
             case Message(fields=fields):
-                # A std_msgs message stands for its data.
+                # For a std_msgs message, its data is used.
                 data = fields["data"]
                 return self._read(
                     place.field("data", data), data, replace(shown, unit=unit_of(data))
@@ -189,13 +189,13 @@ class Numbers:
                 return (self._read_scalar(place, type_, shown),)
 
     def _is_component(self, node: ast.Expression, place: Place) -> TypeGuard[ast.Member]:
-        """Say whether a part of a message is a component of a quantity with a known frame. Then the
-        whole quantity is needed.
+        """Say whether a part of a message is a component of a quantity with a known frame. The
+        whole quantity is needed then.
         """
         if not isinstance(node, ast.Member) or not is_in_frame(place):
             return False
         if node.member.text not in ("x", "y", "z", "w"):
-            return False  # such as the range of a point of a scan, which is the same in all frames
+            return False  # e.g. the range of a point of a scan, which is the same in all frames
         return isinstance(self.type_of(node.value), Vector | Quaternion)
 
     def _component(self, node: ast.Member) -> int:
@@ -210,7 +210,7 @@ class Numbers:
         return tuple(map(parts, range(3 if isinstance(type_, Vector) else 4)))
 
     def _seen(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Axis:
-        """The components of a vector or an orientation, in the frame that the rules want."""
+        """The components of a vector or an orientation, in the frame of the rules."""
         element = type_.element if isinstance(type_, Vector) else Quantity(None)
 
         def arrived(number: int) -> int:
@@ -378,7 +378,7 @@ class Numbers:
         return self.way_to_stop(self._program.motions[type_.name], wanted, shown)
 
     def way_to_stop(self, motion: CheckedMotion, wanted: float, shown: Shown) -> int:
-        """The distance in m in which a motion slows down to a speed, at the latest (S65)."""
+        """The greatest distance in m in which a motion slows down to a speed (S65)."""
         return way_to_stop(self.scalar(motion.speed), motion, wanted, shown, self._nodes)
 
     # --- how it is shown ---------------------------------------------------------------------
@@ -389,8 +389,8 @@ class Numbers:
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:
-    """The operands with equal numbers of components: a scalar beside a vector is repeated for each
-    component.
+    """The operands with equal numbers of components: a scalar is repeated for each component of a
+    vector.
     """
     size = max(len(left), len(right))
     return (

@@ -1,4 +1,4 @@
-"""The parts of messages that expressions name, and the elements that names of folds stand for."""
+"""The parts of messages that expressions name, and the elements for which names of folds stand."""
 
 from __future__ import annotations
 

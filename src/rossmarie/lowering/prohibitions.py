@@ -1,8 +1,9 @@
-"""Skills that rules always stop, so that a planner must not use them when it looks for another path
-(S68).
+"""Skills that rules always stop. A planner must not use these skills when it searches for another
+path (S68).
 
-The queries of a rule are read from its condition, not proved: a query about the running skills, or
-an `or` with one. So the result is certain for each named skill, and leaves other skills open.
+The queries of a rule are read from its condition, not proved. A query is a query about the running
+skills, or an `or` with such a query as operand. So the result is certain for each named skill, but
+does not cover all other skills.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ WITHOUT = "without"
 _REPLAN = "replan"
 
 Things = frozenset[tuple[str, str]]
-"""Parameters, each with a class. A skill is meant if all its things have these classes."""
+"""Parameters, each with a class. A skill is stopped if all its things have these classes."""
 _Taken = frozenset[tuple[UseKind, str]]
 
 _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
@@ -33,8 +34,8 @@ _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
 """Nodes that succeed if one of their children succeeds."""
 _MOST_WAYS = 64
-"""The most combinations of things of one skill that are reported. For all others, the rule stops
-the skill again.
+"""The most combinations of things of one skill that are reported. For other combinations, the rule
+stops the skill during the run.
 """
 _MOST_LEVELS = 64
 """The most levels of nested compounds that are searched."""
@@ -74,7 +75,7 @@ def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effe
 
 
 def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:
-    """Only combinations that no other combination covers."""
+    """The combinations that no other combination covers."""
     return (each for each in ways if not any(other < each for other in ways))
 
 
@@ -98,7 +99,7 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
 
 
 def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
-    """The queries about running skills that make a condition true. Each query suffices alone."""
+    """The queries about running skills. Each query alone makes the condition true."""
     waiting = [condition]
     while waiting:
         node = machine.propositions[waiting.pop()].node
@@ -112,8 +113,8 @@ def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
 
 
 def _lost(machine: ir.Machine, rule: int) -> _Taken:
-    """The resources that a rule takes away as soon as it is active, for as long as it is active. A
-    stage begins after the one before, without delay if no effect of that stage can fail.
+    """The resources that a rule takes away immediately, and while it is active. A stage begins
+    after the stage before it. The delay is zero if no effect of the earlier stage can fail.
     """
     found = []
     for stage in machine.reactions.plans[rule].stages:
@@ -132,7 +133,7 @@ def _lasts(effect: reactions.Effect) -> bool:
 
 
 def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
-    """The classes that a query names, each the most general one."""
+    """The classes that a query names. Of each argument, only the most general class is given."""
     below = skills.classes.below
     return frozenset(
         (parameter, next(each for each in classes if below(each) == classes))
@@ -144,7 +145,7 @@ def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
 
 
 def _needing(lost: _Taken, skills: Mapping[str, Skill]) -> frozenset[str]:
-    """The skills that cannot run without some resource, whatever path they take."""
+    """The skills that need one of these resources on every path."""
     found = frozenset(
         name
         for name, skill in skills.items()
@@ -174,7 +175,7 @@ def _needs(skill: Skill, known: Collection[str]) -> bool:
 def _with_compounds(
     stopped: Mapping[str, frozenset[Things]], skills: Mapping[str, Skill]
 ) -> Mapping[str, frozenset[Things]]:
-    """Add the compounds whose only paths lead through a stopped skill."""
+    """Add the compound skills in which every path leads through a stopped skill."""
     found = {name: stopped.get(name, frozenset()) for name in skills}
     for _ in range(_MOST_LEVELS):
         before = dict(found)
@@ -187,8 +188,8 @@ def _with_compounds(
 
 
 def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozenset[Things]:
-    """The things with which every path through each tree of a compound leads through stopped
-    skills.
+    """The combinations of things for which every path through each tree of a compound skill leads
+    through stopped skills.
     """
 
     def of_step(step: Step) -> frozenset[Things]:
@@ -204,7 +205,7 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
 
 
 def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
-    """The things that are stopped on every path; none if there is no path."""
+    """The combinations of things that are stopped on every path; none if there is no path."""
     if not ways:
         return frozenset()
     found = ways[0]
@@ -214,7 +215,7 @@ def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
 
 
 def _few(ways: frozenset[Things]) -> frozenset[Things]:
-    """The first combinations in a fixed order, the most general first."""
+    """The first combinations in a fixed order, the most general combination first."""
     general = frozenset(_without_special_cases(ways))
     if len(general) <= _MOST_WAYS:
         return general
@@ -222,8 +223,8 @@ def _few(ways: frozenset[Things]) -> frozenset[Things]:
 
 
 def _passed(things: Things, step: Step, parameters: Mapping[str, Parameter]) -> Things | None:
-    """The things of a step as things of the compound; None if the compound does not pass all of
-    them.
+    """The things of a step, expressed by parameters of the compound skill; None if the compound
+    skill does not pass all of them.
     """
     names = {parameter: step.arguments.get(parameter) for parameter, _ in things}
     if not all(each in parameters for each in names.values()):

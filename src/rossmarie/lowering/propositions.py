@@ -1,7 +1,7 @@
 """Expressions that are true, false or unknown.
 
-A name of a condition stands for the proposition that the condition was lowered to; conditions are
-lowered once, before the expressions that refer to them.
+The name of a condition stands for the condition's proposition. Conditions are lowered once, before
+the expressions that refer to them.
 """
 
 from __future__ import annotations
@@ -54,19 +54,19 @@ class Propositions:
         return self._proposition(node, None)
 
     def too_late(self, keeps: CheckedKeeps, shown: Shown) -> int:
-        """The proposition that a motion is closer to some places than its stopping distance."""
+        """The proposition that a motion is closer to some locations than its stopping distance."""
         function = RegionFunction(Measure.DISTANCE, keeps.region)
         wanted = Shown(keeps.frame, keeps.written.place.span)
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
         numbers, position = self._numbers, keeps.motion.position
         distance = numbers.of_region(function, position, wanted, metres)
-        way = Shown(f"way on which {keeps.written.motion.text} slows down", shown.span, _METRE)
+        way = Shown(f"distance in which {keeps.written.motion.text} slows down", shown.span, _METRE)
         needed = numbers.way_to_stop(keeps.motion, keeps.speed, way)
         return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 
     def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:
-        """The signals of a pose, and the proposition that the pose is known. The proposition makes
-        monitors keep the numbers.
+        """The signals of a pose, and the proposition that the pose is known. Because of this
+        proposition, monitors keep the numbers.
         """
         signals = self._numbers.pose(node)
         shown = _shown(node)
@@ -83,8 +83,8 @@ class Propositions:
         )
 
     def _lower_conditions(self, node: ast.Expression) -> None:
-        """Lower all conditions that a node names, the deepest first. Chains of names cause no
-        recursion.
+        """Lower all conditions that a node names, the deepest condition first. Chains of names
+        cause no recursion.
         """
         waiting = list(conditions_in(node, None, self._program.symbols))[::-1]
         while waiting:
@@ -217,7 +217,9 @@ class Propositions:
     def _age(
         self, age: ast.Expression, compared: ir.Comparison, limit: ast.Expression, node: ast.Binary
     ) -> int:
-        """Ages are whole nanoseconds: more than d is at least d + 1 ns."""
+        """The proposition about an age. Ages are whole nanoseconds: more than d is at least d + 1
+        ns.
+        """
         place = self._numbers.place(_arguments(age)[0])
         assert place is not None, "checked: only inputs have an age"
         is_strict = compared in (ir.Comparison.GREATER, ir.Comparison.LESS_OR_EQUAL)
@@ -238,7 +240,7 @@ class Propositions:
         node: ast.Binary,
         entity: str | None,
     ) -> int:
-        """S48: more than n edges are at least n + 1."""
+        """S48: the proposition about a count of edges. More than n edges are at least n + 1."""
         (edges,) = _arguments(counted)
         assert isinstance(edges, ast.Edges), "asked before"
         assert edges.window is not None, "checked"
@@ -273,7 +275,7 @@ class Propositions:
                 return self._nodes.conjunction((at_least(number), no_more), _shown(node))
 
     def _changed(self, node: ast.Call) -> int:
-        """S47: a component differs from its value at the sample before."""
+        """S47: a component differs from its previous sample."""
         (argument,) = node.arguments
         now = self._numbers.components(argument)
         before = self._numbers.previous(argument)
@@ -361,7 +363,7 @@ def _shown(node: ast.Expression) -> Shown:
 
 
 def _operand(node: ast.Expression) -> str:
-    """The words of an operand, in parentheses if they would be ambiguous without."""
+    """The words of an operand, in parentheses if they would otherwise be ambiguous."""
     text = words(node.span)
     is_one_word = isinstance(node, ast.Reference | ast.Member | ast.Call | ast.Parenthesized)
     return text if is_one_word else f"({text})"

@@ -1,4 +1,5 @@
-"""The actions of rules -> the reactions: plans of tasks, and the data that tasks refer to.
+"""Derives the reactions from the actions of rules: plans of tasks, and the data that tasks refer
+to.
 
 An action without a body contributes no task. Each place of an escalation has its own tasks.
 """
@@ -32,7 +33,7 @@ from rossmarie.syntax import ast
 
 @dataclass
 class _Draft:
-    """A task whose escalations are still unknown."""
+    """A task whose escalations are not known yet."""
 
     action: str
     checked: CheckedEffect
@@ -41,7 +42,7 @@ class _Draft:
 
 @dataclass(frozen=True)
 class _Escalation:
-    """The task that may fail, the following action, and the escalations of that action."""
+    """The task that may fail, the following action, and the escalations of this action."""
 
     task: int
     action: str
@@ -62,9 +63,7 @@ class Plans:
     _drafts: list[_Draft] = field(default_factory=list)
 
     def lower(self) -> ir.Reactions:
-        """The reactions of the rules; propositions are added to the machine for the
-        confirmations.
-        """
+        """The reactions of the rules. Propositions for confirmations are added to the machine."""
         plans = tuple(
             self._plan(rule, unless)
             for rule, unless in zip(self.program.rules, self.program.unless, strict=True)
@@ -180,8 +179,8 @@ class Plans:
                 return self._awaited(awaited)
 
     def _retrace(self, sent: CheckedRetrace) -> reactions.Retrace:
-        """Poses with the same memory settings share a memory. A monitor keeps the values that it
-        watches.
+        """The effect that retraces a memory. Poses with the same memory settings share a memory. A
+        monitor keeps the values that it watches.
         """
         signals, known = self.propositions.pose(sent.pose)
         if known not in self.watches:
@@ -208,7 +207,7 @@ class Plans:
                 return reactions.CancelGoal(server, kind, watch, timeout_ns, interrupted)
 
     def _watch(self, confirmation: ast.Expression) -> int:
-        """The number of the proposition of a confirmation among the watched ones."""
+        """The index of a confirmation's proposition among the watched propositions."""
         proposition = self.propositions.lower(confirmation)
         if proposition not in self.watches:
             self.watches.append(proposition)

@@ -12,7 +12,9 @@ from rossmarie.syntax.walk import children
 def referred_condition(
     node: ast.Expression, entity: str | None, symbols: Symbols
 ) -> ConditionKey | None:
-    """The condition that a node names: `entity.condition`, or inside an entity just `condition`."""
+    """The condition that a node names: `entity.condition`, or inside an entity just `condition`.
+    None if the node names no condition.
+    """
     match node:
         case ast.Member(value=ast.Reference(name=owner), member=member):
             key = (owner.text, member.text)

@@ -1,5 +1,5 @@
-"""Requirements of rules, lowered after everything that monitors need, so that no monitor computes
-them.
+"""Requirements of rules. They are lowered after everything that monitors need, so that no monitor
+computes them.
 """
 
 from __future__ import annotations
@@ -45,8 +45,9 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
 
 
 def _not_in_time(rule: int, keeps: CheckedKeeps, program: CheckedProgram, found: Lowered) -> int:
-    """The proposition that it is too late while the condition of the rule is false. This includes
-    times when no skill of its scope runs, or a skill of one of its exemptions runs.
+    """The proposition that it is too late while the condition of the rule is false. The condition
+    counts as false if no skill of the rule's scope runs, or if a skill of one of its exemptions
+    runs.
     """
     span, name = keeps.written.span, found.machine.rules[rule].name
     late = found.propositions.too_late(keeps, Shown(f"too late: {words(span)}", span))

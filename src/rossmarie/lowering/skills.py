@@ -1,7 +1,7 @@
 """Queries about the running skills, as flags of the message about them.
 
-One query has two forms (S59). The query of a rule is stale when the context is late. The query of
-an exemption uses an input without a timeout, and is false then.
+One query has two forms (S59). If the context is stale, the query of a rule is stale, and the query
+of an exemption is false. The latter uses an input without a timeout.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rossmarie.syntax import ast
 from rossmarie.types import Boolean
 
 CONTEXT = "skill_context"
-"""The name of the input for queries of rules. The other input adds `_kept`."""
+"""The name of the input for queries of rules. The name of the other input adds `_kept`."""
 
 
 class Skills:
@@ -30,14 +30,14 @@ class Skills:
         self._nodes = nodes
 
     def asked(self, node: ast.Doing) -> int:
-        """The proposition that the skill runs; stale if there has been no message about skills for
-        too long.
+        """The proposition that the skill runs; stale if the last message about skills is too
+        old.
         """
         return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
 
     def kept(self, node: ast.Doing) -> int:
-        """The proposition that the skill runs and that the context is not late; false if it is
-        late.
+        """The proposition that the skill runs and the last message about skills is not too old;
+        else false.
         """
         used = self._context(f"{CONTEXT}_kept", None)
         timeout_ns = self._skills.timeout_ns

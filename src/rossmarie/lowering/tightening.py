@@ -1,5 +1,5 @@
 """Parameters of the node that do not tighten the rules that use them. With a tighter value, a rule
-must be active whenever it was before, and clear no earlier (S87).
+must be active whenever it was active before, and must not be cleared earlier (S87).
 
 Moves are the directions in which a number, or a proposition from false to true, can change when
 parameters are tightened. A number of unknown direction may move both ways.
@@ -48,7 +48,7 @@ def _turned(moves: _Moves) -> _Moves:
 
 
 def _times(moves: _Moves, sign: int | None) -> _Moves:
-    """The moves of a product with a number of that sign; None if the sign is unknown."""
+    """The moves of a product with a number of this sign; None if the sign is unknown."""
     if sign is None:
         return _BOTH if moves else _NONE
     return moves if sign > 0 else _turned(moves)
@@ -118,8 +118,8 @@ class _MovesOf:
                 return _BOTH
 
     def _sign(self, node: ir.SignalNode) -> int | None:
-        """1 for a signal that is never below zero, -1 for one that is never above. A divisor is
-        never zero, because a quotient by zero is unknown.
+        """1 for a signal that is never below zero, -1 for a signal that is never above zero, else
+        None. A divisor is never zero, because a quotient by zero is unknown.
         """
         if isinstance(node, ir.Constant):
             return 1 if node.value >= 0.0 else -1

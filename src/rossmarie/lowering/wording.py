@@ -25,7 +25,7 @@ from rossmarie.types import (
 )
 from rossmarie.units import Unit
 
-# A text literal, which has no escapes, stays unchanged. Any run of white space and comments becomes
+# A text literal stays unchanged; it has no escapes. White space and comments in succession become
 # one blank.
 _PIECE = re.compile(
     r"""(?P<literal>"[^"\n]*")|(?:\s|//[^\n]*|'''.*?''')+""",

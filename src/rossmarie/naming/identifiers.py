@@ -24,7 +24,7 @@ _LANGUAGE = """
     xor_eq linux unix
 """
 
-# Names that the generated functions use, where a field of a message is a parameter.
+# Names that the generated functions use in places where a field of a message is a parameter.
 _GENERATED = """
     arcsine arcsine_far arcsine_surplus arctangent arctangent_surplus arrive arrived before begin
     both catch_up compute cross either element_proposition evaluate events every fabs first follow
@@ -67,8 +67,9 @@ def c_identifier(text: str) -> str:
 
 
 def public_prefix(program: str) -> str:
-    """The prefix of all public names of a monitor: the name of its rules file, unless that would
-    create names that the monitor uses inside, as `rule_values` of `rule.ross` would.
+    """The prefix of all public names of a monitor: the name of its rules file. The prefix differs
+    from the name if it would create a name that the monitor uses inside, such as `rule_values` for
+    `rule.ross`.
     """
     word = c_identifier(program)
     return f"ross_{word}" if word.split("_")[0] in _PRIVATE_WORDS else word

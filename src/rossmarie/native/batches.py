@@ -11,11 +11,11 @@ from rossmarie.ir import Batch
 from rossmarie.native.library import Library
 
 _ROOM = 1024
-"""The memory for samples in addition to one per update, for timers."""
+"""The samples that the memory can hold in addition to one per update, for timers."""
 
 
 class BatchTable:
-    """A batch in C. It must live as long as `pointer` is used."""
+    """A batch in C. The table must live while `pointer` is used."""
 
     def __init__(self, library: Library, batch: Batch) -> None:
         elements = [library.pointer("double[]", array.values) for array in batch.arrays]
@@ -62,9 +62,9 @@ class SampleTable:
         return bool(self.pointer.count == self.pointer.room)
 
     def move_out(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        """The instants and values of the samples. Afterwards the memory is free again."""
+        """The instants in ns and the values of the samples. Afterwards the memory is free again."""
         times_ns = self._times_ns[: self.pointer.count].copy()
         values = self._values[: self.pointer.count].copy()
-        values[np.isnan(values)] = np.nan  # the plain NaN instead of the many other kinds
+        values[np.isnan(values)] = np.nan  # one plain NaN instead of many kinds of NaN
         self.pointer.count = 0
         return times_ns, values

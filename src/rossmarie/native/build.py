@@ -27,13 +27,13 @@ class NoCompilerError(Exception):
 
 
 class BuildError(Exception):
-    """The C compiler rejected the text: a defect of the program that wrote it."""
+    """The C compiler rejected the text. This is a defect of the program that wrote the text."""
 
 
 def compiler() -> list[str]:
-    """The command of the C compiler: `$CC`, else the first of cc, gcc, clang on the path.
+    """The command of the C compiler: `$CC`, else the first of cc, gcc and clang on the PATH.
 
-    Raises `NoCompilerError` if there is none.
+    Raises `NoCompilerError` if there is no compiler.
     """
     candidates = _named() or [["cc"], ["gcc"], ["clang"]]
     for command in candidates:
@@ -44,7 +44,7 @@ def compiler() -> list[str]:
 
 
 def _named() -> list[list[str]]:
-    """The command in `$CC`, if there is one."""
+    """The command in `$CC`, if the variable is set."""
     named = os.environ.get("CC")
     try:
         return [shlex.split(named)] if named else []
@@ -59,8 +59,8 @@ def build(
     beside: Sequence[str] = (),
     rebuild: bool = False,
 ) -> bytes:
-    """Compile the file `main` among `files`, and those `beside` it, to a shared library, unless
-    that was done before.
+    """Compile the file `main` among `files`, together with the files in `beside`, to a shared
+    library. A stored library with the same text is used again.
 
     Raises `NoCompilerError`, or `BuildError` with the output of the compiler, or `OSError` if the
     disk is full.

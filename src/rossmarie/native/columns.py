@@ -1,6 +1,6 @@
 """Whole columns in memory for C, checked against the machine that reads them.
 
-The input is numpy arrays by the names of `ir.field_names` and `ir.arrival_names`. The requirements
+The input is NumPy arrays by the names of `ir.field_names` and `ir.arrival_names`. The requirements
 are the same for every engine: only this module accepts or refuses columns.
 """
 
@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 from rossmarie import ir
 
 FLAG_VALUES = (0.0, 1.0, float("nan"))
-"""The values of the bytes in a column of flags; `host.c` has the same table."""
+"""The values for the bytes in a column of flags; `host.c` has the same table."""
 
 _UNKNOWN_FLAG = 2
 _WANTED = {ir.Kind.REAL: "numbers", ir.Kind.FLAG: "flags"}
-_NUMBERS = "buif"  # the kinds of numpy: bool, unsigned, signed and floating-point numbers
+_NUMBERS = "buif"  # the kinds of NumPy types: bool, unsigned, signed and floating-point numbers
 _Number = TypeVar("_Number", np.float64, np.uint8)
 
 
@@ -32,9 +32,10 @@ class ColumnError(ValueError):
 class Columns:
     """Columns that fit a machine.
 
-    `times_ns` has the shape (rows,), `slots` a column of that shape for each slot: float64, or for
-    flags uint8, an index into `FLAG_VALUES`. `arrays` has a float64 table of shape (rows, elements)
-    for each array. `arriving` is 1 for each channel with a message in every row, else 0.
+    `times_ns` has the shape (rows,), in ns. `slots` has a column of the same shape for each slot:
+    float64, or for flags uint8, an index into `FLAG_VALUES`. `arrays` has a float64 table of shape
+    (rows, elements) for each array. `arriving` is 1 for each channel with a message in every row,
+    else 0.
     """
 
     times_ns: NDArray[np.int64]
@@ -49,7 +50,7 @@ def fit(
     """The columns in the form for engines.
 
     Raises `ColumnError` if a column is missing or unused, if its shape differs from that of the
-    instants or its values have a wrong type, or if the instants are not int64 or out of range.
+    instants, if its values have a wrong type, or if the instants are not int64 or out of range.
     """
     instants = _instants(np.asarray(times_ns))
     given = {name: np.asarray(column) for name, column in columns.items()}
@@ -90,7 +91,7 @@ def _chosen(
 
 
 def _arriving(machine: ir.Machine, named: set[int]) -> NDArray[np.uint8]:
-    """The channels with messages: those with given columns, and those that are named."""
+    """The channels with messages: channels with given columns, and named channels."""
     read = {slot.input for slot in machine.slots} | {array.input for array in machine.arrays}
     arriving = np.zeros(max(1, len(machine.channels)), np.uint8)
     arriving[sorted(named.union(machine.inputs[index].channel for index in read))] = 1
@@ -140,7 +141,7 @@ def _strings(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDA
 
 
 def _flags(column: NDArray[np.generic]) -> NDArray[np.uint8]:
-    """The flags, always as a copy: a foreign byte could exceed the table in C."""
+    """The flags, always as a copy: a byte in the caller's memory could exceed the table in C."""
     if column.dtype == np.bool_:
         column = column.view(np.uint8)
     flags = (column != 0).view(np.uint8)
@@ -173,8 +174,8 @@ def _tables(
 
 
 def _require_places(name: str, table: NDArray[np.float64]) -> None:
-    """Require that all rows of a table have equally many points: points without a position cannot
-    be left out (S57).
+    """Require that all rows of a table have the same number of points. Points without a position
+    cannot be left out of a table (S57).
     """
     lacks = np.isnan(table).any(axis=1)
     if lacks.any():
@@ -203,8 +204,8 @@ def _elements(name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:
 
 
 def _aligned(column: NDArray[np.generic], kind: type[_Number]) -> NDArray[_Number]:
-    """A column in the memory layout of C. Numbers too large for float64 become infinite, which is
-    unknown.
+    """A column in the memory layout of C. Numbers that are too large for float64 become infinite,
+    which counts as unknown.
     """
     with np.errstate(over="ignore"):
         return np.ascontiguousarray(column, kind)

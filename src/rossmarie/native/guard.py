@@ -1,7 +1,7 @@
 """A monitor in C with the reactor of its rules, in this process.
 
-Takes the machine and the C text that a target wrote for it, and uses only the functions of `host.c`
-and `guard.c`.
+The input is the machine and the C text that a target wrote for it. This module uses only the
+functions of `host.c` and `guard.c`.
 """
 
 from __future__ import annotations
@@ -79,13 +79,13 @@ def load_native_guard(machine: ir.Machine, files: Mapping[str, str]) -> NativeGu
 
 
 class NativeGuard:
-    """A monitor and its reactor, which runs after each call of the monitor, at the same instant.
-    Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and `ir.LATEST_NS`,
-    except `bounds`.
+    """A monitor and its reactor. The reactor runs after each call of the monitor, at the same
+    instant. Every method with an instant raises `ValueError` outside `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`, except `bounds`.
     """
 
     def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
-        """Raises `OSError` if the arithmetic of the library is not that of IEEE 754."""
+        """Raises `OSError` if the arithmetic of the library does not follow IEEE 754."""
         self._machine = machine
         self._reader = reader
         self._monitor = NativeMonitor(machine, library, reader, "guard")
@@ -130,7 +130,9 @@ class NativeGuard:
         self.library.function("guard_open")(self.host)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` has to be called if no other call comes before."""
+        """The instant in ns at which the caller has to call `advance` if no other call comes
+        before.
+        """
         wake_ns: int = self._next_wake(self.host)
         return None if wake_ns == _NEVER else wake_ns
 
@@ -141,7 +143,7 @@ class NativeGuard:
         self.library.function("guard_bounds")(self.host, at_ns, command, room)
         return tuple(FieldBounds(*room[3 * n : 3 * n + 3]) for n in range(count))
 
-    # --- what happens ------------------------------------------------------------------------
+    # --- events and time ---------------------------------------------------------------------
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
         """Process the messages that arrive at one instant, by channel index."""
@@ -149,18 +151,18 @@ class NativeGuard:
         self._follow(at_ns)
 
     def advance(self, at_ns: int) -> None:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         self._events += self._monitor.advance(at_ns)
         self._follow(at_ns)
 
     def reset(self, at_ns: int, rule: int | None = None) -> None:
-        """Reset one latched rule, or all, for an operator."""
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator."""
         self._events += self._monitor.reset(at_ns, rule)
         self._follow(at_ns)
 
     def report(self, at_ns: int, task: int, *, success: bool) -> None:
-        """Report the end of a task that was ordered to start. Raises `IndexError` if there is no
-        such task.
+        """Report the end of a task that got the command to start. Raises `IndexError` if there is
+        no such task.
         """
         if not 0 <= task < len(self._machine.reactions.tasks):
             raise IndexError(f"there is no task {task}")
@@ -168,8 +170,8 @@ class NativeGuard:
         self.library.function("guard_report")(self.host, at_ns, task, success)
 
     def update_call(self, channel: int) -> Callable[..., int]:
-        """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
-        channel, as `NativeMonitor.update_call` describes it.
+        """A function for one message on a channel: `(at_ns, *slots) -> number of new events and
+        task commands`. `NativeMonitor.update_call` describes it.
         """
         made = self._monitor.update_call(channel)
         if not isinstance(made, partial):
@@ -178,12 +180,12 @@ class NativeGuard:
         return lambda at_ns, *slots: packed(self.host, channel, at_ns, new("double[]", [*slots, 0]))
 
     def watch_call(self, channel: int) -> Callable[..., int | None]:
-        """A function `(at_ns, *slots, *arrays) -> instant of the next advance, or None if there is
-        something to take` for one message on a channel, with its slots and its arrays in index
-        order, in the units of the message; arrays are of numpy, of float64 or float32.
+        """A function for one message on a channel: `(at_ns, *slots, *arrays) -> instant of the next
+        advance, or None if there is something to take`.
 
-        Raises `ValueError` if the channel carries lists, as the function does for an instant out of
-        range.
+        Slots and arrays are in index order, in the units of the message. Arrays are NumPy arrays of
+        float64 or float32. Raises `ValueError` if the channel carries lists. The function raises
+        `ValueError` for an instant out of range.
         """
         carried = fields_of(self._machine)[channel]
         if carried.lists or len(carried.slots) > MOST_FIELDS:
@@ -202,7 +204,7 @@ class NativeGuard:
         return [*head, *sizes, *carried.slots, 0]
 
     def _plain_watch(self, channel: int, carried: Fields) -> Callable[..., int | None]:
-        """The same function without Python's headers."""
+        """The function of `watch_call` without Python's headers."""
         slots, count = carried.slots, len(carried.slots)
 
         def watch(at_ns: int, *values: Any) -> int | None:
@@ -224,7 +226,7 @@ class NativeGuard:
         return plain_step(self.library, self.host, table, self._note)
 
     def allow_call(self, wiring: Wiring) -> AllowCall:
-        """A function that says which of some actions would pass unchanged."""
+        """A function that returns which of some actions would pass unchanged."""
         library, table = self.library, self._table(wiring)
         call = library.function("guards_allow")
 
@@ -241,12 +243,12 @@ class NativeGuard:
         return NativeRow(self.library, count, self._machine, self._table)
 
     def take_events(self) -> list[Event]:
-        """The events since the last call. Orders stay."""
+        """The events since the last call. Task commands stay."""
         events, self._events = self._events, []
         return events + self._monitor.take_events()
 
     def save(self) -> bytes:
-        """The whole state, and the orders that have not been taken."""
+        """The whole state, and the task commands that have not been taken."""
         room = bytearray(self._size)
         self.library.function("guard_save")(self.host, self.library.pointer(_BYTES, room))
         return bytes(room) + self._order_log()
@@ -285,8 +287,8 @@ class NativeGuard:
         return packed_note(said, bits, margins, list(states)[:tasks], list(since_ns)[:tasks])
 
     def take(self) -> Reported:
-        """All events and orders since the last call. Raises `MemoryError`, from then on, if any was
-        lost for lack of memory.
+        """All events and task commands since the last call. If any was lost for lack of memory,
+        raises `MemoryError`, also at all later calls.
         """
         return Reported(self.take_events(), self._orders())
 
@@ -313,6 +315,8 @@ class NativeGuard:
 
 
 def _order(machine: ir.Machine) -> struct.Struct:
-    """An order as `guard.c` has it: kind, task, rule, and a pose where the rules retrace any."""
+    """A task command in the format of `guard.c`: kind, task, rule, and a pose if the rules retrace
+    any.
+    """
     most = max((len(each.readings) for each in machine.reactions.memories), default=0)
     return struct.Struct(f"@4i{most}d" if most else "@3i")

@@ -1,6 +1,6 @@
 """The only module that calls C: a loaded library, with types.
 
-Takes the content of a library built from `host.c`, or from `fastcall.c`, which includes it.
+The input is the content of a library built from `host.c`, or from `fastcall.c`, which includes it.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from typing import Any
 
 import cffi
 
-# Things that cffi gives out have no static types; they leave this file only as `Pointer`.
+# Objects of cffi have no static types; they leave this file only as `Pointer`.
 Pointer = Any
 
 
 class Library:
-    """A library of one machine, and the memory that is handed to it."""
+    """A library of one machine, and the memory that is passed to it."""
 
     def __init__(self, content: bytes, declarations: str) -> None:
         """Raises `OSError` if the content is not a library."""
@@ -42,11 +42,11 @@ class Library:
         return found
 
     def owned(self, pointer: Pointer, release: Callable[..., Any]) -> Pointer:
-        """A pointer that is released when Python forgets it."""
+        """A pointer whose memory is released when Python no longer uses the pointer."""
         return self._ffi.gc(pointer, release)
 
     def pointer(self, kind: str, buffer: Any) -> Pointer:
-        """The memory of an array, which must live as long as the pointer is used; for None, a null
+        """The memory of an array, which must live while the pointer is used; for None, a null
         pointer.
         """
         return self.null if buffer is None else self._ffi.from_buffer(kind, buffer)
@@ -73,9 +73,10 @@ class Library:
     def update_function(
         self, host: Pointer, channel: int, fields: int, owner: object
     ) -> Callable[..., int] | None:
-        """The function of `fastcall.c` for a channel; None if the library was built without.
+        """The function of `fastcall.c` for a channel; None if the library was built without
+        `fastcall.c`.
 
-        It keeps `owner` alive, on which the host rests.
+        The function keeps `owner` alive, on which the host depends.
         """
         kinds = [ctypes.c_void_p, ctypes.c_int, ctypes.c_int, ctypes.py_object]
         return self._python_function(
@@ -85,9 +86,10 @@ class Library:
     def rows_function(
         self, host: Pointer, table: Pointer, owner: object
     ) -> Callable[..., bytes] | None:
-        """The function of `fastcall.c` for a table; None if the library was built without.
+        """The function of `fastcall.c` for a table; None if the library was built without
+        `fastcall.c`.
 
-        It keeps `owner` alive, on which host and table rest.
+        The function keeps `owner` alive, on which host and table depend.
         """
         kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
         addresses = map(self._address, (host, table))
@@ -96,9 +98,10 @@ class Library:
     def step_function(
         self, host: Pointer, wiring: Pointer, owner: object
     ) -> Callable[..., bytes | None] | None:
-        """The function of `fastguard.c` for a guard; None if the library was built without.
+        """The function of `fastguard.c` for a guard; None if the library was built without
+        `fastguard.c`.
 
-        It keeps `owner` alive, on which guard and wiring rest.
+        The function keeps `owner` alive, on which guard and wiring depend.
         """
         kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
         addresses = map(self._address, (host, wiring))
@@ -107,9 +110,10 @@ class Library:
     def watch_function(
         self, host: Pointer, shape: Pointer, owner: object
     ) -> Callable[..., int | None] | None:
-        """The function of `fastguard.c` for a channel; None if the library was built without.
+        """The function of `fastguard.c` for a channel; None if the library was built without
+        `fastguard.c`.
 
-        It keeps `owner` alive, on which guard and shape rest.
+        The function keeps `owner` alive, on which guard and shape depend.
         """
         kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
         addresses = map(self._address, (host, shape))
@@ -133,8 +137,8 @@ class Library:
 
 @cache
 def _loaded(content: bytes) -> ctypes.PyDLL:
-    """The library with this content. It is loaded once and stays, because functions of `fastcall.c`
-    may outlive all its users.
+    """The library with this content. The library is loaded once and stays loaded, because functions
+    of `fastcall.c` may outlive all its users.
     """
     with _file_of(content) as path:
         return ctypes.PyDLL(str(path))
@@ -142,14 +146,14 @@ def _loaded(content: bytes) -> ctypes.PyDLL:
 
 @contextmanager
 def _file_of(content: bytes) -> Iterator[Path]:
-    """A read-only file with this content, for the system's loader, which accepts only names. No two
-    such files share a name, because the loader identifies libraries by name.
+    """A read-only file with this content, for the system's loader, which accepts only file names.
+    Each file has a unique name, because the loader identifies libraries by name.
     """
     with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
         path = Path(folder) / "monitor.so"
         try:
             memory = _in_memory(content)
-        except OSError:  # then the folder protects it: only this user has access
+        except OSError:  # the folder protects the file: only this user has access
             path.write_bytes(content)
             yield path
             return
@@ -161,8 +165,8 @@ def _file_of(content: bytes) -> Iterator[Path]:
 
 
 def _in_memory(content: bytes) -> int:
-    """A sealed file in memory. It can be loaded even if programs must not be loaded from the folder
-    of temporary files.
+    """A sealed file in memory. It can be loaded even if the system forbids loading programs from
+    the folder of temporary files.
     """
     if sys.platform != "linux" or not Path("/proc/self/fd").exists():
         raise OSError("this system has no named files in memory")

@@ -1,7 +1,7 @@
-"""A monitor in C that runs in this process: the same methods and events as the interpreter.
+"""A monitor in C that runs in this process, with the methods and events of the interpreter.
 
-Takes the machine and the C text that a target wrote for it. This module uses only the functions of
-`host.c`.
+The input is the machine and the C text that a target wrote for it. This module uses only the
+functions of `host.c`.
 """
 
 from __future__ import annotations
@@ -30,22 +30,24 @@ from rossmarie.native.signatures import declarations, fields_of
 _NEVER = 2**63 - 1
 _NAN = float("nan")
 _TOO_MANY = 2**32 - 1
-"""More elements than the list of any input may have. C reads no element then."""
+"""More elements than the list of any input may have. C then reads no elements."""
 _BYTES = "unsigned char[]"
 _OWN = ("batch.c", "fastcall.c", "fastguard.c", "guarding.c")
 _HEADERS = Path(sysconfig.get_paths()["include"])
 
 RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
-"""The call takes start, stop and memory for the active bits, or None, and returns the bytes of the
+"""The call takes start, stop, and memory for the active bits or None, and returns the bytes of the
 events.
 """
 
-MOST_FIELDS = 256  # as in fastcall.c
+MOST_FIELDS = 256  # the same as in fastcall.c
 
 
 @dataclass(frozen=True)
 class Mains:
-    """The file to compile: one has functions for Python."""
+    """The file to compile: one file for a library with functions for Python, and one for a plain
+    library.
+    """
 
     plain: str
     for_python: str
@@ -77,8 +79,8 @@ def load_library(
 
 
 def _built(mains: Mains, files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
-    """The content of the built library: with functions for Python if Python's headers exist and
-    work, else without.
+    """The content of the built library. It has functions for Python if Python's headers exist and
+    work.
     """
     texts, beside = with_own(files), [name for name in files if name.endswith("_reactor.c")]
     if (_HEADERS / "Python.h").is_file():
@@ -86,13 +88,13 @@ def _built(mains: Mains, files: Mapping[str, str], *, rebuild: bool = False) -> 
             include = f"-I{_HEADERS}"
             return build(texts, mains.for_python, include, beside=beside, rebuild=rebuild)
         except BuildError:
-            pass  # Headers without their configuration are found on some systems.
+            pass  # Some systems have the headers without their configuration.
     return build(texts, mains.plain, beside=beside, rebuild=rebuild)
 
 
 def with_own(files: Mapping[str, str]) -> dict[str, str]:
-    """Generated files, and those of this folder, which include them: `batch.c` and `fastcall.c` a
-    monitor, `guarding.c` and `fastguard.c` a monitor with its reactor.
+    """The generated files, and the files of this folder that include them. `batch.c` and
+    `fastcall.c` include a monitor, `guarding.c` and `fastguard.c` a monitor with its reactor.
     """
     folder = resources.files(__package__)
     own = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in _OWN}
@@ -100,7 +102,7 @@ def with_own(files: Mapping[str, str]) -> dict[str, str]:
 
 
 def _checked(library: Library, reader: EventReader) -> Library:
-    """Raises `OSError` if the library is of another machine."""
+    """The library. Raises `OSError` if the library belongs to another machine."""
     if library.function("host_event_size")() != reader.size:
         raise OSError("the library logs events of another size")
     return library
@@ -108,15 +110,16 @@ def _checked(library: Library, reader: EventReader) -> Library:
 
 class NativeMonitor:
     """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
-    `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
+    `ir.LATEST_NS`. Every method with an instant raises `ValueError` outside this range.
     """
 
     def __init__(
         self, machine: ir.Machine, library: Library, reader: EventReader, kind: str = "host"
     ) -> None:
-        """`kind` is what C makes: the monitor alone, or a `guard`, which has a reactor beside it.
+        """`kind` is the object that C creates: the monitor alone, or a `guard`, which also has a
+        reactor.
 
-        Raises `OSError` if the arithmetic of the library is not that of IEEE 754.
+        Raises `OSError` if the arithmetic of the library does not follow IEEE 754.
         """
         self._machine = machine
         self.library = library
@@ -138,7 +141,7 @@ class NativeMonitor:
         """Another monitor of the same machine in its initial state."""
         return NativeMonitor(self._machine, self.library, self._reader)
 
-    # --- as the interpreter ------------------------------------------------------------------
+    # --- the interface of the interpreter ----------------------------------------------------
 
     @property
     def active(self) -> tuple[bool, ...]:
@@ -149,11 +152,13 @@ class NativeMonitor:
 
     @property
     def active_bits(self) -> bytes:
-        """The same with the bit of rule r at bit `r % 8` of byte `r // 8`."""
+        """The active rules as bits: the bit of rule r is bit `r % 8` of byte `r // 8`."""
         return self.library.bytes_at(self._call("host_active"), self.active_bytes)
 
     def next_wake(self) -> int | None:
-        """The instant at which `advance` has to be called if no message comes before."""
+        """The instant in ns at which the caller has to call `advance` if no message comes
+        before.
+        """
         wake_ns: int = self._call("host_next_wake")
         return None if wake_ns == _NEVER else wake_ns
 
@@ -179,7 +184,7 @@ class NativeMonitor:
 
     def _unknown_lists(self, channel: int, values: ChannelValues) -> set[int]:
         """The columns of the unknown lists in a message. C receives a count above every bound for
-        them.
+        these columns.
         """
         found: set[int] = set()
         for each in self._fields[channel].lists:
@@ -212,24 +217,25 @@ class NativeMonitor:
         )
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
+        """Let time pass without a message. Timers that are due exactly at this instant fire."""
         return self._events_of(at_ns, "host_advance")
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """Reset one latched rule, or all, for an operator. Latched rules with a false condition
-        clear.
+        """Reset one latched rule, or all latched rules if `rule` is None, for an operator. Latched
+        rules with a false condition are cleared.
         """
         return self._events_of(at_ns, "host_reset", -1 if rule is None else rule)
 
     # --- fast --------------------------------------------------------------------------------
 
     def update_call(self, channel: int) -> Callable[..., int]:
-        """A function `(at_ns, *slots) -> number of new events` for one message on a channel, with
-        its slots in index order, in the units of the message. -1: the instant is out of range.
+        """A function for one message on a channel: `(at_ns, *slots) -> number of new events`. Slots
+        are in index order, in the units of the message. The result -1 means that the instant is out
+        of range.
 
         The events wait for `take_events`, which raises `MemoryError` if some were lost for lack of
-        memory; the function does so as well where Python's headers are at hand. Raises `ValueError`
-        if the channel carries arrays.
+        memory. If Python's headers exist, the function also raises it. Raises `ValueError` if the
+        channel carries arrays.
         """
         carried = self._fields[channel]
         if carried.arrays:
@@ -241,9 +247,9 @@ class NativeMonitor:
         return partial(self.library.function(f"host_update_{channel}"), self.host)
 
     def take_events(self) -> list[Event]:
-        """The events of the fast calls since the last time.
+        """The events of the fast calls since the last call of this method.
 
-        Raises `MemoryError` if events were lost for lack of memory, from then on.
+        If events were lost for lack of memory, raises `MemoryError`, also at all later calls.
         """
         log, self._waiting = self._waiting + self._drain(), b""
         return self._reader.read(log)
@@ -255,28 +261,28 @@ class NativeMonitor:
         *,
         active: bool = False,
     ) -> RunResult:
-        """Update all channels at every instant of `times_ns` (shape (rows,)) with the fields of
-        that row, in the units of the messages; columns are as `fit` describes them.
+        """Update all channels at every instant of `times_ns` (shape (rows,), in ns) with the fields
+        of the row, in the units of the messages. `fit` describes the columns.
 
-        Raises `ColumnError` if the columns do not fit: then nothing has changed.
+        Raises `ColumnError` if the columns do not fit; then nothing has changed.
         """
         return self.bind(times_ns, columns).run(active=active)
 
     def bind(
         self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
     ) -> BoundColumns:
-        """Check columns as for `run` once, for runs over chunks.
+        """Check columns once, as for `run`, for runs over chunks.
 
         Raises `ColumnError` if they do not fit.
         """
         return BoundColumns(self, fit(self._machine, times_ns, columns))
 
     def take(self, batch: Batch, shown: Sequence[int]) -> Taken:
-        """Process the updates of a batch, and sample some signals, which are neither constant nor
-        elementwise.
+        """Process the updates of a batch, and sample the signals `shown`, which are neither
+        constant nor elementwise.
 
-        Raises `ValueError` at an instant out of range, `MemoryError` if events were lost for lack
-        of memory.
+        Raises `ValueError` at an instant out of range, and `MemoryError` if events were lost for
+        lack of memory.
         """
         count = len(batch.times_ns)
         table = BatchTable(self.library, batch)
@@ -339,7 +345,7 @@ class NativeMonitor:
 
 
 class BoundColumns:
-    """Columns that a monitor has checked. They must not change while they are used."""
+    """Columns that a monitor has checked. They must not change while the monitor uses them."""
 
     def __init__(self, monitor: NativeMonitor, columns: Columns) -> None:
         self._monitor = monitor
@@ -357,7 +363,7 @@ class BoundColumns:
         self._take_rows = monitor.rows_call(table, self._memory)
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> RunResult:
-        """Process the rows from `start` up to `stop`, or to the end.
+        """Process the rows from `start` up to, not including, `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
         """

@@ -17,10 +17,8 @@ from rossmarie.native.events import EventReader
 class RunResult:
     """The results of a run over many rows.
 
-    `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit `r %
-    8` of byte `r
-
-    8`; it is None if it was not asked for.
+    `packed_active` has a row of bytes for every row of the run. The bit of rule r is bit `r % 8` of
+    byte `r // 8`. It is None if the run did not record it.
     """
 
     machine: ir.Machine

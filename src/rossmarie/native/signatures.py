@@ -1,7 +1,7 @@
-"""The functions of `host.c` and `batch.c` as cffi wants them declared.
+"""The functions of `host.c` and `batch.c`, declared for cffi.
 
-Takes a machine. The order of fields is that of the generated code: the slots of a channel in index
-order, then its arrays, then the columns of its lists.
+The input is a machine. The order of fields is that of the generated code: the slots of a channel in
+index order, then its arrays, then the columns of its lists.
 """
 
 from __future__ import annotations
@@ -60,9 +60,9 @@ size_t host_take(host *, size_t, host_batch *, host_samples *);
 
 @dataclass(frozen=True)
 class Fields:
-    """The fields that the messages of one channel carry, as indexes of the machine. Of the `arrays`
-    those are `counted` that have the number of their elements behind them: of the columns of a list
-    only the last one. `lists` are those of the channel.
+    """The fields that the messages of one channel carry, as indexes of the machine. `counted` are
+    the `arrays` that are followed by their number of elements: arrays outside of lists, and the
+    last column of each list. `lists` are the lists of the channel.
     """
 
     slots: tuple[int, ...]

@@ -1,4 +1,6 @@
-"""Steps of guards in C: an observation arrives, and an action is changed into a permitted one."""
+"""Steps of guards in C: an observation arrives, and an action is changed into a permitted
+action.
+"""
 
 from __future__ import annotations
 
@@ -15,13 +17,15 @@ from rossmarie.native.library import Library, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
 StepCall: TypeAlias = Callable[[int, "NDArray[Any] | None", "NDArray[Any] | None"], "bytes | None"]
-"""A call takes an instant, an observation, and an action that is changed in place. It returns the
-facts after the step, or None if the arguments do not fit. If the observation is None, nothing
-arrives; if the action is None, the decision comes later.
+"""A call takes an instant in ns, an observation, and an action that is changed in place. It returns
+the facts after the step, or None if the arguments do not fit. If the observation is None, no
+message arrives; if the action is None, the decision comes later.
 """
 
 AllowCall: TypeAlias = Callable[[Floats], "NDArray[np.bool_]"]
-"""Say which of some actions, of shape (k, m), would pass unchanged after the last observation."""
+"""A function that returns which actions, of shape (k, m), would pass unchanged after the last
+observation.
+"""
 
 DECLARATIONS = """
 typedef struct guard_part {
@@ -77,13 +81,13 @@ size_t guards_allow(host *, size_t, guard_wiring *, double *, size_t, unsigned c
 
 _BYTES = "unsigned char[]"
 CHANGED, REFUSED, REPORTED, CLOSED = 1, 2, 4, 8
-"""The bits of a step: the action was changed, the action was not finite, there are events or
-orders, and nothing passes yet.
+"""The bits of a step: the action was changed; the action was not finite; there are events or task
+commands; nothing passes yet.
 """
 
 
 class WiringTable:
-    """A wiring in C; it must live as long as `pointer` is used."""
+    """A wiring in C. The table must live while `pointer` is used."""
 
     def __init__(self, library: Library, wiring: Wiring, channels: int, fields: int) -> None:
         """Reserve memory for the given number of channels, and for the largest number of fields of
@@ -128,7 +132,7 @@ def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
 
 
 def _clouds(wiring: Wiring) -> list[int]:
-    """The cloud of which each array is a column, by array; -1 if there is none."""
+    """For each array, the cloud of which it is a column; -1 if there is none."""
     owners = {column: cloud for cloud, each in enumerate(wiring.clouds) for column in each.columns}
     return [owners.get(array, -1) for array in range(len(wiring.arrays))]
 
@@ -148,13 +152,13 @@ def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
 
 
 def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCall) -> StepCall:
-    """A step without Python's headers."""
+    """A step that works without Python's headers."""
     call = library.function("guard_step")
 
     def step(
         at_ns: int, observation: NDArray[Any] | None, action: NDArray[Any] | None
     ) -> bytes | None:
-        wiring = table.pointer  # the table keeps its memory alive
+        wiring = table.pointer  # the table keeps its own memory alive
         if not (fits(observation, wiring.observed) and fits(action, wiring.acted)):
             return None
         require_instant(as_index(at_ns))
@@ -211,7 +215,7 @@ def packed_note(
 
 
 class NativeRow:
-    """Guards in a row in their initial state. One call performs a step of all of them."""
+    """Guards in a row, in their initial state. One call performs a step of all of them."""
 
     def __init__(
         self,
@@ -267,8 +271,8 @@ class NativeRow:
         return int(done), active, changed
 
     def allow(self, actions: Floats) -> tuple[int, NDArray[np.bool_]]:
-        """Say which of some actions each guard would pass unchanged, as a mask of shape (rows,
-        actions). The first result is the first row without an observation, or the number of rows.
+        """The first row without an observation, or the number of rows; and, for each guard, which
+        actions would pass unchanged, as a mask of shape (rows, actions).
         """
         library = self._library
         allowed = np.empty((self._count, len(actions)), np.bool_)

@@ -1,4 +1,4 @@
-"""The order in which the messages of ROS 2 files were stored, found without decoding a message."""
+"""The order in which the messages of ROS 2 files were stored, found without decoding messages."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _BEYOND = 2**63
 _RECORD = struct.Struct("<BQ")
 _MESSAGE, _CHUNK, _INDEX, _DATA_END = 0x05, 0x06, 0x07, 0x0F
 _MESSAGE_HEAD = struct.Struct("<HIQ")  # channel, sequence, log time
-_CHUNK_HEAD = struct.Struct("<QQQII")  # ..., the length of the name of the compression
+_CHUNK_HEAD = struct.Struct("<QQQII")  # ..., the length of the compression's name
 _SIZE = struct.Struct("<Q")
 _INDEX_HEAD = struct.Struct("<HI")  # channel, size of the entries
 _INDEX_ENTRY = np.dtype([("at_ns", "<u8"), ("offset", "<u8")])
 
 _Index = tuple[int, NDArray[np.void]]
-"""A channel, and stamps and offsets in a chunk of messages on it."""
+"""A channel, and the stamps and offsets of its messages in a chunk."""
 
 
 def rows_in_order(path: Path) -> Iterator[Arrivals]:
@@ -45,10 +45,11 @@ def rows_in_order(path: Path) -> Iterator[Arrivals]:
 def records_in_order(
     path: Path, topics: Mapping[int, str], allowance: Allowance
 ) -> Iterator[Arrivals]:
-    """The messages of an MCAP file: those of a chunk from the indexes behind it or, as writers may
-    leave these out, from the chunk itself. `topics` are known by the numbers of their channels.
+    """The messages of an MCAP file. For each chunk they come from the indexes after it. If the
+    writer has left out the indexes, they come from the chunk itself. `topics` maps channel numbers
+    to topics.
 
-    Raises `struct.error` or `KeyError` where it is damaged.
+    Raises `struct.error` or `KeyError` if the file is damaged.
     """
     size = path.stat().st_size
     chunk: tuple[int, int] | None = None
@@ -76,7 +77,7 @@ def records_in_order(
 
 
 def _index(content: bytes) -> _Index:
-    """The messages that an index record names."""
+    """The messages in an index record."""
     channel, size = _INDEX_HEAD.unpack_from(content)
     entries = content[_INDEX_HEAD.size : _INDEX_HEAD.size + size]
     return channel, np.frombuffer(entries, _INDEX_ENTRY)

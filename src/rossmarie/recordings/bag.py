@@ -55,8 +55,7 @@ _NO_CLOCK = "their stamps are outside the range of any clock"
 class _Reading:
     """The decoding of the messages of one topic, and the channels that read them.
 
-    `transforms` decodes them for the channels of transforms, if it contains any.
-
+    `transforms` decodes the messages for the channels of transforms, if the topic contains any.
     `unfit` counts the skipped messages, by reason.
     """
 
@@ -68,7 +67,7 @@ class _Reading:
 
 
 class BagRecording:
-    """A recording of messages; If its storage fails, `salvage` opens the readable rest and
+    """A recording of messages. If its storage fails, `salvage` opens the readable rest and
     describes the loss.
     """
 
@@ -135,7 +134,7 @@ class BagRecording:
             storage.close()
 
     def __enter__(self) -> BagRecording:
-        """The recording itself."""
+        """Return the recording itself."""
         return self
 
     def __exit__(self, *reason: object) -> None:
@@ -192,7 +191,7 @@ class BagRecording:
             )
 
     def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
-        """The messages that fit. Skipped messages are counted."""
+        """A mask of the messages that fit. Skipped messages are counted."""
         is_odd_type = np.array([self._odd_type(each) is not None for each in stored.connections])
         is_early, is_late = stored.times_ns <= EARLIEST_NS, stored.times_ns >= LATEST_NS
         is_unfit = is_odd_type[stored.senders] | is_early | is_late
@@ -203,7 +202,7 @@ class BagRecording:
         return ~is_unfit
 
     def _odd_type(self, connection: Connection) -> str | None:
-        """The reason why messages of a connection are skipped; None if they are not."""
+        """The reason why messages of a connection are skipped; None if they are read."""
         expected = self._connections[connection.topic][0].message_type
         found = connection.message_type
         if found == expected:
@@ -218,7 +217,7 @@ class BagRecording:
                 collector.add(finding.at(span))
 
     def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Packed]:
-        """The messages on some topics; after damage, those that come after it."""
+        """The messages on some topics. After damage, the messages after the damage follow."""
         kept = 0
         last = _Last()
         try:
@@ -232,7 +231,7 @@ class BagRecording:
         try:
             salvaged, losses = self._salvage()
             self._storages.append(salvaged)
-            reason = losses[0] if losses else reason  # which knows the place
+            reason = losses[0] if losses else reason  # the loss names its place
             for batch in salvaged.batches(topics):
                 remaining = batch.only(last.is_before(batch))
                 kept += len(remaining)
@@ -240,13 +239,13 @@ class BagRecording:
         except LimitError as error:
             reason = f"reading stopped ({error})"
         except RecordingError:
-            pass  # there is nothing left
+            pass  # nothing is left
         collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
 
 
 class _Last:
     """The last instant at which messages were read, and the number of messages of each topic at
-    it.
+    this instant.
     """
 
     def __init__(self) -> None:
@@ -254,7 +253,7 @@ class _Last:
         self._counts: Counter[str] = Counter()
 
     def note(self, batch: Packed) -> None:
-        """The next messages."""
+        """Note the next messages."""
         last_ns = int(batch.times_ns[-1])
         others = np.flatnonzero(batch.times_ns != last_ns)
         if len(others) or last_ns != self._at_ns:
@@ -265,8 +264,8 @@ class _Last:
         self._counts.update(batch.connections[sender].topic for sender in senders)
 
     def is_before(self, batch: Packed) -> NDArray[np.bool_]:
-        """The messages after those that were read. Messages of one topic at one instant are stored
-        in one order, however a file is read.
+        """A mask of the messages that have not been read yet. Messages of one topic at one instant
+        always come in the same order, however the file is read.
         """
         is_after = batch.times_ns >= self._at_ns
         for row in np.flatnonzero(batch.times_ns == self._at_ns).tolist():
@@ -288,7 +287,7 @@ def _decoder(
 
 
 def _take(reading: _Reading, messages: Packed, rows: NDArray[np.intp], assembly: Assembly) -> None:
-    """Put the messages of one topic, which are in these rows, into a batch."""
+    """Add the messages of one topic, at these rows, to a batch."""
     of_topic = messages.only(rows)
     if reading.decoder is not None:
         decoded = reading.decoder.decode(of_topic)
@@ -306,13 +305,13 @@ def _take(reading: _Reading, messages: Packed, rows: NDArray[np.intp], assembly:
 
 
 def _is_on(topic: str, messages: Packed) -> NDArray[np.bool_]:
-    """The messages that came on a topic."""
+    """A mask of the messages on a topic."""
     is_there = np.array([each.topic == topic for each in messages.connections], np.bool_)
     return is_there[messages.senders]
 
 
 def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
-    """The connections of each topic; those that bring a definition come first."""
+    """The connections of each topic; connections with a definition come first."""
     found: dict[str, list[Connection]] = {}
     for connection in sorted(connections, key=lambda connection: not connection.definition.data):
         found.setdefault(connection.topic, []).append(connection)

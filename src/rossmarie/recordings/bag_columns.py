@@ -1,6 +1,6 @@
 """The chunks of a ROS 1 bag.
 
-If a record is malformed, rosbags reads the batch, and reports the reason.
+If a record is malformed, rosbags reads the batch instead and reports the reason.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed, Sto
 
 
 class BagChunks:
-    """The chunks of an open bag, by their place in its index; `asked` are the connections whose
-    messages are asked for, as rosbags has them and as we do.
+    """The chunks of an open bag, by their place in its index. `asked` are the connections with the
+    requested messages, in the forms of rosbags and of this package.
     """
 
     def __init__(
@@ -41,7 +41,7 @@ class BagChunks:
         return {chunk: spans[position][0] for chunk, position in chunks if position in spans}
 
     def rows(self, chunk: int) -> Rows:
-        """See `Chunks.rows`: what the index says."""
+        """See `Chunks.rows`. The rows come from the index."""
         position = self._positions[chunk]
         records = list(self._bag.entries(position))
         offsets = np.sort(np.concatenate([entries["offset"] for _, entries in records]))

@@ -1,6 +1,7 @@
 """ROS 1 bags whose index stays in the file: it is read chunk by chunk, as columns.
 
-rosbags makes an object for each message when it opens a bag. Here it reads all but the index.
+rosbags creates an object for each message when it opens a bag. Here rosbags reads everything except
+the index.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ _ENTRY = np.dtype([("seconds", "<u4"), ("nanoseconds", "<u4"), ("offset", "<u4")
 _ENTRIES = np.dtype([("at_ns", "<i8"), ("offset", "<i8")])
 _NUMBER = struct.Struct("<I")
 _HEAD = 55
-"""Bytes in front of the entries: a header, its length, and that of the entries."""
+"""The bytes before the entries: a header, the header's length, and the length of the entries."""
 
 
 class IndexedBag(rosbag1.Reader):
-    """A reader of a bag. `spans` are the first and the last stamp in each chunk that has any, and
-    `sizes` how many bytes are in it, both by its position in the file.
+    """A reader of a bag. `spans` are the first and the last stamp in each chunk with messages,
+    `sizes` the bytes in it; both have the chunk's position in the file as key.
     """
 
     def __init__(self, path: Path) -> None:
@@ -55,7 +56,9 @@ class IndexedBag(rosbag1.Reader):
         return chunk
 
     def read_index_data(self, pos: int, _: dict[int, list[IndexData]]) -> None:
-        """Note what has to be known of an index record behind a chunk; rosbags calls this."""
+        """Note the place, the count and the stamps of an index record after a chunk; rosbags calls
+        this function.
+        """
         assert self.bio is not None, "the bag is open"
         first, count = self._places.get(pos, (self.bio.tell(), 0))
         self._places[pos] = first, count + 1
@@ -68,7 +71,7 @@ class IndexedBag(rosbag1.Reader):
 
     def entries(self, position: int) -> Iterator[tuple[int, NDArray[np.void]]]:
         """The messages in a chunk: for each of its index records, the number of a connection, and
-        stamps (`at_ns`) and places in the chunk (`offset`).
+        the stamps (`at_ns`) and places in the chunk (`offset`) of its messages.
         """
         assert self.bio is not None, "the bag is open"
         place, count = self._places.get(position, (0, 0))
@@ -80,7 +83,7 @@ class IndexedBag(rosbag1.Reader):
     def _record(self) -> tuple[int, NDArray[np.void]]:
         """The index record that begins here."""
         assert self.bio is not None, "the bag is open"
-        if self.index_data_header_offsets is None:  # which rosbags finds in the first record
+        if self.index_data_header_offsets is None:  # rosbags finds them in the first record
             place = self.bio.tell()
             super().read_index_data(0, defaultdict(list))
             self.bio.seek(place)

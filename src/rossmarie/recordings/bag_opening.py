@@ -71,11 +71,11 @@ def _span(storage: Storage) -> tuple[int, int] | None:
 
 
 def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
-    """The findings on the clock, as long as the file is not damaged there."""
+    """The findings about the clock, for the part of the file before any damage."""
     try:
         return find_setbacks(storage.arrivals(), path)
     except _ARRIVAL_FAILURES:
-        return ()  # reported when its messages are read
+        return ()  # the damage is reported when the messages are read
 
 
 def _intact(path: Path, files: Sequence[Path]) -> Storage:
@@ -90,7 +90,7 @@ def _intact(path: Path, files: Sequence[Path]) -> Storage:
             found = _unpacked(file, folder, allowance) if file.suffix == PACKED else file
             parts.append(_intact_part(found, allowance))
             opened.callback(parts[-1].close)
-        return MergedStorage(parts, opened.pop_all())  # all are open: closed with the recording
+        return MergedStorage(parts, opened.pop_all())  # the recording closes all of them
 
 
 def _intact_part(path: Path, allowance: Allowance) -> IntactBag | IntactStorage:
@@ -99,7 +99,9 @@ def _intact_part(path: Path, allowance: Allowance) -> IntactBag | IntactStorage:
 
 
 def _unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
-    """Raises `RecordingError` for a file beyond a limit: nothing of it can be salvaged."""
+    """The unpacked file. Raises `RecordingError` for a file beyond a limit; such a file cannot be
+    salvaged.
+    """
     try:
         return unpacked(file, folder, allowance)
     except LimitError as error:
@@ -108,7 +110,9 @@ def _unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
 
 
 def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
-    """The readable rest of some files, and the loss. Raises `RecordingError` if that is all."""
+    """The readable rest of some files, and the loss. Raises `RecordingError` if no file has a
+    readable rest.
+    """
     parts: list[SalvageableStorage] = []
     losses = []
     with ExitStack() as opened:
@@ -126,7 +130,7 @@ def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
             empty = RecordingEmpty(reason="it contains no messages")
             finding = RecordingCorrupt(reason=losses[0]) if losses else empty
             raise RecordingError(at_file(finding, path))
-        return MergedStorage(parts, opened.pop_all()), losses  # closed with the recording
+        return MergedStorage(parts, opened.pop_all()), losses  # the recording closes it
 
 
 def _refuse_compressed(file: Path) -> SalvageableStorage:

@@ -1,7 +1,7 @@
 """The message records in a chunk of a ROS 1 bag, all at once.
 
-A record is a header, of which a recorder always writes the same fields in one order, and the
-message, each with its length in front.
+A record is a header and a message, each after its length. A recorder always writes the same fields
+of the header in the same order.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def message_places(
 
 
 def _heads(content: bytes, offsets: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """The bytes in front of messages: a row for each."""
+    """The bytes before messages: one row for each message."""
     if offsets.max() + _HEAD > len(content):
         raise ValueError("a record extends beyond its chunk")
     heads = values_at(content, f"V{_HEAD}", offsets)
@@ -75,15 +75,15 @@ class _Form:
             raise ValueError("a record of another kind")
 
     def fits(self, heads: NDArray[np.uint8]) -> NDArray[np.bool_]:
-        """The heads that are of this form."""
+        """A mask of the heads with this form."""
         found: NDArray[np.bool_] = np.all((heads == self._shown) | self._is_value, axis=1)
         return found
 
     def number(self, heads: NDArray[np.uint8]) -> NDArray[np.int64]:
-        """The connections."""
+        """The numbers of the connections."""
         return _integers(heads, self._places[b"conn"])
 
     def time_ns(self, heads: NDArray[np.uint8]) -> NDArray[np.int64]:
-        """The stamps."""
+        """The stamps in ns."""
         place = self._places[b"time"]
         return _integers(heads, place) * 10**9 + _integers(heads, place + 4)

@@ -16,7 +16,7 @@ _NO_ELEMENTS: NDArray[np.generic] = np.empty(0)
 
 
 class Assembly:
-    """A batch of updates at some instants while it is put together."""
+    """A batch of updates at some instants during assembly."""
 
     def __init__(self, machine: Machine, times_ns: NDArray[np.int64]) -> None:
         count = len(times_ns)
@@ -48,7 +48,7 @@ class Assembly:
                     self._arrays[array][row] = elements
 
     def put(self, row: int, channel: int, values: ChannelValues) -> None:
-        """One message."""
+        """Set the values of one message."""
         self._arriving[row, channel] = 1
         for slot, value in values.slots.items():
             self._slots[row, slot] = value
@@ -65,13 +65,15 @@ class Assembly:
                 self._arrays[column][row] = None
 
     def batch(self) -> Batch:
-        """The whole batch without rows in which nothing arrived. Values that were not added are
+        """The whole batch, without rows in which no message arrived. Values that were not added are
         unknown.
         """
         for columns, most in self._lists:
             for row in range(len(self._times_ns)):
                 self._look_at_list(columns, most, row)
-        rows = np.flatnonzero(self._arriving.any(axis=1))  # others brought nothing that is read
+        rows = np.flatnonzero(
+            self._arriving.any(axis=1)
+        )  # the other messages contained no value that is read
         arrays = [_joined([found[row] for row in rows.tolist()]) for found in self._arrays]
         return Batch(self._times_ns[rows], self._arriving[rows], self._slots[rows], arrays)
 
@@ -81,13 +83,13 @@ def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> Elements:
     found = [_NO_ELEMENTS if array is None else array for array in arrays]
     ends = np.cumsum([len(array) for array in found], dtype=np.int64)
     known = np.array([array is not None for array in arrays], np.uint8)
-    with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
+    with np.errstate(invalid="ignore"):  # all kinds of NaN become the same NaN
         values = np.concatenate([_NO_ELEMENTS, *found], dtype=np.float64)
     return Elements(values, ends, known)
 
 
 def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:
-    """The same updates in columns, some at a time."""
+    """Updates in columns, several in each batch."""
     remaining = iter(updates)
     while some := list(islice(remaining, _MOST_UPDATES)):
         assembly = Assembly(machine, np.array([update.at_ns for update in some], np.int64))
@@ -98,9 +100,9 @@ def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:
 
 
 def begun_together(machine: Machine, batches: Iterable[Batch]) -> Iterator[Batch]:
-    """The same batches, except that the messages of the first instant form one update, because a
-    node also begins with the first messages of all topics together. If a topic has another message
-    at that instant, that message and later ones are separate updates.
+    """The same batches with one update for all messages of the first instant, because a node also
+    begins with the first messages of all topics together. If a topic has another message at that
+    instant, that message and later messages are separate updates.
     """
     remaining = iter(batches)
     begun, times_ns = list[Batch](), list[int]()
@@ -117,7 +119,7 @@ def begun_together(machine: Machine, batches: Iterable[Batch]) -> Iterator[Batch
 
 
 def _merged(updates: Sequence[Update]) -> list[Update]:
-    """The same updates, with the first ones as one."""
+    """The same updates; the first updates are merged into one."""
     together = dict(updates[0].channels)
     for count, update in enumerate(updates):
         is_new = count == 0 or together.keys().isdisjoint(update.channels)

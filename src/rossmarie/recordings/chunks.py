@@ -1,6 +1,6 @@
-"""Chunks of messages -> batches in the order of their stamps.
+"""Reads chunks of messages and gives batches in the order of their stamps.
 
-That takes the memory of a few chunks: they overlap in time, but little.
+Only a few chunks are in memory, because chunks overlap little in time.
 """
 
 from __future__ import annotations
@@ -17,22 +17,24 @@ from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
 _MOST_MESSAGES = 4096
 _MOST_BYTES = 1 << 20
 _ENOUGH_BYTES = 256 << 10
-"""Bytes of messages for which it is worth to make a batch."""
+"""The bytes of messages that are enough for a batch."""
 _KEPT_BYTES = 4 << 20
-"""Bytes of chunks that are kept; two are kept in any case."""
+"""The bytes of chunks that stay in memory; at least two chunks always stay."""
 
 ROW = np.dtype(
     [
         ("at_ns", np.int64),
-        ("rank", np.int64),  # goes before the chunk where stamps are equal
+        ("rank", np.int64),  # takes precedence over the chunk if stamps are equal
         ("chunk", np.int64),
         ("place", np.int64),  # its number in the chunk
-        ("sender", np.int64),  # its connection, among those that are asked for
+        ("sender", np.int64),  # its connection, among the requested ones
         ("offset", np.int64),
         ("size", np.int64),
     ]
 )
-"""A message in a chunk. It, or its record, begins at `offset`, and has at most `size` bytes."""
+"""A message in a chunk. The message or its record begins at `offset`, and has at most `size`
+bytes.
+"""
 
 Rows = NDArray[np.void]
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
@@ -44,18 +46,18 @@ class Chunks(Protocol):
 
     @property
     def starts_ns(self) -> Mapping[int, int]:
-        """An instant before which no message in a chunk is."""
+        """For each chunk, an instant in ns before all its messages."""
 
     def rows(self, chunk: int) -> Rows:
-        """The messages that are asked for in a chunk. Raises one of `READER_FAILURES`."""
+        """The requested messages in a chunk. Raises one of `READER_FAILURES`."""
 
     def batches(self, rows: Rows) -> Iterator[Packed]:
         """Messages as they are stored. Raises one of `READER_FAILURES`."""
 
 
 def in_order(chunks: Chunks) -> Iterator[Packed]:
-    """All messages in order. If a chunk cannot be read, the messages before its start come
-    first.
+    """All messages in order. If a chunk cannot be read, the messages before its start come first.
+    Then the exception is raised.
     """
     waiting = _Waiting()
     for start_ns, chunk in sorted((at_ns, chunk) for chunk, at_ns in chunks.starts_ns.items()):
@@ -71,7 +73,7 @@ def in_order(chunks: Chunks) -> Iterator[Packed]:
 
 
 class _Waiting:
-    """Messages that may have to wait for others in chunks that are not read yet."""
+    """Messages that may have to wait for messages in chunks that are not read yet."""
 
     def __init__(self) -> None:
         self._old: Rows = np.empty(0, ROW)
@@ -79,7 +81,7 @@ class _Waiting:
         self._count = self._size = 0
 
     def add(self, rows: Rows) -> None:
-        """Those of one more chunk."""
+        """Add the messages of another chunk."""
         if len(rows):
             self._fresh.append(rows)
             self._count += len(rows)
@@ -87,12 +89,12 @@ class _Waiting:
 
     @property
     def are_enough(self) -> bool:
-        """True if so many are new that it is worth to look for those that are due."""
+        """True if there are enough new messages to search for the messages that are due."""
         is_batch = self._size >= _ENOUGH_BYTES or self._count >= _MOST_MESSAGES
         return is_batch and self._count >= len(self._old) // 2
 
     def before(self, at_ns: int | None) -> Rows:
-        """The messages before an instant, or all. They no longer wait."""
+        """The messages before an instant, or all messages for None. They no longer wait."""
         rows = np.concatenate([self._old, *self._fresh])
         is_due = np.ones(len(rows), np.bool_) if at_ns is None else rows["at_ns"] < at_ns
         self._old, self._fresh = rows[~is_due], []
@@ -101,8 +103,8 @@ class _Waiting:
 
 
 def _in_batches(chunks: Chunks, rows: Rows) -> Iterator[Packed]:
-    """Messages in their order, some at a time."""
-    keys = ("place", "chunk", "rank", "at_ns")  # the last one is the first to be looked at
+    """Messages in their order, several in each batch."""
+    keys = ("place", "chunk", "rank", "at_ns")  # the last key is compared first
     rows = rows[np.lexsort([rows[key] for key in keys])]
     ends = np.cumsum(rows["size"])
     start = 0
@@ -115,7 +117,9 @@ def _in_batches(chunks: Chunks, rows: Rows) -> Iterator[Packed]:
 
 
 class Contents:
-    """The contents of chunks; the last few are kept. `load` may raise one of `READER_FAILURES`."""
+    """The contents of chunks; the last few stay in memory. `load` may raise one of
+    `READER_FAILURES`.
+    """
 
     def __init__(self, load: Callable[[int], bytes]) -> None:
         self._load = load
@@ -137,7 +141,9 @@ def pack(
     contents: Contents,
     find: Callable[[bytes, Rows], Places],
 ) -> Packed:
-    """Messages of some chunks as one batch; `find` says where they are in the content of theirs."""
+    """Messages of some chunks as one batch; `find` gives their places in the contents of their
+    chunks.
+    """
     starts, ends = np.empty(len(rows), np.int64), np.empty(len(rows), np.int64)
     pieces: list[bytes] = []
     size = 0
@@ -161,7 +167,9 @@ def pack(
 def _cut_out(
     content: bytes, starts: NDArray[np.int64], ends: NDArray[np.int64]
 ) -> tuple[bytes, NDArray[np.int64], NDArray[np.int64]]:
-    """Messages of a chunk, and where they are in that: all of the chunk if it holds little else."""
+    """Messages of a chunk, and their new places. The result is the whole chunk if it contains
+    little else.
+    """
     lengths = ends - starts
     if len(content) <= 2 * int(lengths.sum()):
         return content, starts, ends

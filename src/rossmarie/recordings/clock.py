@@ -1,4 +1,4 @@
-"""Clocks that were set back while a recording was made.
+"""Clocks that were set back during a recording.
 
 Stored messages are replayed in the order of their stamps. If the clock was set back (a restarted
 simulation, a corrected clock), two periods overlap; the order in which the messages were stored
@@ -20,15 +20,15 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.recordings.errors import ClockSetBack, at_file
 
 TOLERANCE_NS = 1_000_000_000
-"""The longest delay with which a message may be stored: recorders write in several threads, and
-from caches.
+"""The longest delay between the stamp of a message and its storage. Recorders write in several
+threads and from caches.
 """
 
 Stamps: TypeAlias = "NDArray[np.int64] | NDArray[np.object_]"
-"""Instants in nanoseconds; objects where one is beyond 64 bits."""
+"""Instants in nanoseconds; objects if an instant exceeds 64 bits."""
 
 Arrivals: TypeAlias = tuple[str, Stamps]
-"""Messages on a topic that were stored one after the other."""
+"""Messages on a topic that were stored in succession."""
 
 _MOST_AT_ONCE = 10_000
 
@@ -43,7 +43,9 @@ SEEN_BY_THE_MONITOR = (
 
 
 def by_topic(arrivals: Iterable[tuple[str, int]]) -> Iterator[Arrivals]:
-    """Topics and stamps of single messages, in their order, put together."""
+    """The topics and stamps of single messages, in their order, with successive messages of a topic
+    joined.
+    """
     remaining = iter(arrivals)
     while some := list(islice(remaining, _MOST_AT_ONCE)):
         stamps: dict[str, list[int]] = {}
@@ -54,7 +56,7 @@ def by_topic(arrivals: Iterable[tuple[str, int]]) -> Iterator[Arrivals]:
 
 
 def stamps_of(instants_ns: Sequence[int]) -> Stamps:
-    """Instants as stamps."""
+    """Instants in ns as stamps."""
     try:
         return np.array(instants_ns, np.int64)
     except OverflowError:
@@ -71,7 +73,7 @@ class Setbacks:
         self._farthest_ns = 0
 
     def note(self, topic: str, stamps_ns: Stamps) -> None:
-        """The next stamps of a topic: one or more."""
+        """Note the next stamps of a topic: one or more."""
         back_ns = -np.diff(stamps_ns, prepend=self._last_ns.get(topic, stamps_ns[0]))
         self._last_ns[topic] = stamps_ns[-1]
         if len(far := back_ns[back_ns > self._tolerance_ns]):
@@ -79,7 +81,7 @@ class Setbacks:
             self._farthest_ns = max(self._farthest_ns, int(far.max()))
 
     def findings(self, effect: str, path: Path) -> tuple[Diagnostic, ...]:
-        """A finding if there are any: `effect` is their effect on a replay."""
+        """A finding if any stamps go back: `effect` is their effect on a replay."""
         if not self._counts:
             return ()
         count = max(self._counts.values())
@@ -95,7 +97,8 @@ def _length(duration_ns: int) -> str:
 def find_setbacks(arrivals: Iterable[Arrivals], path: Path) -> tuple[Diagnostic, ...]:
     """A finding if the stamps of a topic go back by more than `TOLERANCE_NS`.
 
-    They are compared topic by topic, because a converter may have stored one topic after the other.
+    Stamps are compared topic by topic, because a converter may have stored one topic after the
+    other.
     """
     setbacks = Setbacks(TOLERANCE_NS)
     for topic, stamps_ns in arrivals:

@@ -1,4 +1,4 @@
-"""The points of recorded clouds, as columns: numpy takes all points of a message at once."""
+"""The points of recorded clouds, as columns: NumPy takes all points of a message at once."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     },
     _FIELD: {"name": _STRING, "offset": _UINT32, "datatype": _UINT8, "count": _UINT32},
 }
-"""The fields that are read, as rosbags has them: a recording brings definitions of its own."""
+"""The fields that are read, in the form of rosbags. They are checked, because a recording contains
+its own definitions.
+"""
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,7 @@ class CloudReader:
     columns: Mapping[int, str]
 
     def read(self, message: Any) -> dict[int, NDArray[np.float64]]:
-        """The columns. Raises `UnreadableCloudError`."""
+        """The columns of a message. Raises `UnreadableCloudError`."""
         words = [normalize_fieldname(str(step)) for step in self.path]
         cloud = attrgetter(".".join(words))(message) if words else message
         found = clouds.columns(cloud, tuple(self.columns.values()), self.most)
@@ -59,7 +61,7 @@ def is_of_points(array: Array) -> bool:
 
 
 def cloud_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterator[CloudReader]:
-    """A reader for each cloud whose points some `arrays` are."""
+    """A reader for each cloud of these `arrays` of points."""
     by_list: dict[int, dict[int, str]] = {}
     for index, array in arrays.items():
         if array.list is not None and is_of_points(array):
@@ -70,7 +72,7 @@ def cloud_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterato
 
 
 def holds_cloud(description: Any, store: Typestore) -> bool:
-    """Say whether a description, as rosbags has it, is that of a cloud."""
+    """Say whether a description, in the form of rosbags, is the description of a cloud."""
     if description != (Nodetype.NAME, _CLOUD):
         return False
     for kind, needed in _NEEDED.items():

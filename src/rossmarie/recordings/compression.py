@@ -1,4 +1,4 @@
-"""Decompression within limits, of data that may be cut short or damaged."""
+"""Decompression within limits, of data that may be incomplete or damaged."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ DECOMPRESSION_FAILURES: tuple[type[Exception], ...] = (
 )
 
 _PIECE = 1 << 16
-"""Compressed bytes that are handed on at once."""
+"""The compressed bytes that are processed at once."""
 _STEP = 16 << 20
-"""Bytes of content that are taken at once."""
+"""The bytes of content that are taken at once."""
 
 
 class _Decompressor(Protocol):
@@ -55,8 +55,8 @@ _UNCOMPRESSED = ("", "none")
 def decompress_prefix(
     compression: str, data: bytes, allowance: Allowance
 ) -> tuple[bytes, str | None]:
-    """The content of `data` as far as it can be decompressed, and the reason why no further (None:
-    it is complete).
+    """The decompressible beginning of `data`, and the reason why the rest is missing; the reason is
+    None if the content is complete.
 
     Raises nothing. For an unknown compression, or for data beyond a limit, there is no content.
     """
@@ -82,7 +82,7 @@ def decompress_prefix(
 
 
 class _Stream:
-    """Compressed data that comes in pieces: one stream, or several that follow each other."""
+    """Compressed data in pieces: one stream, or several successive streams."""
 
     def __init__(self, start: Callable[[], _Decompressor]) -> None:
         self._start = start
@@ -90,7 +90,7 @@ class _Stream:
 
     @property
     def is_whole(self) -> bool:
-        """True if it could end here."""
+        """True if the data may end here."""
         return self._current.eof
 
     def feed(self, data: bytes) -> Iterator[bytes]:
@@ -105,7 +105,9 @@ class _Stream:
 
 
 def decompress(compression: str, data: bytes, allowance: Allowance) -> bytes:
-    """The content of `data`. Raises `ValueError` unless it is whole and within the limits."""
+    """The content of `data`. Raises `ValueError` unless the data is complete and within the
+    limits.
+    """
     content, trouble = decompress_prefix(compression, data, allowance)
     if trouble is not None:
         raise ValueError(trouble)
@@ -113,9 +115,9 @@ def decompress(compression: str, data: bytes, allowance: Allowance) -> bytes:
 
 
 def unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
-    """The content of a file that is compressed as a whole, as a file in `folder`.
+    """Decompress a file into `folder`. Returns the path of the result.
 
-    Raises one of `DECOMPRESSION_FAILURES`, `LimitError` among them.
+    Raises one of `DECOMPRESSION_FAILURES`, which include `LimitError`.
     """
     content = folder / file.stem
     with file.open("rb") as compressed, content.open("wb") as out:

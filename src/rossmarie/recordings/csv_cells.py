@@ -1,7 +1,7 @@
 """The cells of a CSV file, as instants and values.
 
-Numbers are written as in other programs: not as Python may write them (`1_000`). An unreadable cell
-is NaN, and counted.
+Numbers have the usual notation of other programs, not Python's own (`1_000`). An unreadable cell is
+NaN, and is counted.
 """
 
 from __future__ import annotations
@@ -38,9 +38,11 @@ instant.
 
 
 def clock(name: str, first: str) -> Clock | None:
-    """The conversion of a first column of this name; None if it is not the time.
+    """The conversion for a first column with this name; None if the column does not contain the
+    time.
 
-    `first` is its first cell: as seconds, 15 digits would be in the far future.
+    `first` is its first cell. If it has 15 digits, it is not in seconds: the instant would be in
+    the far future.
     """
     if name.lower() == _NANOSECONDS:
         return lambda cell: _nanoseconds(cell, 1)
@@ -57,14 +59,14 @@ def _nanoseconds(cell: str, scale: int) -> int | None:
         return None
     try:
         exact = Decimal(cell.strip()) * scale
-    except ArithmeticError:  # not a number, or one of a size that not even a Decimal holds
+    except ArithmeticError:  # not a number, or too large even for a Decimal
         return None
     instant = int(exact) if exact.is_finite() and exact.adjusted() < 20 else LATEST_NS
     return instant if EARLIEST_NS < instant < LATEST_NS else None
 
 
 class ChannelReader:
-    """Reads the cells of one channel; `names` are those of all columns of the file."""
+    """Reads the cells of one channel; `names` are the names of all columns of the file."""
 
     def __init__(
         self,
@@ -106,7 +108,9 @@ class ChannelReader:
 
     @property
     def never_found(self) -> Iterator[ElementSearch]:
-        """The elements that no row so far contained, although some rows contained others."""
+        """The elements that no row has contained so far, although some rows contained other
+        elements.
+        """
         return (each for each in self._searches.values() if each.is_vain)
 
     def _listed_number(
@@ -122,8 +126,8 @@ class ChannelReader:
         return read(at_ns, cells, filled[place])
 
     def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
-        """The elements of each array, up to the last one that is filled: of a list, in any of its
-        fields.
+        """The elements of each array, up to the last filled element. In a list, an element is
+        filled if any of its fields is.
         """
         lengths: dict[int, int] = {}
         for index, columns in self._arrays.items():
@@ -137,7 +141,7 @@ class ChannelReader:
         return arrays
 
     def _reader(self, array: Array) -> Callable[[int, Sequence[str], int], float]:
-        """The reader of a cell of an array; those of lists may hold texts, and flags as words."""
+        """The reader of a cell of an array. Lists may contain texts, and flags as words."""
         if array.kind is Kind.TEXT:
             return lambda _, cells, column: self._text(cells, column)
         is_of_flags = array.list is not None and array.limits == FLAG_LIMITS
@@ -170,15 +174,15 @@ class ChannelReader:
 
 
 def _filled(cells: Sequence[str], columns: Sequence[int]) -> Sequence[int]:
-    """The columns of an array up to the last one that is filled."""
+    """The columns of an array up to the last filled column."""
     return columns[: max((i + 1 for i, each in enumerate(columns) if cells[each]), default=0)]
 
 
 def unreadable_cells(
     match: Match, used: Sequence[str], filled: int, start_ns: int, machine: Machine
 ) -> Unreadable:
-    """A count of the cells that cannot be read; `used` are the names of the columns of a channel,
-    and `filled` is how many cells they hold.
+    """A count of the unreadable cells. `used` are the names of the columns of a channel, and
+    `filled` is the number of their filled cells.
     """
     columns = "column" if len(used) == 1 else "columns"
     return Unreadable(

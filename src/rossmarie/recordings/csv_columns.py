@@ -1,4 +1,4 @@
-"""The columns of a CSV file that hold the fields, by their names."""
+"""The columns of a CSV file that contain the fields, by their names."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from rossmarie.recordings.skills import query_of
 
 _COMPARED = 200
 _EACH = "*"
-"""The sign in names for the number of an element of a list; columns have numbers there."""
+"""The symbol for the index of a list's element in names; columns have a number there."""
 _ALIKE = 0.7
-"""The likeness of two names, from 0 to 1, from which one may be a slip of the other."""
+"""The likeness of two names, from 0 to 1, from which one may be a misspelling of the other."""
 
 
 @dataclass(frozen=True)
 class Columns:
-    """The column of each slot, and those of the elements of each array, by index. `listed` has the
-    columns of a whole array for each slot that is an element of it by a declared name.
+    """The columns of slots, and of the elements of arrays, by index. For a slot that is an element
+    with a declared name, `listed` contains the columns of the whole array.
 
-    `missing` are the fields without a column. Where `arrival` is filled, a message came, whatever
-    else is known of it.
+    `missing` are the fields without a column. If the cell in `arrival` is filled, a message came,
+    even if all values are unknown.
     """
 
     slots: Mapping[int, int]
@@ -44,12 +44,14 @@ class Columns:
 
 
 def column_keys(names: Sequence[str]) -> Mapping[str, int]:
-    """The position of each column but the first; indices in names are written `[0]` or `.0`."""
+    """The position of each column except the first; indices in names are written `[0]` or `.0`."""
     return {_key(name): i for i, name in enumerate(names) if i > 0}
 
 
 def duplicate_column(names: Sequence[str]) -> int | None:
-    """The position of the first column whose name, if it has one, stands there before."""
+    """The position of the first column with the name of an earlier column; empty names do not
+    count.
+    """
     seen: set[str] = set()
     for position, name in enumerate(names[1:], start=1):
         if name and _key(name) in seen:
@@ -59,7 +61,7 @@ def duplicate_column(names: Sequence[str]) -> int | None:
 
 
 def expected_column(match: Match, field: Slot | Array, machine: Machine) -> str:
-    """The shortest name that a column of a field may have."""
+    """The shortest possible name for a column of a field."""
     *_, name = _names(match, field, machine)
     if isinstance(field, Array) and field.list is not None:
         return name.replace(f".{_EACH}", "[0]")
@@ -69,8 +71,8 @@ def expected_column(match: Match, field: Slot | Array, machine: Machine) -> str:
 def similar_column(
     match: Match, fields: Sequence[Slot | Array], machine: Machine, unread: Sequence[str]
 ) -> tuple[str, str] | None:
-    """The one of some columns that is most likely meant for one of some fields, and the name that
-    it should have; None if none is likely. Upper and lower case make no difference.
+    """The column that the user most likely meant for one of the fields, and its correct name; None
+    if no column is likely. Upper and lower case are equal.
     """
     alike = [
         (SequenceMatcher(None, name.lower(), column.lower()).ratio(), field, column)
@@ -89,7 +91,7 @@ def _key(name: str) -> str:
 
 
 def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Columns:
-    """The columns that hold what a channel reads."""
+    """The columns with the fields that a channel reads."""
     slots: dict[int, int] = {}
     listed: dict[int, tuple[int, ...]] = {}
     arrays: dict[int, tuple[int, ...]] = {}
@@ -119,8 +121,8 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
 
 
 def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]:
-    """The names that the column may have that says that a message came. A column that is called
-    like an input is meant for what that reads, if it reads anything.
+    """The possible names of the column that shows that a message came. A column with the name of an
+    input contains the input's value if the input reads a value.
     """
     reads_nothing = not match.slots and not match.arrays
     if has_fields or reads_nothing:
@@ -139,8 +141,8 @@ def _whole(match: Match, slot: Slot, keys: Mapping[str, int], machine: Machine) 
 
 
 def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:
-    """The columns of the elements of an array, or of a field of all elements of a list, from 0 to
-    the first that has none.
+    """The columns of the elements of an array, or of a field of all elements of a list, from index
+    0 to the first missing index.
     """
     place = f".{_EACH}."
     before, place, behind = name.partition(place) if place in name else (name, ".", "")
@@ -151,17 +153,18 @@ def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:
 
 
 def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]:
-    """The names that the column of a field may have, the most explicit first.
+    """The possible names for the column of a field, the most explicit first.
 
-    How much of the path an input selects is not known here: behind the name of an input may stand
-    any end of the path by which no other field of this input ends.
+    The part of the path that an input selects is unknown here. So any end of the path may follow
+    the name of the input, unless another field of this input has the same end.
     """
     path = _texts(field)
     yield ".".join([match.topic, *path])
     if path == ("data",):
         yield match.topic
     if isinstance(field, Slot) and query_of(field) is not None:
-        # All inputs that read the context ask the same, and one of them is the compiler's own.
+        # All inputs that read the context have the same fields, and one input belongs to the
+        # compiler.
         readers = (machine.inputs[reader].name for reader in match.inputs)
         yield from sorted((".".join([name, *path]) for name in readers), key=len, reverse=True)
         return

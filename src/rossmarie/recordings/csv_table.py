@@ -1,17 +1,17 @@
-"""Recordings as CSV: the time in the first column, a field in each of the others.
+"""Recordings as CSV: the time is in the first column, each other column is a field.
 
 Columns are named after fields (`/imu/data.orientation.x`, `/scan.ranges[0]`), or after the inputs
 of the rules (`speed`; `orientation.x` for the field `x` of the input `orientation`). Columns that
-no rule reads are passed over.
+no rule reads are ignored.
 
-A row updates each topic of which at least one cell is filled, all at the instant of the row; other
-cells of such a topic are NaN, which is unknown. A column that is named after a topic, or after an
-input of which only the age is read, may hold anything: where it is filled, a message came. Rows are
-taken in the order of the file.
+A row updates each topic with at least one filled cell, all at the instant of the row; empty cells
+of such a topic are NaN, which is unknown. The cells of some columns may contain any text: a filled
+cell only shows that a message came. These columns are named after a topic, or after an input whose
+rules use only its age. Rows are read in file order.
 
-The time is in seconds, or in nanoseconds if the column is called `time_ns` or its first value is an
-integer of 15 digits or more: as seconds that would be in the far future, as nanoseconds it is a
-ROS stamp.
+The time is in seconds. It is in nanoseconds if the column is called `time_ns`, or if its first
+value is an integer of 15 digits or more. In seconds such a value would be in the far future; in
+nanoseconds it is a ROS stamp.
 """
 
 from __future__ import annotations
@@ -74,7 +74,9 @@ _MOST_PATTERNS = 1000
 
 
 class CsvRecording:
-    """A CSV file as a recording. Raises `RecordingError` if it is not one, or is empty."""
+    """A CSV file as a recording. Raises `RecordingError` if the file is no such table, or is
+    empty.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -111,27 +113,27 @@ class CsvRecording:
         return batched(machine, self._read(readers, machine, collector))
 
     def frames(self) -> FramesFound:
-        """None: texts that say a frame are columns as any others."""
+        """No frames: texts with frames are ordinary columns."""
         return FramesFound()
 
     def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
-        """A table has no messages to look at."""
+        """An empty survey: a table has no messages."""
         del observers, seconds
         return Survey()
 
     def definitions(self) -> Mapping[str, str]:
-        """None: a table has no types."""
+        """No definitions: a table has no types."""
         return {}
 
     def close(self) -> None:
-        """Nothing is held open."""
+        """Do nothing: no file is open."""
 
     def __enter__(self) -> CsvRecording:
-        """The recording itself."""
+        """Return the recording itself."""
         return self
 
     def __exit__(self, *reason: object) -> None:
-        """Nothing is held open."""
+        """Do nothing: no file is open."""
 
     def _reader(self, match: Match, columns: Columns, machine: Machine) -> ChannelReader:
         names = [self._names[column] for column in columns.used()]
@@ -147,7 +149,9 @@ class CsvRecording:
         machine: Machine,
         collector: Collector,
     ) -> None:
-        """Tell which inputs have no column, or not all; `unread` are the columns to choose from."""
+        """Report the inputs without all their columns; `unread` are the columns that may be
+        misspelt.
+        """
         is_blank = bool(columns.used()) and not any(self._filled[i] for i in columns.used())
         reported: set[str] = set()
         for reader in match.inputs:
@@ -236,7 +240,7 @@ class CsvRecording:
                 raise self._not_csv(rows.line_num, error) from error
 
     def _lines(self, file: TextIO) -> Iterator[str]:
-        """The lines of the file. Raises `RecordingError` before one takes too much memory."""
+        """The lines of the file. Raises `RecordingError` before a line takes too much memory."""
         for number in count(1):
             line = file.readline(LONGEST_LINE + 1)
             if len(line) > LONGEST_LINE:
@@ -265,20 +269,22 @@ class CsvRecording:
         return found
 
     def _header_span(self, header: str, name: str) -> Span:
-        """The last place of a name in the first line, as far as that can be shown."""
+        """The last place of a name in the first line, if it can be shown."""
         source = SourceFile(str(self.path), header[:_SHOWN].rstrip("\r\n"))
         start = max(source.text.rfind(name), 0)
         return Span(source, start, min(start + len(name), len(source.text)))
 
     def _survey(self) -> None:
-        """Count the filled cells of each column, find the first and the last instant, and whether
-        time goes back.
+        """Count the filled cells of each column, find the first and the last instant, and find out
+        whether time goes back.
         """
-        patterns: Counter[tuple[bool, ...]] = Counter()  # most rows fill the same cells as others
+        patterns: Counter[tuple[bool, ...]] = (
+            Counter()
+        )  # most rows fill the same cells as other rows
         self._filled: Counter[int] = Counter()
         rows: Counter[str] = Counter()
         total = 0
-        instants: list[int] = []  # the first and the last, in the order of the file
+        instants: list[int] = []  # the first and the last instant, in file order
         stamps: list[int] = []
         skipped: Counter[str] = Counter()
         setbacks = Setbacks(tolerance_ns=0)
@@ -312,7 +318,7 @@ class CsvRecording:
             self.findings = (at_file(finding, self.path), *self.findings)
 
     def _count_filled(self, patterns: Mapping[tuple[bool, ...], int], rows: Counter[str]) -> None:
-        """Count how often each column is filled, and how many rows say something of each topic."""
+        """Count how often each column is filled, and how many rows update each topic."""
         topics = [_topic_of(name) for name in self._names]
         for pattern, times in patterns.items():
             filled = [column for column, is_filled in enumerate(pattern) if is_filled]

@@ -1,7 +1,7 @@
-"""The messages of one topic -> the columns that a machine reads of them.
+"""Decodes the messages of one topic into the columns that a machine reads.
 
 Nearly all messages are decoded together, by a plan. rosbags decodes messages without a plan, and
-messages that a plan cannot decode. If rosbags fails, too, the reason is recorded.
+messages that a plan cannot decode. If rosbags also fails, the reason is recorded.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ _NOT_READ = float("nan")
 
 @dataclass(frozen=True, eq=False)
 class Decoded:
-    """The values that are read of each message, by slot and by array of the machine. `failures` are
-    the messages that cannot be decoded, of which nothing is known, and those with a cloud or a scan
-    of which not all is, with the reasons: their arrays are None.
+    """The values of each message, by slot and by array of the machine. `failures` are messages with
+    the reason for unknown values. In undecodable messages all values are unknown. In messages with
+    a partly unreadable cloud or scan, the arrays of the cloud or scan are None.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
@@ -54,7 +54,7 @@ class Decoded:
 
 class Decoder:
     """Decodes messages of a connection, or of other connections on its topic. `missing` are the
-    wanted fields that the definition does not have.
+    wanted fields that the definition does not contain.
     """
 
     def __init__(
@@ -73,11 +73,13 @@ class Decoder:
 
     @property
     def never_found(self) -> Iterator[ElementSearch]:
-        """The elements that no message so far had, although some had others."""
+        """The elements that no message has had so far, although some messages had other
+        elements.
+        """
         return (each for each in self._searches if each.is_vain)
 
     def decode(self, messages: Packed) -> Decoded:
-        """The values that are read of some messages."""
+        """The values of some messages."""
         found = self._walked(messages)
         failures = []
         for row in np.flatnonzero(~found.is_done).tolist():
@@ -90,7 +92,7 @@ class Decoder:
         if self._plan is None:
             return nothing_found(len(messages), self._found.slots, self._found.arrays)
         starts, ends = messages.starts, messages.ends
-        if self._most is not None:  # nothing is found in messages that are too large
+        if self._most is not None:  # nothing is read from messages that are too large
             ends = np.where(ends - starts > self._most, starts, ends)
         return walk(self._plan, self._texts, messages.content, starts, ends)
 
@@ -125,8 +127,8 @@ class Decoder:
 
 
 def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], Message]:
-    """The decoder of rosbags for messages of a connection, or of other connections on its topic. It
-    raises one of `DECODE_FAILURES`, also for a message that is too large.
+    """The decoder of rosbags for messages of a connection, or of other connections on its topic.
+    The decoder raises one of `DECODE_FAILURES`, also for a message that is too large.
     """
     name = full_type(connection.message_type)
     is_ros1 = connection.encoding == "ros1"

@@ -1,6 +1,6 @@
 """Message definitions: from the type of a topic to the store that decodes its messages.
 
-A definition in the recording comes first, then the user's own .msg folders, then the standard
+A definition in the recording takes precedence, then the user's own .msg folders, then the standard
 packages of ROS and `skill_context_msgs`.
 """
 
@@ -28,7 +28,7 @@ from rossmarie.types.definitions import own_texts
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
     "ros1": (Stores.ROS1_NOETIC,),
-    # Recordings without definitions are older than ROS 2 Iron: Humble describes them best.
+    # Recordings without definitions are older than ROS 2 Iron; Humble fits them best.
     "cdr": (Stores.ROS2_HUMBLE, Stores.ROS2_JAZZY),
 }
 _ENCODINGS = frozenset(_STANDARD)
@@ -39,11 +39,11 @@ _MSG_SEPARATOR = re.compile(r"^=+\r?\nMSG: (\S+)\r?\n", re.MULTILINE)
 
 
 class UndefinedTypeError(Exception):
-    """A message type of which no definition is known; the text gives the reason."""
+    """A message type without a known definition; the text gives the reason."""
 
 
 def full_type(name: str) -> str:
-    """`sensor_msgs/msg/Imu`, as rosbags writes it, for `sensor_msgs/Imu`."""
+    """The form of rosbags, `sensor_msgs/msg/Imu`, for `sensor_msgs/Imu`."""
     package, _, rest = name.partition("/")
     return name if "/" in rest else f"{package}/msg/{rest}"
 
@@ -59,9 +59,9 @@ def is_standard(message_type: str) -> bool:
 
 
 def own_definitions(connections: Iterable[Connection]) -> dict[str, str]:
-    """The texts of .msg files that connections bring along, for their types and those that these
-    consist of, by names such as `my_msgs/Wheel`. Standard types, and those that cannot be
-    understood, are left out; of several texts for one type, the first counts.
+    """The .msg texts that connections contain, for their types and the types inside these, by names
+    such as `my_msgs/Wheel`. Standard types and unreadable texts are left out. The first of several
+    texts for one type counts.
     """
     found: dict[str, str] = {}
     for connection in connections:
@@ -78,7 +78,7 @@ def own_definitions(connections: Iterable[Connection]) -> dict[str, str]:
 
 
 def _texts(connection: Connection, store: Typestore) -> Iterator[tuple[str, str]]:
-    """The recorded text of each type; of one that is recorded as IDL, the same as .msg."""
+    """The recorded text of each type; a definition in IDL is converted to .msg."""
     text = connection.definition.data
     if connection.definition.format is not MessageDefinitionFormat.MSG:
         text, _ = store.generate_msgdef(full_type(connection.message_type), ros_version=2)
@@ -89,9 +89,9 @@ def _texts(connection: Connection, store: Typestore) -> Iterator[tuple[str, str]
 
 
 def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Typestore:
-    """A store with the type of a connection, and all types that it consists of.
+    """A store with the type of a connection, and all types that it contains.
 
-    `message_folders` hold `<package>/msg/Type.msg` or `<package>/Type.msg`. Raises
+    `message_folders` contain `<package>/msg/Type.msg` or `<package>/Type.msg`. Raises
     `UndefinedTypeError`.
     """
     if connection.encoding not in _ENCODINGS:
@@ -140,7 +140,7 @@ def _recorded_types(definition: MessageDefinition, name: str) -> Typesdict:
 
 
 def _types_in_folders(name: str, folders: Sequence[Path]) -> Typesdict:
-    """The definitions of a type and of those that it names, as far as there are files."""
+    """The definitions of a type and of the types that it contains, if their files exist."""
     types: Typesdict = {}
     wanted = [name]
     while wanted:
@@ -163,7 +163,7 @@ def _message_file(name: str, folders: Sequence[Path]) -> Path | None:
 
 
 def _store_of(types: Typesdict, encoding: str) -> Typestore:
-    """A store of `types`, completed by the standard ones that they name."""
+    """A store of `types`, completed by the standard types that they contain."""
     store = get_typestore(Stores.EMPTY)
     complete = dict(types)
     wanted = [part for _, fields in types.values() for part in _named(fields)]
@@ -181,7 +181,9 @@ def _store_of(types: Typesdict, encoding: str) -> Typestore:
 
 
 def _check_names(types: Typesdict) -> None:
-    """Raise `TypesysError` unless all names are words: rosbags makes Python code of them."""
+    """Raise `TypesysError` unless all names are identifiers, because rosbags generates Python code
+    from them.
+    """
     for name, (constants, fields) in types.items():
         entries = [entry[0] for entry in constants] + [entry[0] for entry in fields]
         odd = [word for word in (*name.split("/"), *entries) if not _NAME.fullmatch(word)]
@@ -197,7 +199,7 @@ def _standard_definition(name: str, encoding: str) -> tuple[Constdefs, Fielddefs
 
 
 def _named(fields: Fielddefs) -> Iterator[str]:
-    """The names of the message types among the types of some fields."""
+    """The names of the message types of some fields."""
     for _, description in fields:
         inner = description[1][0] if _is_sequence(description) else description
         if inner[0] == Nodetype.NAME:

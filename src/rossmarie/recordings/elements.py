@@ -1,5 +1,5 @@
-"""Elements with names: their places in the arrays of each message, and the findings on elements
-that never occur.
+"""Named elements: their places in the arrays of each message, and the findings about elements that
+never occur.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from rossmarie.recordings.errors import (
 from rossmarie.recordings.matching import field_text, input_span, lengths, listed
 
 _MOST_OTHERS = 64
-"""Names or lengths that are kept to tell of; more than that nobody reads."""
+"""The names or lengths that are kept for a message. A reader needs no more."""
 _DIGITS = 12
-"""Digits of a digest that are reported."""
+"""The reported digits of a digest."""
 
 Named = ByName | Listed
-"""An element that goes by a name."""
+"""An element that is identified by a name."""
 
 
 def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
-    """The place of an element in an array of a length; `names` are those that the message has."""
+    """The place of an element in an array of this length; `names` are the names in the message."""
     match element:
         case ByName():
             return element.place(names, length)
@@ -37,9 +37,9 @@ def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
 
 @dataclass
 class ElementSearch:
-    """The search for a named element in one message after another: whether any message had it, and
-    some of the names, or array lengths, of the messages. For a query about skills: whether a
-    message came from its export, and the other exports.
+    """The search for a named element in successive messages. It notes whether any message had the
+    element, and some of the names, or array lengths, of the messages. For a query about skills, it
+    notes whether a message came from the query's export, and the other exports.
     """
 
     slot: Slot
@@ -47,21 +47,23 @@ class ElementSearch:
     others: dict[str, None] = field(default_factory=dict)
 
     def place(self, element: Named, names: Sequence[str], length: int) -> int | None:
-        """The place of the element, as `place_of` says."""
+        """The place of the element, as from `place_of`."""
         self.is_found = self.is_found or _is_there(element, names, length)
         if not self.is_found and len(self.others) < _MOST_OTHERS:
             self.others.update(dict.fromkeys(_instead(element, names, length)))
         return place_of(element, names, length)
 
     def see_export(self, query: SkillStep, digest: str) -> None:
-        """A message is from an export."""
+        """Note the export of a message."""
         self.is_found = self.is_found or digest == query.export
         if not self.is_found and len(self.others) < _MOST_OTHERS:
             self.others[digest] = None
 
     @property
     def is_vain(self) -> bool:
-        """No message so far had the element, although some had others."""
+        """True if no message has had the element so far, although some messages had other
+        elements.
+        """
         return bool(self.others) and not self.is_found
 
 

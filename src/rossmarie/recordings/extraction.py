@@ -42,13 +42,13 @@ _TEXTS = ("string", "wstring")
 _INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
 
 Message = Any
-"""A message that rosbags has decoded; its class is made from its definition."""
+"""A message that rosbags has decoded; rosbags creates its class from its definition."""
 
 
 @dataclass(frozen=True)
 class Wanted:
     """The part of messages that a machine reads: slots and arrays with their indices in the
-    machine, of which `lists` are all.
+    machine. `lists` are all lists of the machine.
     """
 
     slots: Mapping[int, Slot]
@@ -57,13 +57,13 @@ class Wanted:
 
 
 Find = Callable[[Named, Sequence[str], int], int | None]
-"""The place of an element, as `place_of` says."""
+"""A function that gives the place of an element, as `place_of` does."""
 
 
 @dataclass(frozen=True)
 class Extractor:
-    """Reads the wanted values of a message: those `found` in its type, not those `missing`. The
-    points of clouds and the beams of scans are read by `sensed`. `searches` holds the results for
+    """Reads the wanted values of a message: those `found` in its type, not those `missing`.
+    `sensed` reads the points of clouds and the beams of scans. `searches` contains the results for
     named elements.
     """
 
@@ -118,7 +118,7 @@ def compile_extractor(
     read = _reader(numbers, others, arrays)
     asking = (each for each in searches.values() if query_of(each.slot) is not None)
     named = [each for each in searches.values() if _goes_by_name(each.slot.path)]
-    named += islice(asking, 1)  # all are asked of the same messages
+    named += islice(asking, 1)  # all queries are about the same messages
     readers: tuple[CloudReader | ScanReader, ...]
     readers = (*cloud_readers(sensed, wanted.lists), *scan_readers(sensed, wanted.lists))
     return Extractor(read, readers, found, tuple(missing), tuple(named))
@@ -180,7 +180,9 @@ def _seconds(value: Any) -> float:
 def _elements_reader(
     array: Array, description: Any, texts: Sequence[str]
 ) -> Callable[[Message], list[float]] | None:
-    """Reads an array, or one field of all elements of a list; None if it has no such values."""
+    """The reader of an array, or of one field of all elements of a list; None if there are no such
+    values.
+    """
     if array.list is None:
         return _array_reader(array.path) if _is_numeric_array(description) else None
     if not _holds(description, array.kind):
@@ -210,7 +212,7 @@ def _array_reader(path: Path) -> Callable[[Message], list[float]]:
 
 
 def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
-    """Reads along a path; None where an array has no such element."""
+    """The reader of a path; it gives None if an array does not have the element."""
     if not _has_element(path):
         return attrgetter(_attributes(path))
 
@@ -236,7 +238,7 @@ def _place(message: Message, element: int | Named, find: Find, length: int) -> i
 
 
 def _names(message: Message, element: Named) -> Sequence[str]:
-    """The names that a message has for the elements of an array; none if they are declared."""
+    """The names of an array's elements in a message; none if the input declares the names."""
     match element:
         case ByName(names=path):
             names: Sequence[str] = attrgetter(_attributes(path))(message)
@@ -262,8 +264,8 @@ def _attributes(path: Path) -> str:
 
 
 def _describe(store: Typestore, root: Any, path: Path) -> Any:
-    """The type description (as rosbags writes it) of a field of a message; None if there is no such
-    field.
+    """The type description, in the form of rosbags, of a field of a message; None if there is no
+    such field.
     """
     description = root
     for part in path:
@@ -285,7 +287,7 @@ def _describe(store: Typestore, root: Any, path: Path) -> Any:
 
 
 def _is_sensed(store: Typestore, root: Any, array: Array) -> bool:
-    """Say whether an array is of a cloud or a scan, in a message of the type that has it."""
+    """Say whether an array belongs to a cloud or a scan, in a message of the required type."""
     path, holds = scan_path(array.path), holds_scan
     if is_of_points(array):
         path, holds = array.path[: array.path.index(POINTS)], holds_cloud
@@ -302,7 +304,7 @@ def _holds(description: Any, kind: Kind) -> bool:
 
 
 def _are_names(description: Any) -> bool:
-    """Say whether a description is that of a list of strings."""
+    """Say whether a description is the description of a list of strings."""
     if description is None or description[0] not in (Nodetype.ARRAY, Nodetype.SEQUENCE):
         return False
     kind, content = description[1][0]

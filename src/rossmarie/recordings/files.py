@@ -1,4 +1,4 @@
-"""The files for which a path to a recording stands."""
+"""The files that belong to the path of a recording."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from rossmarie.recordings.errors import (
 )
 
 METADATA = "metadata.yaml"
-"""Beside the files of a ROS 2 bag; a recorder that dies does not write it."""
+"""The name of a file beside the files of a ROS 2 bag. A recorder that crashes does not write it."""
 
 PACKED = ".zstd"
-"""The ending of a file of a ROS 2 bag that is compressed as a whole."""
+"""The suffix of a file of a ROS 2 bag that is compressed as a whole."""
 
 _BAGS = (".bag", ".db3", ".mcap")
 _KINDS = (*_BAGS, ".csv")
 
 
 def recording_files(path: Path) -> list[Path]:
-    """The files of a recording that are not empty.
+    """The non-empty files of a recording.
 
-    Raises `RecordingError` if there is none that can be opened.
+    Raises `RecordingError` if no file can be opened.
     """
     try:
         files = _files(path)
@@ -45,7 +45,7 @@ def recording_files(path: Path) -> list[Path]:
 
 
 def _files(path: Path) -> list[Path]:
-    """The files of a recording, empty ones too."""
+    """The files of a recording, including empty files."""
     if path.is_dir():
         return _files_in(path)
     if not path.exists():
@@ -58,7 +58,9 @@ def _files(path: Path) -> list[Path]:
 
 
 def _files_in(folder: Path) -> list[Path]:
-    """The storage files of a bag directory; those of a long recording have numbered names."""
+    """The storage files of a bag directory. The files of a long recording have numbers in their
+    names.
+    """
     found = [file for file in sorted(folder.iterdir()) if file.suffix in _BAGS and file.is_file()]
     has_metadata = (folder / METADATA).is_file()
     if has_metadata:

@@ -18,7 +18,7 @@ from rossmarie.recordings.transforms import holds_transforms
 
 _STATIC = "tf_static"
 _MOST_HEADERS = 50
-"""Messages of a topic whose headers are looked at."""
+"""The messages of a topic whose headers are read."""
 _MOST_FRAMES = 1000
 
 Read = Callable[[bytes], Any]
@@ -26,7 +26,7 @@ Read = Callable[[bytes], Any]
 
 @dataclass
 class _Seen:
-    """The frames that headers of a topic say so far."""
+    """The frames in the headers of a topic so far."""
 
     read: Read
     count: int = 0
@@ -35,7 +35,9 @@ class _Seen:
 
 @dataclass
 class _Edge:
-    """The messages so far that had one transform: their count, and the longest gap between two."""
+    """The messages with one transform so far: their count, and the longest time between two of
+    them.
+    """
 
     is_static: bool
     count: int = 0
@@ -43,17 +45,17 @@ class _Edge:
     longest_ns: int = 0
 
     def note(self, at_ns: int) -> None:
-        """Take in that it came."""
+        """Note that the transform came."""
         if self.count:
             self.longest_ns = max(self.longest_ns, at_ns - self.last_ns)
         self.count, self.last_ns = self.count + 1, at_ns
 
 
 class FrameSearch:
-    """Looks for the frames of a recording in its messages. Messages that cannot be decoded are
+    """Searches for the frames of a recording in its messages. Messages that cannot be decoded are
     skipped.
 
-    `headers_of` are the topics whose headers are looked at; None if these are all.
+    `headers_of` are the topics whose headers are read; None means all topics.
     """
 
     def __init__(
@@ -79,11 +81,11 @@ class FrameSearch:
 
     @property
     def topics(self) -> Collection[str]:
-        """The topics whose messages tell of frames."""
+        """The topics whose messages contain frames."""
         return [*self._of_transforms, *self._of_headers]
 
     def note(self, batch: Packed) -> None:
-        """The next messages, in the order of their stamps."""
+        """Note the next messages, in the order of their stamps."""
         for row in range(len(batch)):
             topic = batch.connections[batch.senders[row]].topic
             try:

@@ -1,4 +1,4 @@
-"""Values at many places of some bytes, all at once."""
+"""Values at many places of a byte string, all at once."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 
 def values_at(content: bytes, kind: str | np.dtype[Any], places: NDArray[np.int64]) -> NDArray[Any]:
-    """The values at the places, each inside the content, as values of a kind of numpy."""
+    """The values at the places, each inside the content. `kind` is a NumPy type."""
     if not len(places):
         return np.empty(0, kind)
     size = np.dtype(kind).itemsize
-    # A value begins at every byte: numpy copies those that are asked for.
+    # A value begins at every byte; NumPy copies only the requested values.
     everywhere: NDArray[Any] = np.ndarray(
         (len(content) - size + 1,), kind, buffer=content, strides=(1,)
     )

@@ -20,7 +20,7 @@ from rossmarie.recordings.stored import Connection, Packed, Stored, plain_type, 
 class IntactBag:
     """A bag that rosbags can read, within an allowance.
 
-    Raises one of `READER_FAILURES` if it cannot, at construction or at any message.
+    Raises one of `READER_FAILURES` if rosbags cannot read it, at construction or at any message.
     """
 
     def __init__(self, path: Path, allowance: Allowance) -> None:
@@ -40,12 +40,12 @@ class IntactBag:
             yield from unpacked(batch)
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
         chosen = [pair for pair in self._opened if pair[1].topic in topics]
         return in_order(BagChunks(self._bag, chosen)) if chosen else iter(())
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
         topics = {ours.id: ours.topic for ours in self.connections}
         for position in sorted(self._bag.chunks):
             found: dict[str, list[NDArray[np.void]]] = {}

@@ -35,12 +35,14 @@ from rossmarie.recordings.errors import (
 from rossmarie.recordings.model import Topic
 
 _OF_TRANSFORMS = (TRANSFORMS, "tf/tfMessage")
-"""The types of messages with transforms: the usual one, and one of old recordings."""
+"""The types of messages with transforms: the usual type, and the type in old recordings."""
 
 
 @dataclass(frozen=True)
 class Match:
-    """A channel, the recorded topic that it reads, and what it reads of its messages."""
+    """A channel, the recorded topic that it reads, and the fields that it reads from the
+    messages.
+    """
 
     channel: int
     topic: str
@@ -58,7 +60,7 @@ class Match:
 class Unreadable:
     """Counts the unreadable messages of one topic, and stores the first case.
 
-    `what` is counted, such as "messages on `/odom`"; `help` replaces the usual one.
+    `what` are the counted things, such as "messages on `/odom`"; `help` replaces the usual help.
     """
 
     what: str
@@ -70,7 +72,7 @@ class Unreadable:
     first: tuple[int, str] | None = None
 
     def note(self, at_ns: int, reason: str) -> None:
-        """One more."""
+        """Count one more message."""
         self.count += 1
         self.first = self.first or (at_ns, reason)
 
@@ -105,10 +107,10 @@ def match_topics(
     path: Path,
     collector: Collector,
 ) -> list[Match]:
-    """The channels whose topics are recorded with the type expected and at least one message.
+    """The channels whose topics are recorded with the expected type and at least one message.
 
-    Other channels are reported, except parameters of the node: a parameter without a value has its
-    default. Raises `RecordingError` if no channel is left.
+    Other channels are reported, except for parameters of the node: without a value, the default
+    counts. Raises `RecordingError` if no channel is left.
     """
     check_topic_map(machine, topic_map)
     matches = []
@@ -138,13 +140,13 @@ def nothing_to_replay(
 def with_reasons(
     finding: Diagnostic, collector: Collector, help: Remark | None = None
 ) -> RecordingError:
-    """The error for a finding that ends the reading, with all earlier findings as its notes."""
+    """The error for a finding that ends the reading. All earlier findings are its notes."""
     reported = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
     return RecordingError(remarked(finding, *sorted(reported, key=str), help=help))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
-    """Raise `RecordingError` if a topic is mapped that no channel reads."""
+    """Raise `RecordingError` if the map contains a topic that no channel reads."""
     known = list(dict.fromkeys(channel.source for channel in machine.channels))
     for topic, recorded in topic_map.items():
         if topic not in known:
@@ -158,8 +160,8 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
 def _trouble(
     topics: Mapping[str, Topic], channel: Channel, name: str
 ) -> tuple[Template | None, Remark | None]:
-    """The problem that keeps a channel from reading the recorded topic `name`, and a specific help
-    if there is one.
+    """The problem that prevents a channel from reading the recorded topic `name`, and a specific
+    help if there is one.
     """
     types = (channel.message_type,) if channel.edge is None else _OF_TRANSFORMS
     wanted = types[0]
@@ -175,7 +177,9 @@ def _trouble(
 
 
 def _alternative(topics: Mapping[str, Topic], name: str, message_type: str) -> str | None:
-    """The recorded topic that is most likely meant: of the right type, and named alike."""
+    """The recorded topic that the user most likely meant: one with the right type and a similar
+    name.
+    """
     fitting = [
         topic.name for topic in topics.values() if topic.message_type in (None, message_type)
     ]
@@ -190,12 +194,12 @@ def input_span(machine: Machine, number: int) -> Span:
 
 
 def field_text(path: Iterable[Step]) -> str:
-    """A path as it is written: `position[0].x`."""
+    """A path in the notation of rules: `position[0].x`."""
     return path_text(path).removeprefix(".")
 
 
 def kind_text(wanted: Slot | Array) -> str:
-    """The kind that is expected of a field, in words."""
+    """The expected kind of a field, in words."""
     if isinstance(wanted, Array) and wanted.list is None:
         return "an array of numbers"
     return "a string" if wanted.kind is Kind.TEXT else "a number"

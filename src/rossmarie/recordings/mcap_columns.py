@@ -24,7 +24,7 @@ _NUMBER = struct.Struct("<I")
 _CHECKSUM = _RECORD.size + 24
 """The place of the checksum of a chunk, in bytes from its start."""
 _CONTENT = _RECORD.size + 40
-"""The place of its content, minus the length of the name of its compression."""
+"""The place of its content in bytes, minus the length of the name of its compression."""
 _HEAD = np.dtype([("channel", "<u2"), ("sequence", "<u4"), ("at_ns", "<u8"), ("sent_ns", "<u8")])
 
 
@@ -88,7 +88,7 @@ class McapChunks:
         return storage_mcap.decompress(stored, about.compression, about.uncompressed_size, checksum)
 
     def _trouble_with(self, about: ChunkInfo) -> Exception:
-        """The exception of rosbags for a chunk with invalid records."""
+        """The exception that rosbags raises for a chunk with invalid records."""
         bio = self._file.bio
         assert bio is not None, "the file is open"
         try:
@@ -100,7 +100,7 @@ class McapChunks:
 
 
 def has_chunks(part: object) -> bool:
-    """Return True if the messages of a file are in chunks, and the index names each chunk once."""
+    """Say whether the messages of a file are in chunks, and the index names each chunk once."""
     if not isinstance(part, McapReader) or not part.chunks:
         return False
     return len({chunk.chunk_start_offset for chunk in part.chunks}) == len(part.chunks)

@@ -12,7 +12,7 @@ from rossmarie.recordings.stored import Packed, Stored, packed
 
 
 class MergedStorage:
-    """Several storages, merged by their stamps; `opened` closes all that belongs to them."""
+    """Several storages, merged by their stamps; `opened` closes everything that belongs to them."""
 
     def __init__(self, parts: Sequence[Storage], opened: ExitStack) -> None:
         self._parts = parts
@@ -32,13 +32,13 @@ class MergedStorage:
         return heapq.merge(*streams, key=lambda stored: stored.at_ns)
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
         if len(self._parts) == 1:
             return self._parts[0].batches(topics)
         return packed(self.messages(topics))
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
         for part in self._parts:
             yield from part.arrivals()
 

@@ -1,8 +1,8 @@
-"""The cost of messages of a type: a few bytes of a message, or of a definition, can stand for any
+"""The cost of messages of a type: a few bytes of a message, or of a definition, can represent any
 number of objects.
 
-rosbags writes Python code for a definition, a line for each element of an array of fixed length,
-and makes an object of each element of a message. Both are bounded here before that happens.
+rosbags generates Python code for a definition, with a line for each element of an array of fixed
+length, and creates an object for each element of a message. This module limits both in advance.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Definitions = Mapping[str, tuple[Constdefs, Fielddefs]]
 
 _TEXTS = ("string", "wstring")
 _COUNT = 4
-"""Bytes of the number in front of a text or an array."""
+"""The bytes of the length before a text or an array."""
 _BITS = re.compile(r"\d+$")
 
 
@@ -42,7 +42,7 @@ class Sizes:
         self._elements: list[int] = []
 
     def check(self, name: str) -> None:
-        """Look at a type, and at those that it consists of."""
+        """Check a type, and the types that it contains."""
         self._type(name, 0)
 
     def largest_message(self, name: str) -> int | None:
@@ -66,7 +66,9 @@ class Sizes:
         return self._known[name]
 
     def _field(self, description: Any, depth: int) -> tuple[int, int]:
-        """`description` is a `FieldDesc`, whose type says too little of its parts."""
+        """The least bytes, and the number of fields, of a field. `description` is a `FieldDesc` of
+        rosbags, whose type is too general.
+        """
         kind, what = description
         if kind is Nodetype.NAME:
             return self._type(str(what), depth + 1)

@@ -17,7 +17,8 @@ from rossmarie.ir import Batch, ChannelValues, Machine
 
 @dataclass(frozen=True)
 class Topic:
-    """A recorded topic; `message_type` is `sensor_msgs/Imu`, or None where the file has no types.
+    """A recorded topic; `message_type` is, for example, `sensor_msgs/Imu`, or None if the file has
+    no types.
 
     `count` is the number of its messages.
     """
@@ -29,8 +30,8 @@ class Topic:
 
 @dataclass(frozen=True)
 class Transforms:
-    """The recorded transforms of one frame in another one; `longest_ns` is the longest time between
-    two of them.
+    """The recorded transforms of one frame in another frame; `longest_ns` is the longest time
+    between two of them in ns.
     """
 
     parent: str
@@ -42,8 +43,8 @@ class Transforms:
 
 @dataclass(frozen=True)
 class FramesFound:
-    """The frames of a recording: all transforms, and the frame of each topic whose headers say one
-    and the same.
+    """The frames of a recording: all transforms, and the frame of each topic whose headers always
+    contain the same frame.
     """
 
     transforms: Sequence[Transforms] = ()
@@ -51,13 +52,13 @@ class FramesFound:
 
 
 Observe = Callable[[Any], None]
-"""Takes in a message, with its fields as attributes."""
+"""A function that receives a message, with the message's fields as attributes."""
 
 
 @dataclass(frozen=True)
 class Rhythm:
-    """The arrivals of messages on one topic: the median time from one to the next, the longest, and
-    the share of those that are longer than `Rhythm.OUTLIER` medians.
+    """The arrivals of messages on one topic: the median time between successive messages, the
+    longest time, and the share of times that are longer than `Rhythm.OUTLIER` medians.
     """
 
     OUTLIER: ClassVar[int] = 10
@@ -70,8 +71,8 @@ class Rhythm:
 
 @dataclass(frozen=True)
 class Survey:
-    """The rhythm of each topic that was looked at, and the frames. `end_ns` is the stamp of the
-    last message that was read; `is_whole` if nothing was left unread for lack of time.
+    """The rhythm of each observed topic, and the frames. `end_ns` is the stamp of the last message
+    that was read. `is_whole` is True if the time limit left nothing unread.
     """
 
     rhythms: Mapping[str, Rhythm] = field(default_factory=dict)
@@ -88,7 +89,7 @@ class Update(NamedTuple):
 
 
 class Recording(Protocol):
-    """An open recording; `close` it, or use it in a `with` statement."""
+    """An open recording. Call `close`, or use the recording in a `with` statement."""
 
     @property
     def path(self) -> Path:
@@ -104,28 +105,30 @@ class Recording(Protocol):
 
     @property
     def end_ns(self) -> int:
-        """The instant of the last message, or row: before `start_ns` if a CSV file goes back."""
+        """The instant of the last message or row. It is before `start_ns` if the clock of a CSV
+        file goes back.
+        """
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
-        """The defects of the file as a whole, although it can be read."""
+        """The defects of the file as a whole that do not prevent reading."""
 
     def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
     ) -> Iterator[Batch]:
-        """The messages for a machine: those of a recording in the order of their stamps, rows of a
-        CSV file in the order of the file.
+        """The messages for a machine. Messages have the order of their stamps, rows of a CSV file
+        the order of the file.
 
-        `topic_map` maps topics of the rules to recorded topics. Topics that do not fit are reported
-        to `collector` at the call, unreadable messages at the end of the iteration. Raises
-        `RecordingError` at the call if there is nothing to read.
+        `topic_map` maps topics of the rules to recorded topics. `collector` gets a report of
+        unsuitable topics at the call, and of unreadable messages at the end of the iteration.
+        Raises `RecordingError` at the call if there is nothing to read.
         """
 
     def frames(self) -> FramesFound:
-        """The frames that it has transforms of, and those that headers say."""
+        """The frames in the recording's transforms and headers."""
 
     def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
-        """Read the topics of `observers`, and the transforms, for so many seconds at most.
+        """Read the topics of `observers`, and the transforms, for at most this number of seconds.
 
         Each observer gets messages of its topic, evenly spread over the recording: all, or some
         thousand. Messages that cannot be decoded, or that an observer rejects, are skipped.
@@ -140,7 +143,7 @@ class Recording(Protocol):
         """Release the file."""
 
     def __enter__(self) -> Recording:
-        """The recording itself."""
+        """Return the recording itself."""
 
     def __exit__(self, *reason: object) -> None:
         """Release the file."""

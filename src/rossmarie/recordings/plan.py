@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 
 class Part(enum.Enum):
-    """The part of a slot that a number is."""
+    """The parts of a slot that a number may fill."""
 
     ALL = "all"
     SECONDS = "seconds"
@@ -30,7 +30,9 @@ class Target(NamedTuple):
 
 @dataclass(frozen=True)
 class Number:
-    """A number in a stretch, `offset` bytes from its start; `kind` is that of numpy: `f8`."""
+    """A number in a stretch, `offset` bytes from the start of the stretch; `kind` is a NumPy type:
+    `f8`.
+    """
 
     targets: tuple[Target, ...]
     kind: str
@@ -49,8 +51,8 @@ class Row:
 
 @dataclass(frozen=True)
 class Stretch:
-    """Bytes of which each has its distance from the first one, which lies at a multiple of `align`
-    bytes from the start of the message.
+    """Bytes with fixed distances from the first byte, which lies at a multiple of `align` bytes
+    from the start of the message.
     """
 
     align: int
@@ -60,15 +62,16 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Text:
-    """A string: its length in bytes, in four bytes, and then itself."""
+    """A string: its length in four bytes, followed by its bytes."""
 
     slots: tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Numbers:
-    """An array of numbers of any length: how many there are, in four bytes, and then they. The
-    first one lies at a multiple of `align`, if there is one. `elements` are those read by index.
+    """An array of numbers of any length: the count in four bytes, followed by the numbers. The
+    first number, if any, lies at a multiple of `align`. `elements` are the elements that are read
+    by index.
     """
 
     align: int
@@ -80,8 +83,8 @@ class Numbers:
 
 @dataclass(frozen=True)
 class Records:
-    """An array of texts or messages of any length: how many there are, and then the steps for each;
-    `elements` are those of the elements in which something is read.
+    """An array of texts or messages of any length: the count, followed by the steps for each
+    element. `elements` contains the steps of the elements from which a field is read.
     """
 
     elements: Mapping[int, tuple[Step, ...]]
@@ -93,9 +96,9 @@ Step: TypeAlias = Stretch | Text | Numbers | Records
 
 @dataclass(frozen=True)
 class ReadPlan:
-    """The steps through the messages of a type, and all slots and arrays that they fill; those of
-    `texts` are filled with the numbers of texts. `is_cdr` says that four bytes stand in front, from
-    behind which all is aligned; a plan for ROS 1 aligns nothing.
+    """The steps through the messages of a type, and all slots and arrays that they fill. Slots in
+    `texts` are filled with the numbers of texts. With `is_cdr`, four bytes precede the message, and
+    alignment counts from the end of these bytes; a plan for ROS 1 aligns nothing.
     """
 
     is_cdr: bool

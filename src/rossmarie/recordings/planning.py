@@ -41,10 +41,10 @@ _KINDS = {
     "float64": "f8",
 }
 _COUNT = 4
-"""Bytes of the number in front of a text or an array."""
+"""The bytes of the length before a text or an array."""
 _WIDEST = 8
 _FILLER = "structure_needs_at_least_one_member"
-"""The member that a type without fields has in ROS 2, and has not in ROS 1."""
+"""The member that ROS 2 adds to a type without fields; ROS 1 does not."""
 
 
 class _Wanted(NamedTuple):
@@ -57,26 +57,26 @@ class _Wanted(NamedTuple):
 
 
 class _NotPlannedError(Exception):
-    """A definition has a field for which there is no step."""
+    """A definition has a field for which no step exists."""
 
 
 def plan_for(
     store: Typestore, message_type: str, encoding: str, wanted: extraction.Wanted
 ) -> ReadPlan | None:
-    """The plan for messages of a type; None if there is none. `encoding` is `ros1` or `cdr`; all
-    that is wanted is in the definition.
+    """The plan for messages of a type; None if no plan is possible. `encoding` is `ros1` or `cdr`.
+    The definition contains all wanted fields.
     """
     is_cdr = encoding == "cdr"
     planner = _Planner(store, is_cdr, multiple=_WIDEST)
     steps = {step for slot in wanted.slots.values() for step in slot.path}
     if any(isinstance(step, ByName | Listed) for step in steps):
-        return None  # where the element lies is known once the names, or the length, are read
+        return None  # the place of the element depends on the names, or on the length
     if any(isinstance(step, Doing | Quantity) for step in steps):
-        return None  # skills are asked when all of them are read
+        return None  # queries about skills need all running skills
     if any(array.list is not None for array in wanted.arrays.values()):
         return None  # rosbags decodes lists of messages
     if any(is_of_scan(array) for array in wanted.arrays.values()):
-        return None  # a sector rests on other fields, too
+        return None  # a sector depends on other fields, too
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]
     arrays = [_Wanted(array.path, array=index) for index, array in wanted.arrays.items()]
     try:
@@ -94,7 +94,7 @@ def plan_for(
 
 
 class _Planner:
-    """Goes through a definition. The present place lies `_beyond` bytes behind a multiple of
+    """Walks through a definition. The present place lies `_beyond` bytes after a multiple of
     `_multiple` bytes from the start of the message.
     """
 
@@ -109,12 +109,12 @@ class _Planner:
         self._reads: list[Number | Row] = []
 
     def steps(self) -> tuple[Step, ...]:
-        """The steps that have been gone through."""
+        """The steps so far."""
         self._close()
         return tuple(self._done)
 
     def message(self, name: str, wanted: Sequence[_Wanted]) -> None:
-        """A message, or a part of one."""
+        """Add the steps of a message, or of a nested message."""
         if name not in self._store.fielddefs:
             raise _NotPlannedError
         for field, description in self._store.fielddefs[name][1]:
@@ -125,7 +125,7 @@ class _Planner:
                 raise _NotPlannedError
 
     def _field(self, description: Any, wanted: Sequence[_Wanted]) -> None:
-        """`description` is rosbags' own."""
+        """Add the steps of a field. `description` has the form of rosbags."""
         kind, content = description
         if kind == Nodetype.NAME:
             self.message(content, [part for each in wanted for part in _parts(each)])
@@ -178,7 +178,7 @@ class _Planner:
         self._lose_count()
 
     def _body(self, element: Any, wanted: Sequence[_Wanted]) -> tuple[Step, ...]:
-        """The steps through an element, which lies anywhere."""
+        """The steps through an element at any place."""
         planner = _Planner(self._store, self._is_cdr, multiple=1)
         planner._field(element, wanted)
         return planner.steps()
@@ -186,7 +186,7 @@ class _Planner:
     # --- places ------------------------------------------------------------------------------
 
     def _place(self, size: int) -> None:
-        """Go on to where a number of so many bytes may be."""
+        """Move to the next possible place of a number with this size in bytes."""
         if not self._is_cdr:
             return
         if self._multiple % size == 0:
@@ -201,7 +201,7 @@ class _Planner:
         self._beyond = (self._beyond + size) % self._multiple
 
     def _count(self) -> None:
-        """A text or an array begins, with its length."""
+        """Read the length at the beginning of a text or an array."""
         self._place(_COUNT)
         self._close()
 
@@ -219,7 +219,7 @@ class _Planner:
 
 
 def _below(wanted: Iterable[_Wanted], step: str | int) -> list[_Wanted]:
-    """The fields that are wanted behind a step of the path."""
+    """The fields that are wanted after a step of the path."""
     found = (each for each in wanted if each.path and each.path[0] == step)
     return [each._replace(path=each.path[1:]) for each in found]
 
@@ -251,7 +251,7 @@ def _is_number(description: Any) -> bool:
 
 
 def _number(name: str) -> tuple[str, int]:
-    """The kind of a number, and how many bytes it has."""
+    """The kind of a number, and its size in bytes."""
     if name not in _KINDS:
         raise _NotPlannedError
     kind = _KINDS[name]

@@ -1,4 +1,4 @@
-"""The readers of rosbags, held to limits before they take memory.
+"""The readers of rosbags, with limits that apply before memory is used.
 
 rosbags decompresses any amount of data, and reads any YAML in a file. This module sets the limits.
 """
@@ -27,12 +27,12 @@ from rossmarie.recordings.tables import check_tables
 
 
 class _Mcap(McapReader):
-    """An MCAP file with an index. Of one without, rosbags would decompress everything to count the
-    messages; the salvage reads such a file within its allowance.
+    """An MCAP file with an index. rosbags would decompress a file without an index completely, to
+    count the messages. The salvage reads such a file within its allowance.
     """
 
     def meta_scan(self) -> None:
-        """Refuse to count."""
+        """Refuse to count the messages."""
         raise rosbag2.ReaderError("it has no index")
 
 
@@ -61,7 +61,9 @@ def open_bag_reader(path: Path, allowance: Allowance) -> IndexedBag:
 
 
 def open_ros2_reader(path: Path, allowance: Allowance) -> tuple[rosbag2.Reader, bool]:
-    """An open reader, and whether its messages are compressed one by one: they are left so."""
+    """An open reader, and whether its messages are compressed one by one. The reader does not
+    decompress such messages.
+    """
     if path.is_dir():
         check_yaml((path / METADATA).read_text(encoding="utf-8"))
     reader = _Reader(path)
@@ -77,7 +79,7 @@ def open_ros2_reader(path: Path, allowance: Allowance) -> tuple[rosbag2.Reader, 
         if is_packed:
             metadata = reader.storage.metadata
             reader.storage.metadata = metadata._replace(compression_mode=None)
-        opened.pop_all()  # closed by whoever asked for it
+        opened.pop_all()  # the caller closes the reader
     return reader, is_packed
 
 
@@ -87,7 +89,7 @@ def parts_of(reader: rosbag2.Reader) -> list[Any]:
 
 
 def _decompress_chunk(compression: str, data: bytes, _: int) -> bytes:
-    """A chunk of an MCAP file; how large all are together has been looked at before."""
+    """A chunk of an MCAP file. The total size of all chunks has been checked before."""
     return decompress(compression, data, Allowance(len(data)))
 
 

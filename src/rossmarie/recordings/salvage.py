@@ -1,7 +1,7 @@
-"""Common parts of the salvage of damaged chunked files (.bag, .mcap).
+"""Common parts of the salvage of damaged files with chunks (.bag, .mcap).
 
-A first pass reads the records one after the other, up to the end or the first invalid record, and
-records the places of messages. Then they are read in the order of time.
+A first pass reads the records in file order, up to the end or the first invalid record, and records
+the places of messages. Then the messages are read in order of time.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Scan:
     loss: str | None = None
 
     def lose(self, reason: str) -> None:
-        """Note a loss; the first one is the one to tell."""
+        """Note a loss. Only the first loss is reported."""
         if self.loss is None:
             self.loss = reason
 
@@ -67,7 +67,7 @@ class Scan:
             self.lose("it has too many messages for a file of its size")
 
     def open_chunk(self, data: mmap.mmap, chunk: Chunk) -> tuple[int, bytes]:
-        """The number and the content of a chunk, as far as it can be decompressed."""
+        """The number and the decompressible content of a chunk."""
         packed = data[chunk.start : chunk.end]
         content, trouble = decompress_prefix(chunk.compression, packed, self.allowance)
         if trouble is not None:
@@ -98,7 +98,7 @@ class SalvagedStorage:
         self._chunks = scan.chunks
         self._stored = [place for place in scan.places if place.connection in self._by_id]
         self._places = sorted(self._stored, key=lambda place: place.at_ns)
-        # Chunks follow each other in time and overlap a little: few are needed at once.
+        # Chunks follow each other in time and overlap a little, so few are needed at once.
         self._content = lru_cache(maxsize=4)(self._decompress)
 
     def span(self) -> tuple[int, int] | None:
@@ -114,11 +114,11 @@ class SalvagedStorage:
                 yield Stored(connection, at_ns, source[start:end])
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
         return packed(self.messages(topics))
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
         return by_topic(
             (self._by_id[place.connection].topic, place.at_ns) for place in self._stored
         )
@@ -129,7 +129,9 @@ class SalvagedStorage:
         self._file.close()
 
     def _decompress(self, number: int) -> bytes:
-        """Raises `LimitError` if that was done too often."""
+        """The content of a chunk. Raises `LimitError` if chunks have been decompressed too
+        often.
+        """
         chunk = self._chunks[number]
         packed = self._file[chunk.start : chunk.end]
         content, trouble = decompress_prefix(chunk.compression, packed, self._allowance)

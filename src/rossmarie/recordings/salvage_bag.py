@@ -1,7 +1,7 @@
-"""ROS 1 .bag files without a usable index: not closed by the recorder, cut short, damaged.
+"""ROS 1 .bag files without a usable index: not closed by the recorder, cut short, or damaged.
 
-Format: https://wiki.ros.org/Bags/Format/2.0 -- records of a header (fields `name=value`) and data,
-each with its length before it; messages and connections lie inside the data of chunks.
+Format: https://wiki.ros.org/Bags/Format/2.0. A record consists of a header (fields `name=value`)
+and data, each after its length. Messages and connections lie inside the data of chunks.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ _TIME = struct.Struct("<II")
 
 
 def salvage_bag(path: Path) -> SalvagedStorage:
-    """The readable rest of a ROS 1 bag. Raises `ValueError` if it is not one."""
+    """The readable rest of a ROS 1 bag. Raises `ValueError` if the file is not a ROS 1 bag."""
     return SalvagedStorage(path, _scan)
 
 
 class _Record(NamedTuple):
-    """`is_whole`: the file does not end before the data does."""
+    """A record. `is_whole` is True if the file contains all of its data."""
 
     fields: dict[bytes, bytes]
     start: int
@@ -82,7 +82,7 @@ def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: Scan) -> N
 
 
 def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
-    """The records from `position` on, up to the first invalid one. `of` names their source."""
+    """The records from `position` on, up to the first invalid record. `of` names their source."""
     size = len(data)
     while position + 4 <= size:
         start = position
@@ -116,7 +116,7 @@ def _fields(header: bytes) -> dict[bytes, bytes]:
 
 
 def _is_complete(fields: dict[bytes, bytes]) -> bool:
-    """Say whether a record has what is read of it, in the right size."""
+    """Say whether a record contains all fields that are read, in the right size."""
     operation = fields.get(b"op", b"")
     return operation in _OPERATIONS and all(
         name in fields and size in (_ANY_SIZE, len(fields[name]))

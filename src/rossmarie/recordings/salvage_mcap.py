@@ -1,8 +1,10 @@
-"""MCAP files that rosbags does not read: without a footer, cut short, damaged; and files that are
-whole, but not of the `ros2` profile (ROS 1 messages converted to MCAP, say).
+"""MCAP files that rosbags does not read.
 
-Format: https://mcap.dev/spec -- records of an operation (1 byte), a length (8 bytes) and content;
-chunks hold records of their own. Numbers are little-endian.
+They have no footer, or are cut short or damaged. Others are complete but do not have the profile
+`ros2`, for example ROS 1 messages that were converted to MCAP.
+
+Format: https://mcap.dev/spec. A record consists of an operation (1 byte), a length (8 bytes) and
+content. Chunks contain records of their own. Numbers are little-endian.
 """
 
 from __future__ import annotations
@@ -37,12 +39,12 @@ _DEFINITION_FORMATS = {
 
 
 def salvage_mcap(path: Path) -> SalvagedStorage:
-    """The readable rest of an MCAP file. Raises `ValueError` if it is not one."""
+    """The readable rest of an MCAP file. Raises `ValueError` if the file is not an MCAP file."""
     return SalvagedStorage(path, _scan)
 
 
 class _Record(NamedTuple):
-    """`is_whole`: the file does not end before the content does."""
+    """A record. `is_whole` is True if the file contains all of its content."""
 
     operation: int
     start: int
@@ -111,7 +113,7 @@ def _keep(
 
 
 def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
-    """The records from `position` on, up to the first invalid one. `of` names their source."""
+    """The records from `position` on, up to the first invalid record. `of` names their source."""
     size = len(data)
     while position + _RECORD.size <= size:
         operation, length = _RECORD.unpack_from(data, position)
@@ -142,7 +144,9 @@ def _schema(content: bytes) -> tuple[int, _Schema]:
 
 
 def _string(data: bytes | mmap.mmap, position: int) -> tuple[str, int]:
-    """The text at `position`, and where it ends. Raises `ValueError` if it does not fit."""
+    """The text at `position`, and the position of its end. Raises `ValueError` if it does not
+    fit.
+    """
     (length,) = _STRING.unpack_from(data, position)
     start, end = position + _STRING.size, position + _STRING.size + length
     if end > len(data):

@@ -1,6 +1,6 @@
 """ROS 2 .db3 files that rosbags does not read: cut short, or with damaged pages.
 
-Rows are read in the order in which they were written, from both ends, up to the damage.
+Rows are read from both ends, in the order in which they were written, up to the damage.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _UNDEFINED = MessageDefinition(MessageDefinitionFormat.NONE, "")
 
 
 def salvage_sqlite(path: Path) -> SalvagedRows:
-    """The readable rest of a .db3 file. Raises `ValueError` if it is no recording."""
+    """The readable rest of a .db3 file. Raises `ValueError` if the file is not a recording."""
     return SalvagedRows(path)
 
 
@@ -36,7 +36,7 @@ class SalvagedRows:
         except sqlite3.Error as error:
             raise ValueError(f"its database cannot be opened ({error})") from error
         try:
-            # Without this, SQLite refuses a file that is shorter than it says itself.
+            # Without this, SQLite refuses a file that is shorter than its header states.
             self._database.execute("PRAGMA writable_schema = ON")
             check_tables(self._database.execute)
             found = {connection.id: connection for connection in self._read_connections()}
@@ -54,7 +54,7 @@ class SalvagedRows:
         }
         self.connections = list(self._by_id.values())
         known = ((at_ns, row, topic) for row, (at_ns, topic) in rows.items() if topic in found)
-        self._rows = sorted(known)  # by their stamps
+        self._rows = sorted(known)  # ordered by their stamps
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
@@ -70,11 +70,11 @@ class SalvagedRows:
                     yield Stored(connection, at_ns, content)
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
         return packed(self.messages(topics))
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
         stored = sorted(self._rows, key=lambda row: row[1])
         return by_topic((self._by_id[topic].topic, at_ns) for at_ns, _, topic in stored)
 
@@ -87,11 +87,11 @@ class SalvagedRows:
         try:
             found: tuple[bytes] | None = self._database.execute(query, (row,)).fetchone()
         except sqlite3.Error:
-            return None  # the row is there, but a page that its content overflows to is not
+            return None  # the row exists, but an overflow page of its content does not
         return None if found is None else found[0]
 
     def _read_rows(self, direction: str) -> Iterator[tuple[int, int, int]]:
-        """Row, topic and stamp of the messages, up to the first that cannot be read."""
+        """The row, topic and stamp of the messages, up to the first unreadable message."""
         try:
             yield from self._database.execute(
                 "SELECT id, topic_id, timestamp FROM messages NOT INDEXED "
@@ -111,7 +111,7 @@ class SalvagedRows:
             yield Connection(number, topic, plain_type(message_type), str(encoding), definition, 0)
 
     def _read_definitions(self) -> Iterator[tuple[str, MessageDefinition]]:
-        """The definitions that a database from ROS 2 Iron on carries."""
+        """The definitions in the database. ROS 2 writes them since Iron."""
         try:
             for message_type, encoding, text in self._database.execute(
                 "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"

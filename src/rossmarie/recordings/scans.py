@@ -1,4 +1,4 @@
-"""The beams of recorded scans, as columns: numpy takes all beams of a message at once."""
+"""The beams of recorded scans, as columns: NumPy takes all beams of a message at once."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ _NEEDED: Mapping[str, Any] = {
     ),
     **dict.fromkeys(("ranges", "intensities"), _FLOATS),
 }
-"""The fields that are read, as rosbags has them: a recording brings definitions of its own."""
+"""The fields that are read, in the form of rosbags. They are checked, because a recording contains
+its own definitions.
+"""
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,7 @@ class ScanReader:
     columns: Mapping[int, Array]
 
     def read(self, message: Any) -> dict[int, NDArray[np.float64]]:
-        """The columns. Raises `UnreadableScanError`."""
+        """The columns of a message. Raises `UnreadableScanError`."""
         words = [normalize_fieldname(str(step)) for step in self.path]
         scan = attrgetter(".".join(words))(message) if words else message
         return {index: scans.taken(scan, array, self.most) for index, array in self.columns.items()}
@@ -61,7 +63,7 @@ def scan_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterator
 
 
 def holds_scan(description: Any, store: Typestore) -> bool:
-    """Say whether a description, as rosbags has it, is that of a scan."""
+    """Say whether a description, in the form of rosbags, is the description of a scan."""
     if description != (Nodetype.NAME, _SCAN) or _SCAN not in store.fielddefs:
         return False
     has = dict(store.fielddefs[_SCAN][1])

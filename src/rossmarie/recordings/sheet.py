@@ -13,15 +13,15 @@ from rossmarie.recordings.gathering import values_at
 from rossmarie.recordings.plan import Part, ReadPlan, Target
 
 _SHORT = 64
-"""Bytes of texts that are looked at all at once."""
+"""The longest texts, in bytes, that are compared all at once."""
 _OTHER_TEXT = -1.0
 _NOTHING: NDArray[np.generic] = np.empty(0)
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """A value for each message. `is_done` marks the messages that the walk has passed; the values
-    of the others are unknown.
+    """A value for each message. `is_done` marks the messages that the walk has completed; the
+    values of other messages are unknown.
     """
 
     is_done: NDArray[np.bool_]
@@ -39,8 +39,8 @@ def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> Fo
 
 
 class Sheet:
-    """Reads from the content of `count` messages, and keeps what is found in them. `texts` are the
-    numbers of those that slots are compared with.
+    """Reads from the content of `count` messages, and stores the results. `texts` are the numbers
+    of the texts that slots are compared with.
     """
 
     def __init__(
@@ -58,13 +58,13 @@ class Sheet:
     # --- reading -----------------------------------------------------------------------------
 
     def numbers(self, kind: str, places: NDArray[np.int64]) -> NDArray[np.generic]:
-        """The numbers at some places, all of them inside the content."""
+        """The numbers at some places. All places are inside the content."""
         stored, is_flag = _stored_as(kind)
         found = values_at(self._content, stored, places)
         return found != 0 if is_flag else found
 
     def are_texts(self, starts: NDArray[np.int64], ends: NDArray[np.int64]) -> NDArray[np.bool_]:
-        """Say of each of some stretches whether it is a text in UTF-8."""
+        """For each stretch, whether it is a text in UTF-8."""
         lengths = ends - starts
         if len(lengths) and lengths[0] <= _SHORT and np.all(lengths == lengths[0]):
             letters = self.numbers(f"V{lengths[0]}", starts) if lengths[0] else _NOTHING
@@ -74,7 +74,7 @@ class Sheet:
         return ~np.isnan(self.texts(starts, ends))
 
     def texts(self, starts: NDArray[np.int64], ends: NDArray[np.int64]) -> NDArray[np.float64]:
-        """The number of each of some texts; NaN if it is not in UTF-8."""
+        """The numbers of some texts; NaN for a text that is not in UTF-8."""
         places = zip(starts.tolist(), ends.tolist(), strict=True)
         pieces = [self._content[start:end] for start, end in places]
         known = {piece: self._number(piece) for piece in set(pieces)}
@@ -92,8 +92,8 @@ class Sheet:
     def fill(
         self, targets: Sequence[Target], rows: NDArray[np.intp], values: NDArray[np.generic]
     ) -> None:
-        """The numbers of some messages."""
-        with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
+        """Store a number for each of some messages."""
+        with np.errstate(invalid="ignore"):  # all kinds of NaN become the same NaN
             for target in targets:
                 self._column(target)[rows] = values
 
@@ -105,7 +105,7 @@ class Sheet:
         places: NDArray[np.int64],
         counts: NDArray[np.int64],
     ) -> None:
-        """The arrays of some messages."""
+        """Store an array for each of some messages."""
         stored, is_flag = _stored_as(kind)
         columns = (column.tolist() for column in (rows, places, counts))
         for row, place, count in zip(*columns, strict=True):
@@ -114,11 +114,11 @@ class Sheet:
                 self._arrays[array][row] = found != 0 if is_flag else found
 
     def arrive(self, rows: NDArray[np.intp]) -> None:
-        """Some messages have been gone through."""
+        """Mark messages as completed."""
         self._done[rows] = True
 
     def found(self) -> Found:
-        """All that is kept of the messages that have been gone through."""
+        """The results for the completed messages."""
         slots = {slot: self._slot(slot) for slot in self._plan.slots}
         slots |= {slot: self._text(slot) for slot in self._plan.texts}
         left_behind = np.flatnonzero(~self._done)
@@ -141,14 +141,16 @@ class Sheet:
         return self._column(Target(slot, Part.ALL))
 
     def _text(self, slot: int) -> NDArray[np.float64]:
-        """A text that an array is too short for is another one."""
+        """The texts of a slot. If an array is too short to contain the text, the text counts as
+        another text.
+        """
         column = self._column(Target(slot, Part.ALL))
         column[np.isnan(column)] = _OTHER_TEXT
         return column
 
 
 def _stored_as(kind: str) -> tuple[str, bool]:
-    """The form in which a number is stored, and whether it is a flag: of these, all that are not 0
-    are true.
+    """The form in which a number is stored, and whether it is a flag. Every flag except 0 is
+    true.
     """
     return ("u1", True) if kind.endswith("?") else (kind, False)

@@ -1,4 +1,4 @@
-"""Queries to the skills that run, in the messages of recordings."""
+"""Queries about running skills, in the messages of recordings."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
     },
     "SkillProperty": {"property": _TEXT, "number": _NUMBER},
 }
-"""The fields that answers rest on, as rosbags describes them."""
+"""The fields that answers depend on, in the form of rosbags."""
 
 
 def query_of(slot: Slot) -> SkillStep | None:
-    """The query to skills that a slot is, None if it is a field."""
+    """The query about skills that a slot represents; None if the slot is a field."""
     match slot.path:
         case ((Doing() | Quantity()) as step,):
             return step
@@ -50,7 +50,7 @@ def query_of(slot: Slot) -> SkillStep | None:
 
 
 def holds_skills(store: Typestore, description: Any) -> bool:
-    """Say whether a description, as rosbags has it, is that of a message with all these fields."""
+    """Say whether a description, in the form of rosbags, is a message with all these fields."""
     if description != (Nodetype.NAME, f"{_PACKAGE}/SkillContext"):
         return False
     for kind, needed in _NEEDED.items():

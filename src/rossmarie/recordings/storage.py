@@ -31,7 +31,7 @@ class Storage(Protocol):
 
     @property
     def connections(self) -> Sequence[Connection]:
-        """The sources of messages. Several may send on one topic."""
+        """The sources of messages. Several sources may send on one topic."""
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
@@ -40,10 +40,10 @@ class Storage(Protocol):
         """The messages on some topics."""
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
 
     def close(self) -> None:
         """Release the file."""
@@ -60,7 +60,7 @@ class SalvageableStorage(Storage, Protocol):
 class IntactStorage:
     """A file of ROS 2, or a bag directory, that rosbags can read, within an allowance.
 
-    Raises one of `READER_FAILURES` if it cannot, at construction or at any message.
+    Raises one of `READER_FAILURES` if rosbags cannot read it, at construction or at any message.
     """
 
     def __init__(self, path: Path, allowance: Allowance) -> None:
@@ -87,7 +87,7 @@ class IntactStorage:
             yield Stored(ours[opened.id], at_ns, content)
 
     def batches(self, topics: Collection[str]) -> Iterator[Packed]:
-        """The same in batches."""
+        """The same messages in batches."""
         parts = parts_of(self._reader)
         if self._is_packed or not all(map(has_chunks, parts)):
             return packed(self.messages(topics))
@@ -96,7 +96,7 @@ class IntactStorage:
         return chain.from_iterable(map(in_order, chunks))
 
     def arrivals(self) -> Iterator[Arrivals]:
-        """All messages, those of each topic in the order in which they were stored."""
+        """All messages. The messages of each topic have the order in which they were stored."""
         for part in parts_of(self._reader):
             if isinstance(part, Sqlite3Reader):
                 yield from rows_in_order(Path(str(part.path)))
@@ -112,7 +112,7 @@ class IntactStorage:
 def _asked(
     part: McapReader, chosen: Sequence[RosbagsConnection]
 ) -> list[tuple[RosbagsConnection, Connection]]:
-    """The connections of one of the files that are among the chosen ones, and ours for each."""
+    """The chosen connections in one of the files, in the forms of rosbags and of this package."""
     found = []
     for opened in part.connections:
         same = next((each for each in chosen if _is_same(opened, each)), None)
@@ -122,7 +122,7 @@ def _asked(
 
 
 def _is_same(one: RosbagsConnection, other: RosbagsConnection) -> bool:
-    """Say whether two files mean the same: as rosbags sees it."""
+    """Say whether two connections in different files are equal for rosbags."""
     if (one.topic, one.msgtype, one.ext) != (other.topic, other.msgtype, other.ext):
         return False
     return not (one.digest and other.digest) or one.digest == other.digest

@@ -47,8 +47,8 @@ content, so a wrong byte can cause almost any Python exception.
 class Connection:
     """One source of messages on a topic; `id` is its number in the file.
 
-    `message_type` is `sensor_msgs/Imu`, `encoding` is `ros1`, `cdr`, or one that cannot be decoded
-    here. `definition` may be empty.
+    `message_type` is, for example, `sensor_msgs/Imu`. `encoding` is `ros1`, `cdr`, or an encoding
+    that cannot be decoded here. `definition` may be empty.
     """
 
     id: int
@@ -74,8 +74,8 @@ class Stored(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Packed:
-    """Messages in the order of their stamps; message i is `content[starts[i] : ends[i]]`, and came
-    by `connections[senders[i]]`. Stamps out of range are as far out as 64 bits tell.
+    """Messages in the order of their stamps. Message i is `content[starts[i] : ends[i]]`, from
+    `connections[senders[i]]`. Stamps out of range are set to the end of the 64-bit range.
     """
 
     connections: Sequence[Connection]
@@ -105,14 +105,14 @@ class Packed:
 
 
 def unpacked(batch: Packed) -> Iterator[Stored]:
-    """The messages of a batch one by one."""
+    """The messages of a batch, one by one."""
     columns = (batch.senders, batch.times_ns, batch.starts, batch.ends)
     for sender, at_ns, start, end in zip(*(column.tolist() for column in columns), strict=True):
         yield Stored(batch.connections[sender], at_ns, batch.content[start:end])
 
 
 def packed(messages: Iterable[Stored]) -> Iterator[Packed]:
-    """Messages in batches. If reading fails, the messages before come first."""
+    """Messages in batches. If reading fails, the messages before the failure come first."""
     remaining = iter(messages)
     while True:
         taken: list[Stored] = []
@@ -130,7 +130,7 @@ def _take(messages: Iterator[Stored], taken: list[Stored]) -> Exception | None:
     size = 0
     try:
         for connection, at_ns, content in messages:
-            # A table may hold anything where its content should be: nothing of that is read.
+            # The content column of a table may hold values of any type; only bytes are read.
             is_read = isinstance(content, bytes)
             taken.append(Stored(connection, as_index(at_ns), content if is_read else b""))
             size += len(taken[-1].content)
@@ -157,5 +157,5 @@ def _pack(messages: Sequence[Stored]) -> Packed:
 
 
 def clipped(at_ns: int) -> int:
-    """An instant, or one that is out of range, too, and that 64 bits can hold."""
+    """An instant in ns, limited to the range of instants."""
     return max(EARLIEST_NS, min(at_ns, LATEST_NS))

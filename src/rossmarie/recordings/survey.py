@@ -18,7 +18,7 @@ from rossmarie.recordings.model import Observe, Rhythm, Survey
 from rossmarie.recordings.stored import Connection, Packed
 
 _MOST_SAMPLES = 2000
-"""Messages of a topic that are decoded."""
+"""The most messages of a topic that are decoded."""
 
 _FAILURES: tuple[type[Exception], ...] = (*DECODE_FAILURES, AttributeError)
 
@@ -34,7 +34,7 @@ class _Listening:
     stamps: list[NDArray[np.int64]] = field(default_factory=list)
 
     def note(self, batch: Packed, rows: NDArray[np.intp]) -> None:
-        """The next messages."""
+        """Note the next messages."""
         self.stamps.append(batch.times_ns[rows])
         for number, row in enumerate(rows.tolist(), self.count):
             if number % self.stride:

@@ -18,11 +18,13 @@ _TOPIC = re.compile(r"/?[A-Za-z_]\w*(/[A-Za-z_]\w*)*", re.ASCII)
 
 
 MESSAGES = "msg"
-"""The folder beside a model with the definitions that its recording brings along."""
+"""The folder beside a model, with the definitions from its recording."""
 
 
 def definition_path(name: str) -> PurePosixPath:
-    """The place of the .msg file of a type such as `my_msgs/Wheel`, from the folder of a model."""
+    """The place of the .msg file of a type such as `my_msgs/Wheel`, relative to the model's
+    folder.
+    """
     package, _, short = name.partition("/")
     return PurePosixPath(MESSAGES, package, "msg", f"{short}.msg")
 
@@ -32,11 +34,11 @@ def write_model(
     definitions: Collection[str] | None = None,
     frames: FramesFound | None = None,
 ) -> str:
-    """The frames and the topics of a recording, with types, and in comments how many messages there
-    are.
+    """The frames and the topics of a recording, with types, and with numbers of messages as
+    comments.
 
-    `definitions` are the types whose .msg files lie at `definition_path`; None if these files are
-    not written. `frames` are the frames of the recording, if they are known already. Names that the
+    `definitions` are the types whose .msg files are at `definition_path`; None if these files are
+    not written. `frames` are the frames of the recording, if they are already known. Names that the
     rule language cannot express become comments, and so do topics without a definition. Raises
     `RecordingError` if the recording has no types (CSV).
     """
@@ -60,8 +62,8 @@ def write_model(
 
 
 def _frame(transforms: Transforms, every: Sequence[Transforms]) -> str:
-    """A frame of which there are transforms. The timeout of one that moves leaves room for one that
-    is missed. One that lies in two frames has to be looked at by the user.
+    """The declaration of a frame with transforms. The timeout of a moving frame tolerates one
+    missing transform. If a frame lies in two frames, the user has to decide.
     """
     declaration = f"frame {_frame_name(transforms.child)} in {_frame_name(transforms.parent)}"
     if not transforms.is_static:
@@ -77,8 +79,8 @@ def _frame_name(name: str) -> str:
 
 
 def can_be_declared(topic: Topic, definitions: Collection[str] = ()) -> bool:
-    """Say whether a system model can declare a topic: its name and its type are words of the rule
-    language, and the type is a standard one or among the definitions.
+    """Say whether a system model can declare a topic. Its name and type must be words of the rule
+    language, and its type must be standard or among the definitions.
     """
     from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
 
@@ -105,7 +107,7 @@ def _remark(count: int, seconds: float) -> str:
 
 
 def _own(topics: Sequence[Topic]) -> set[str]:
-    """The types that the rule language does not know by itself."""
+    """The types that are not built into the rule language."""
     from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
 
     types = {topic.message_type or "" for topic in topics}
@@ -113,7 +115,7 @@ def _own(topics: Sequence[Topic]) -> set[str]:
 
 
 def _definitions(own: set[str], definitions: Collection[str] | None) -> Iterator[str]:
-    """The folder with the definitions of types of the user's own, or hints where it is needed."""
+    """The folder with the definitions of the user's types, or hints if the folder is missing."""
     if definitions:
         yield f'    messages "{MESSAGES}";'
     missing = sorted(own.difference(definitions or ()))

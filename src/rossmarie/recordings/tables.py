@@ -17,7 +17,7 @@ _STORED = 0
 
 
 def check_tables(execute: Callable[[str], Iterable[Any]]) -> None:
-    """Raises `LimitError` for a table that is more than stored rows; `execute` asks for rows."""
+    """Raises `LimitError` for a table that is not only stored rows; `execute` runs queries."""
     names = ", ".join(f"'{name}'" for name in _READ)
     for name, kind, text in execute(
         f"SELECT name, type, sql FROM sqlite_master WHERE name IN ({names})"

@@ -20,7 +20,7 @@ from rossmarie.recordings.matching import Match, input_span, listed
 from rossmarie.recordings.stored import Connection, Packed
 
 _MOST_OTHERS = 64
-"""Transforms that are kept to tell of; more than that nobody reads."""
+"""The transforms that are kept for a message. A reader needs no more."""
 
 _NUMBER: Any = (Nodetype.BASE, ("float64", 0))
 _TEXT: Any = (Nodetype.BASE, ("string", 0))
@@ -39,11 +39,11 @@ _NEEDED: Any = {
     _VECTOR: dict.fromkeys("xyz", _NUMBER),
     _QUATERNION: dict.fromkeys("xyzw", _NUMBER),
 }
-"""The fields that transforms rest on, as rosbags describes them."""
+"""The fields that transforms depend on, in the form of rosbags."""
 
 
 def holds_transforms(store: Typestore, message_type: str) -> bool:
-    """Say whether messages of a type, as a recording defines it, have a list of transforms."""
+    """Say whether messages of a type, in a recording's definition, have a list of transforms."""
     name = full_type(message_type)
     transforms = (
         dict(store.fielddefs[name][1]).get("transforms") if name in store.fielddefs else None
@@ -61,7 +61,7 @@ def holds_transforms(store: Typestore, message_type: str) -> bool:
 
 @dataclass
 class _Search:
-    """The search for one transform: by which channel, and what is read of it."""
+    """The search for one transform: its channel, and the values that the channel reads."""
 
     edge: Edge
     channel: int
@@ -72,8 +72,8 @@ class _Search:
 
 @dataclass
 class TransformDecoder:
-    """Decodes messages with transforms for the channels of some of them; `others` are the first
-    transforms that there are besides.
+    """Decodes messages with transforms for the channels of some transforms. `others` are the first
+    other transforms in the messages.
     """
 
     connection: Connection
@@ -93,7 +93,7 @@ class TransformDecoder:
         return _Search(edge, match.channel, fields, match.inputs[0])
 
     def decode(self, messages: Packed) -> Iterator[tuple[int, dict[int, ChannelValues] | str]]:
-        """The values that each message has, by channel, with its row; the reason where it cannot be
+        """The values of each message, by channel, with its row; the reason if the message cannot be
         decoded.
         """
         for row in range(len(messages)):

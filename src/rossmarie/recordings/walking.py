@@ -1,7 +1,7 @@
 """A walk through many encoded messages of one type at the same time, by their plan.
 
-All messages make a step before the next step begins. A message that does not fit the plan is left
-behind: it is damaged, or has a field without a step, and rosbags has to decode it.
+All messages complete a step before the next step begins. A message that does not fit the plan is
+left behind, and rosbags has to decode it: it is damaged, or has a field without a step.
 """
 
 from __future__ import annotations
@@ -26,15 +26,17 @@ from rossmarie.recordings.plan import (
 from rossmarie.recordings.sheet import Found, Sheet
 
 _HEADER = 4
-"""Bytes in front of a message in CDR: how it is encoded, and options."""
+"""The bytes before a message in CDR: its encoding, and options."""
 _ORDERS = {0: ">", 1: "<"}
-"""The order of the bytes of a message in CDR, by the mark of its encoding."""
+"""The byte order of a message in CDR, by the mark of its encoding."""
 _SLACK = 3
-"""Bytes that may follow a message in CDR."""
+"""The most bytes that may follow a message in CDR."""
 _COUNT = 4
-"""Bytes of the number in front of a text or an array."""
+"""The bytes of the length before a text or an array."""
 _MOST_RECORDS = 256
-"""Texts or messages in an array that a walk goes through: each costs some steps of all messages."""
+"""The most texts or messages of an array in a walk, because each costs some steps of all
+messages.
+"""
 
 
 def walk(
@@ -44,8 +46,8 @@ def walk(
     starts: NDArray[np.int64],
     ends: NDArray[np.int64],
 ) -> Found:
-    """The findings of the plan in messages, of which message i is `content[starts[i] : ends[i]]`.
-    `texts` are the numbers of those that slots are compared with.
+    """The results of the plan for messages; message i is `content[starts[i] : ends[i]]`. `texts`
+    are the numbers of the texts that slots are compared with.
     """
     sheet = Sheet(plan, texts, content, len(starts))
     if not plan.is_cdr:
@@ -62,8 +64,8 @@ def walk(
 
 
 class _Group:
-    """Messages that walk together: their rows in the sheet, where each is now, and where it ends.
-    In CDR they are aligned to where they start.
+    """Messages that walk together: their rows in the sheet, their present places and their ends. In
+    CDR they are aligned relative to their starts.
     """
 
     def __init__(
@@ -83,7 +85,7 @@ class _Group:
         self._ends = ends
 
     def go_to_end(self, steps: Sequence[Step]) -> None:
-        """Make all steps. Those that end where they should arrive."""
+        """Make all steps. Messages that end at the expected place are marked as completed."""
         self._go(steps)
         left = self._ends - self._places
         self._sheet.arrive(self._rows[(left >= 0) & (left <= (_SLACK if self._is_cdr else 0))])
@@ -119,7 +121,7 @@ class _Group:
         lengths = self._take_counts()
         ends = self._places + lengths
         (ends,) = self._keep(ends <= self._ends, ends)
-        if self._is_cdr:  # a 0 ends it
+        if self._is_cdr:  # a 0 ends the text
             (ends,) = self._keep(ends > self._places, ends)
             (ends,) = self._keep(self._sheet.numbers("u1", ends - 1) == 0, ends)
         stops = ends - 1 if self._is_cdr else ends
@@ -152,14 +154,14 @@ class _Group:
         match step.others:
             case (Stretch(align=align, size=size),) if not step.elements:
                 self._pass_over(counts, align, size)
-            case _:  # open: whatever steps there are
+            case _:  # open: any other steps
                 (counts,) = self._keep(counts <= _MOST_RECORDS, counts)
                 for index in range(int(counts.max(initial=0))):
                     steps = step.elements.get(index, step.others)
                     counts = self._go_with(counts > index, steps, counts)
 
     def _pass_over(self, counts: NDArray[np.int64], align: int, size: int) -> None:
-        """Elements of one size, of which nothing is read."""
+        """Skip elements of one size from which nothing is read."""
         distance = -(-size // align) * align
         lengths = np.where(counts > 0, (counts - 1) * distance + size, 0)
         ends = np.where(counts > 0, self._aligned(align), self._places) + lengths
@@ -168,8 +170,8 @@ class _Group:
     def _go_with(
         self, chosen: NDArray[np.bool_], steps: Sequence[Step], counts: NDArray[np.int64]
     ) -> NDArray[np.int64]:
-        """Make steps with some of the group, and forget those that are left behind; gives the
-        counts of the others.
+        """Make steps with some messages of the group, and drop the messages that are left behind.
+        Returns the counts of the remaining messages.
         """
         columns = (column[chosen] for column in (self._rows, self._places, self._ends))
         some = _Group(self._sheet, self._order, self._is_cdr, *columns)
@@ -190,7 +192,7 @@ class _Group:
         return self._places if to == 1 else self._places + (self._starts - self._places) % to
 
     def _take_counts(self) -> NDArray[np.int64]:
-        """Step over the numbers in front of texts or arrays."""
+        """Read the lengths before texts or arrays, and step over them."""
         self._keep(self._places + _COUNT <= self._ends)
         counts = self._sheet.numbers(f"{self._order}u4", self._places).astype(np.int64)
         self._places = self._places + _COUNT
@@ -199,7 +201,9 @@ class _Group:
     def _keep(
         self, good: NDArray[np.bool_], *columns: NDArray[np.int64]
     ) -> tuple[NDArray[np.int64], ...]:
-        """Leave the other messages behind, also in columns that belong to the group."""
+        """Leave messages behind unless they are `good`, also in columns that belong to the
+        group.
+        """
         if good.all():
             return columns
         self._rows, self._places = self._rows[good], self._places[good]

@@ -1,7 +1,7 @@
 """The axis of a replay: nanoseconds since its start, on which time never runs backwards.
 
 If the stamps of a recording jump back (a reset simulation, a set clock), the axis continues from
-its last position. Without jumps a position is just the stamp less the start.
+its last position. Without jumps, a position is the stamp minus the start.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from rossmarie.ir import Event, TimeJump
 
 @dataclass(frozen=True)
 class PlacedEvent:
-    """An event and its position on the axis, in nanoseconds.
+    """An event and its position on the axis, in ns.
 
-    `origin_ns` is the stamp that the axis begins with as seen from here: the position of any stamp
-    since the last jump is the stamp less the origin.
+    `origin_ns` is the origin of the stamps since the last jump: the position of such a stamp is the
+    stamp minus the origin.
     """
 
     event: Event
@@ -34,7 +34,9 @@ class PlacedEvent:
 
 
 def place(events: Iterable[Event], start_ns: int) -> Iterator[PlacedEvent]:
-    """The events in their order, each with its position; a jump lies where it ends."""
+    """The events in their order, each with its position. A jump has the position at which it
+    ends.
+    """
     origin = start_ns
     for event in events:
         if isinstance(event, TimeJump):
@@ -46,7 +48,7 @@ def place(events: Iterable[Event], start_ns: int) -> Iterator[PlacedEvent]:
 
 
 class Axis:
-    """Places stamps that come in blocks."""
+    """Computes the positions of stamps, block by block."""
 
     def __init__(self) -> None:
         self._first: int | None = None
@@ -54,10 +56,9 @@ class Axis:
         self._repeated = 0
 
     def place(self, stamps_ns: NDArray[np.int64]) -> NDArray[np.int64]:
-        """The positions, counted from the first stamp of all, of the next stamps that a monitor was
-        fed with.
+        """The positions of the next stamps of a monitor's input, in ns since the very first stamp.
 
-        None may be left out: a jump back is seen in them, and only in them.
+        Pass all stamps: jumps are detected only from the stamps.
         """
         if len(stamps_ns) == 0:
             return stamps_ns

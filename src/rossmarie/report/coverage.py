@@ -15,7 +15,7 @@ from rossmarie.testing.coverage import Coverage
 from rossmarie.testing.goals import Aspect, Goal, edges
 
 _UNBROKEN = 1_000_000
-"""A width, in columns, in which no plain line has to be broken."""
+"""A width, in columns, at which plain lines need no line break."""
 
 _DECIDING = (Aspect.TRUE, Aspect.FALSE)
 _BOUNDARIES = (Aspect.UNDER, Aspect.AT, Aspect.OVER)
@@ -25,8 +25,8 @@ _CHANGES = (Aspect.ACTIVE, Aspect.CLEARED)
 def write_coverage(
     coverage: Coverage, out: TextIO, reasons: Mapping[Goal, str] | None = None
 ) -> None:
-    """Write a row for each rule and each of its conditions, and the sums. `reasons` says of goals
-    why they cannot be reached.
+    """Write a row for each rule and each of its conditions, and the sums. `reasons` gives the
+    reasons why goals cannot be reached.
     """
     styled = Console(file=out).is_terminal
     print_table(_table(coverage, reasons or {}, styled=styled), out)
@@ -34,7 +34,7 @@ def write_coverage(
 
 
 def print_table(table: Table, out: TextIO) -> None:
-    """Print a table fitted to the width of a terminal, one line for each row elsewhere."""
+    """Print a table fitted to the width of a terminal; elsewhere, print one line for each row."""
     console = Console(file=out, highlight=False)
     if console.is_terminal:
         console.print(table)
@@ -68,7 +68,7 @@ def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterato
 
 
 def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
-    """Give the queries about a rule, in words, and the goals that answer each."""
+    """The queries about a rule, in words, with the goals that answer each query."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
     yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
     groups: dict[tuple[int, int], list[Goal]] = {}
@@ -83,13 +83,13 @@ def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
 
 
 def counted(coverage: Coverage, found: Sequence[Goal]) -> str:
-    """Count the goals that were reached, `2/3`; nothing if there are none."""
+    """The number of reached goals, as `2/3`; empty if there are no goals."""
     reached = sum(goal in coverage.reached for goal in found)
     return f"{reached}/{len(found)}" if found else ""
 
 
 def missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, str]) -> str:
-    """The goals that were not reached, in words, with the reasons that are known."""
+    """The goals that were not reached, in words, with the known reasons."""
     words: dict[str, list[str]] = {}
     for goal in found:
         if goal not in coverage.reached:

@@ -1,4 +1,4 @@
-"""Many samples -> few, with an equal picture: no spike and no gap is lost.
+"""Reduces many samples to a few with an equal picture: every spike and every gap remains.
 
 A value is valid until the next time, so repeated samples carry no information.
 """
@@ -13,30 +13,30 @@ from numpy.typing import NDArray
 from rossmarie.report.model import Plot
 
 _KEPT = 6
-"""Samples that one bucket keeps at most: first, last, least, greatest, first and last unknown."""
+"""The most samples of one bucket: first, last, least, greatest, first and last unknown."""
 
 _SAMPLES = 120_000
-"""Samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
+"""The samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
 
 _Time = TypeVar("_Time", np.float64, np.int64)
 
 
 def share(plots: int) -> int:
-    """The number of samples that a page has of each of so many plots."""
+    """The number of samples of each plot in a page with this number of plots."""
     return max(_SAMPLES // max(plots, 1), _KEPT)
 
 
 def envelope(plot: Plot, limit: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The times and values of a plot, thinned out where there are more than `limit` (>= 6)."""
+    """The times and values of a plot, thinned out if there are more than `limit` (>= 6)."""
     return thinned(plot.times_s, plot.values, limit)
 
 
 def thinned(
     times: NDArray[_Time], values: NDArray[np.float64], limit: int
 ) -> tuple[NDArray[_Time], NDArray[np.float64]]:
-    """Ascending times and as many values, thinned out where there are more than `limit` (>= 6).
+    """Ascending times and as many values, thinned out if there are more than `limit` (>= 6).
 
-    Samples that have been thinned can be thinned again, together with later ones.
+    Thinned samples can be thinned again, together with later samples.
     """
     changes = _changes(values)
     times, values = times[changes], values[changes]
@@ -56,7 +56,7 @@ def _changes(values: NDArray[np.float64]) -> NDArray[np.bool_]:
 
 
 def _extremes(times: NDArray[_Time], values: NDArray[np.float64], buckets: int) -> NDArray[np.intp]:
-    """The indexes to keep when the time is cut into equal buckets."""
+    """The indexes of the samples to keep if the time is divided into equal buckets."""
     place = (times - times[0]) / ((times[-1] - times[0]) or 1) * buckets
     bucket = np.minimum(place.astype(np.intp), buckets - 1)
     unknown = np.flatnonzero(np.isnan(values))
@@ -64,7 +64,7 @@ def _extremes(times: NDArray[_Time], values: NDArray[np.float64], buckets: int) 
     lengths = np.diff(np.append(starts, len(times)))
     kept = _is_first(bucket) | _is_last(bucket)
     kept[unknown[_is_first(bucket[unknown]) | _is_last(bucket[unknown])]] = True
-    for extreme in (np.fmin, np.fmax):  # which pass over what is unknown
+    for extreme in (np.fmin, np.fmax):  # these ignore unknown samples
         reached = np.flatnonzero(values == np.repeat(extreme.reduceat(values, starts), lengths))
         kept[reached[_is_first(bucket[reached])]] = True
     return np.flatnonzero(kept)

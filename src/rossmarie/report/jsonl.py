@@ -1,8 +1,8 @@
-"""A replay as JSON lines: a header, then one object for each event, in the order of events, each
-followed by the orders that it would have caused.
+"""A replay as JSON lines: a header, then one object for each event, in the order of events. The
+task commands that an event would have caused follow it.
 
 `docs/reference/verdicts.md` describes the schema. `SCHEMA` is increased when a reader of the old
-schema could misread the new one.
+schema could misread the new schema.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ STATES = {InputState.NEVER: "never", InputState.FRESH: "unusable", InputState.EX
 
 
 def verdict_lines(replay: Replay) -> Iterator[str]:
-    """The lines of the file, each without its line ending."""
+    """The lines of the file, without line endings."""
     yield _line(_header(replay))
     yield from _event_lines(replay.machine, replay.events, replay.start_ns, replay.rehearsed)
 
@@ -55,8 +55,8 @@ def verdict_lines(replay: Replay) -> Iterator[str]:
 def event_lines(
     machine: Machine, events: Sequence[Event], start_ns: int, end_ns: int
 ) -> Iterator[str]:
-    """The lines after the header for the events of any monitor or guard between two instants, each
-    without its line ending.
+    """The lines after the header, without line endings: the events of any monitor or guard between
+    two instants.
     """
     return _event_lines(machine, events, start_ns, rehearse(machine, events, end_ns))
 
@@ -124,7 +124,7 @@ def _verdict(machine: Machine, verdict: Verdict, placed: PlacedEvent) -> dict[st
 
 
 def _exemption(rule: Rule) -> dict[str, object] | None:
-    """The exemption that a rule stands for, and the permissions that it rests on."""
+    """The exemption that a rule stands for, and its permissions."""
     exempts = rule.exempts
     if exempts is None:
         return None
@@ -147,7 +147,7 @@ def _order(machine: Machine, each: Rehearsed, placed: PlacedEvent) -> dict[str, 
 
 
 def cause_data(explanation: Explanation, origin_ns: int) -> dict[str, object]:
-    """The object `cause` of a verdict; `origin_ns` is the stamp from which seconds count."""
+    """The object `cause` of a verdict; seconds count from the stamp `origin_ns`."""
     return {
         "text": explanation.line(origin_ns),
         "conditions": [_condition(cause, origin_ns) for cause in explanation.causes],
@@ -181,7 +181,7 @@ def _stale_input(stale: StaleInput) -> dict[str, object]:
 
 
 def json_number(value: float) -> float | str | None:
-    """A number as JSON can write it: NaN is null, an infinity is `"Infinity"` or `"-Infinity"`."""
+    """A number in the form of JSON: NaN is null, an infinity is `"Infinity"` or `"-Infinity"`."""
     if math.isnan(value):
         return None
     if math.isinf(value):

@@ -1,8 +1,8 @@
 """The results of a replay: the one input of every report.
 
-The driver fills a `Replay` after a monitor has run over a whole recording. Events stand in the
-order in which the monitor yielded them; instants are stamps in nanoseconds and may run backwards
-where a `TimeJump` says so (see `axis.py`).
+The driver fills a `Replay` after a monitor has run over a whole recording. Events have the order in
+which the monitor yielded them. Instants are stamps in ns, which run backwards at a `TimeJump` (see
+`axis.py`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Threshold:
     """The place of a condition on the axis of a plot, in the unit of the plot.
 
     `limits` are the values at which its proposition changes. `regions` are the closed intervals
-    (ends may be infinite) in which it supports a change of `rules`: their activation, or, if
+    (ends may be infinite) in which it supports a change of `rules`: their activation or, if
     `releases`, their clearing.
     """
 
@@ -36,8 +36,8 @@ class Threshold:
 class Plot:
     """One displayed signal.
 
-    `times_s` (ascending, on the axis of the replay) and `values` (in `unit`, NaN where unknown) are
-    of one length; a value holds until the next time.
+    `times_s` (ascending, in s on the axis of the replay) and `values` (in `unit`, NaN if unknown)
+    have the same length. A value holds until the next time.
     """
 
     text: str
@@ -51,10 +51,11 @@ class Plot:
 class Replay:
     """A rules file run over a recording.
 
-    `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
-    greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the
-    findings about the recording, one sentence each. `rehearsed` is what the rules would have done.
-    `recorded` are the other numbers of the inputs, which a reader can add to the timeline.
+    `start_ns` and `end_ns` are the stamps of the first and last message. They are not the least and
+    the greatest stamp, because stamps may run backwards. `monitor` is `native` or `python`. `notes`
+    are the findings about the recording, one sentence each. `rehearsed` are the task commands that
+    the rules would have given. `recorded` are the other numbers of the inputs, which a reader can
+    add to the timeline.
     """
 
     machine: Machine
@@ -71,7 +72,7 @@ class Replay:
 
     @property
     def duration_ns(self) -> int:
-        """The length of the replay: what lies between backward jumps, added up."""
+        """The length of the replay: the sum of the parts between backward jumps."""
         repeated = sum(
             event.from_ns - event.to_ns for event in self.events if isinstance(event, TimeJump)
         )

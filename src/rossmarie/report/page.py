@@ -1,7 +1,8 @@
-"""One replay, or two to compare -> the data of the timeline page, as JSON that its scripts read.
+"""The data of the timeline page of one replay, or of two to compare, as JSON for the page's
+scripts.
 
-Everything is bounded, so that the page of a long or noisy recording stays small: signals by
-their `share` of samples, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
+All data is bounded, so that the page of a long or noisy recording stays small: signals by their
+`share` of samples, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
 """
 
 from __future__ import annotations
@@ -26,22 +27,22 @@ from rossmarie.report.spans import ActiveSpan, active_spans
 from rossmarie.report.wording import format_length
 
 MOST_DETAILED = 1_000
-"""Verdicts whose cause a page holds; the others are drawn without."""
+"""The most verdicts whose cause a page contains. Further verdicts are drawn without a cause."""
 
 _WEIGHT = 2
-"""A signal that a reader may add has so many times fewer samples than a signal that is shown."""
+"""A signal that a reader may add has this many times fewer samples than a displayed signal."""
 
 _MOST_ORDERS = 12
-"""Orders that are shown of one activation."""
+"""The most task commands that are shown for one activation."""
 
 _TICKS = 2**32 - 1
-"""Times of samples are fractions of the duration, in this many ticks."""
+"""Times of samples are fractions of the duration, in this number of ticks."""
 
 _Data = dict[str, object]
 
 
 def page_data(runs: Sequence[Run], sources: Sequence[SourceFile]) -> str:
-    """JSON that cannot end the script element it stands in, whatever names it holds.
+    """JSON that cannot end the script element around it, whatever names it contains.
 
     `sources` are the files with rules that the page shows.
     """
@@ -109,7 +110,9 @@ def _rule(
 
 
 def _changes(replay: Replay, placed: list[PlacedEvent]) -> tuple[list[_Data], dict[int, int]]:
-    """The first verdicts in full, and the place of each among them by its place in the events."""
+    """The first verdicts with all details. The dictionary maps their places in the events to their
+    places in the result.
+    """
     changes: list[_Data] = []
     places: dict[int, int] = {}
     done = _done(replay, placed)
@@ -131,8 +134,8 @@ def _change(replay: Replay, verdict: Verdict, placed: PlacedEvent, done: list[st
 
 
 def _done(replay: Replay, placed: list[PlacedEvent]) -> dict[int, list[str]]:
-    """The effects that each activation would have had, by the place of its verdict; those undone at
-    its end go without saying.
+    """The effects that each activation would have had, by the place of its verdict. The ends of
+    effects are left out.
     """
     lines: dict[int, list[str]] = {}
     for each in replay.rehearsed:

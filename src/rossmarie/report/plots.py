@@ -1,6 +1,6 @@
-"""Machine -> the signals worth a plot, with the limits that rules set for them.
+"""The signals of a machine that are plotted, with the limits that rules set for them.
 
-The driver samples the signals that `plan_plots` names and hands them back through `PlotPlan.plot`.
+The driver samples the signals that `plan_plots` names, and passes the samples to `PlotPlan.plot`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _BELOW = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
 
 @dataclass(frozen=True)
 class PlotPlan:
-    """A signal to sample: after every event its value in SI units is wanted."""
+    """A signal to sample: the driver records its value in SI units after every event."""
 
     signal: int
     text: str
@@ -38,7 +38,7 @@ class PlotPlan:
 
 @dataclass(frozen=True)
 class _Use:
-    """A leaf on which a rule stands; `positive` unless an odd number of `not` is in between."""
+    """A leaf that a rule depends on; `positive` unless the number of `not` in between is odd."""
 
     rule: str
     leaf: int
@@ -50,7 +50,7 @@ class _Use:
 def plan_plots(machine: ir.Machine) -> tuple[PlotPlan, ...]:
     """A plan for each number that a rule compares, in the order of the rules.
 
-    Texts are left out, and what has a value for each element of an array only.
+    Texts are left out, and so are signals with a value for each element of an array.
     """
     uses: dict[int, list[_Use]] = {}
     for use in _uses(machine):
@@ -121,7 +121,7 @@ def _plan(machine: ir.Machine, index: int, uses: list[_Use]) -> PlotPlan:
 
 
 def _drawn_once(found: list[Threshold]) -> tuple[Threshold, ...]:
-    """Without a release that only says that the condition itself no longer holds."""
+    """The thresholds, except a release that is only the negation of the condition."""
     limits = {threshold.limits for threshold in found if not threshold.releases}
     return tuple(
         threshold for threshold in found if not (threshold.releases and threshold.limits in limits)

@@ -1,4 +1,4 @@
-"""The proofs about the generated C: as a model, as findings, and as a table for people."""
+"""The proofs about the generated C: as a model, as findings, and as a table for readers."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ _OTHERS = "evaluation, timers, calls"
 
 @dataclass(frozen=True)
 class Proofs:
-    """The outcomes of all queries about the C of a machine. `unasked` are the generated sources,
-    or parts of these, that none is about, `tools` the versions of the programs that answered.
+    """The outcomes of all queries about the C of a machine. `unasked` are the generated sources, or
+    parts of them, without any query. `tools` are the versions of the programs that answered.
     """
 
     machine: ir.Machine
@@ -49,7 +49,7 @@ class Proofs:
 
     @property
     def is_inductive(self) -> bool:
-        """Say whether the proofs cover runs of any length: each step begins in a state that another
+        """Say whether the proofs cover runs of any length. Each step begins in a state that another
         step may have left, so all steps have to be proved.
         """
         is_proved = all(outcome.verdict is Verdict.PROVED for outcome in self.outcomes)
@@ -65,12 +65,12 @@ class Proofs:
         return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
 
     def reasons(self, outcome: ProofOutcome) -> tuple[str, ...]:
-        """Its reasons, each once."""
+        """The reasons of an outcome, each once."""
         return tuple(dict.fromkeys(outcome.reasons))
 
 
 def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
-    """A finding for each part that is refuted, at its place in the rules, or at `file`."""
+    """A finding for each refuted part, at its place in the rules, or at `file`."""
     for outcome in proofs.having(Verdict.REFUTED):
         first, *others = proofs.reasons(outcome) or ("what it has to show",)
         finding = PartRefuted(part=outcome.check.about, sentence=first, check=outcome.check.name)
@@ -80,7 +80,7 @@ def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
 
 
 def _place(machine: ir.Machine, words: str) -> Span | None:
-    """The rule, condition, number or topic that words name."""
+    """The place of the rule, condition, number or topic that the words name."""
     for rule in machine.rules:
         if f"rule {rule.name} " in f"{words} ":
             return rule.head
@@ -98,7 +98,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
 
 
 def has_windows(machine: ir.Machine) -> bool:
-    """Say whether samples in windows are put in order or added, of which no query asks."""
+    """Say whether samples in windows are sorted or added. No query covers these operations."""
     nodes = (signal.node for signal in machine.signals)
     return any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes)
 

@@ -1,10 +1,10 @@
-"""A rehearsal: a reactor, driven by the monitor's events, shows the orders that rules would have
-given.
+"""A rehearsal: a reactor, driven by the monitor's events, shows the task commands that rules would
+have given.
 
-Takes the events of a monitor of a verified machine. The robot of a recording received no orders, so
-the recording has no results of them: everything that a node would await counts as done at once,
-with success, and confirmed. A task whose resource another rule keeps times out, though. The effect
-`reset` does not act on the verdicts.
+The input is the events of a monitor of a verified machine. The robot of a recording received no
+task commands, so the recording contains no results of them. The rehearsal therefore assumes that
+everything awaited is done at once, with success, and is confirmed. Only a task whose resource
+another rule keeps times out. The effect `reset` does not act on the verdicts.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from rossmarie.naming import effect_words
 
 @dataclass(frozen=True)
 class Rehearsed:
-    """An order. `after` is the place of the event that it follows, `later_ns` how long it is given
-    after that event, `activation` the place of the verdict that made its rule active.
+    """A task command. `after` is the place of the event before it; `later_ns` is its delay in ns
+    after that event; `activation` is the place of the verdict that made its rule active.
     """
 
     order: Order
@@ -43,7 +43,9 @@ class Rehearsed:
 
 @dataclass(frozen=True)
 class TaskSummary:
-    """The outcome of one task over a whole replay; `overruled` says how often, by which rule."""
+    """The outcome of one task over a whole replay; `overruled` counts how often each rule overruled
+    it.
+    """
 
     rule: str
     action: str
@@ -55,8 +57,8 @@ class TaskSummary:
 def rehearse(
     machine: Machine, events: Sequence[Event], end_ns: int | None = None
 ) -> tuple[Rehearsed, ...]:
-    """The orders that follow from the events, in their order, up to the end of the recording; if
-    that is not known, up to the last event.
+    """The task commands that follow from the events, in their order, up to the end of the
+    recording. If the end is unknown, they reach up to the last event.
     """
     if not machine.reactions.tasks or not events:
         return ()
@@ -65,7 +67,7 @@ def rehearse(
 
 
 class _Rehearsal:
-    """A reactor, and what it is reported."""
+    """A reactor and the results that are reported to it."""
 
     def __init__(self, machine: Machine) -> None:
         self._tasks = machine.reactions.tasks
@@ -100,7 +102,9 @@ class _Rehearsal:
                 self._activations[event.rule] = place
 
     def _orders(self, at_ns: int) -> Iterator[Order]:
-        """The orders of one look, and those that follow as what is awaited succeeds."""
+        """The task commands of one look, and the task commands that follow when awaited results
+        succeed.
+        """
         waiting = self._reactor.react(at_ns, self._engaged, self._confirmed)
         while waiting:
             order = waiting.pop(0)
@@ -111,8 +115,8 @@ class _Rehearsal:
 
 
 def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
-    """The places of the events that a reactor sees together: those of one instant (R1), up to where
-    a rule changes again or time jumps.
+    """The places of the events that a reactor sees together: those of one instant (R1), up to the
+    next change of the same rule or jump of time.
     """
     look: list[int] = []
     rules: set[int] = set()
@@ -129,7 +133,7 @@ def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
 
 
 def _left(event: Event) -> int:
-    """The instant before which time passes until an event."""
+    """The instant from which time passes until an event."""
     return event.from_ns + 1 if isinstance(event, TimeJump) else event.at_ns
 
 

@@ -1,8 +1,8 @@
 """Rules beside the C that was generated from them: one HTML page, for the review of generated code.
 
-Takes the texts that the rules rest on and the generated ones. Generated lines name the line of the
-rules that they come from in a comment, and the page goes by these comments alone, so that it shows
-no more than a reviewer could find.
+The input is the rules files and the generated files. A comment on a generated line names its line
+of the rules. The page uses only these comments, so that it shows no more than a reviewer could
+find.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from rossmarie.report.templates import asset, template
 
 @dataclass(frozen=True)
 class Made:
-    """Generated lines that belong together: their place, and their text without the comment that
-    names a line of rules.
+    """Generated lines that belong together: their place, and their text without the comment about
+    the line of the rules.
     """
 
     file: str
@@ -39,7 +39,7 @@ class Row:
 
 
 def render_review(sources: Iterable[SourceFile], generated: Mapping[str, str]) -> str:
-    """The text of the page. `generated` are the rules' own files in C, by their names."""
+    """The text of the page. `generated` are the C files of the rules themselves, by their names."""
     pairs = [(PurePath(each.path).name, side_by_side(each, generated)) for each in sources]
     tables = [(name, rows) for name, rows in pairs if any(row.made for row in rows)]
     return template("review.html.j2").render(
@@ -62,7 +62,7 @@ def side_by_side(source: SourceFile, generated: Mapping[str, str]) -> Sequence[R
 
 
 def _marked(name: str, text: str) -> Iterator[tuple[int, tuple[int, str]]]:
-    """The lines that name a line of a rules file, with that."""
+    """The lines that name a line of a rules file, with the line that they name."""
     mark = re.compile(rf"\s*/\* {re.escape(name)}:(\d+)\b.*?\*/")
     for number, line in enumerate(text.splitlines(), start=1):
         if found := mark.search(line):

@@ -21,7 +21,9 @@ class Run:
 
 
 def runs_of(replay: Replay, compared: Replay | None = None) -> tuple[Run, ...]:
-    """Name two replays after what is different: their recordings, or else their rules files."""
+    """The runs of one or two replays. Two runs are named after their difference: their recordings,
+    or else their rules files.
+    """
     if compared is None:
         return (Run(replay, ""),)
     pair = (replay, compared)

@@ -1,7 +1,7 @@
-"""Verdicts -> the times during which each rule was active, and a summary of each rule.
+"""The times during which each rule was active, and a summary of each rule, from the verdicts.
 
-Verdicts of one rule alternate between activations and clearings (monitors guarantee this), and all
-instants become positions on the axis of the replay.
+Verdicts of one rule alternate between activations and clearings (monitors guarantee this). All
+instants are positions in ns on the axis of the replay.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from rossmarie.report.model import Replay
 class ActiveSpan:
     """A rule is active from `start_ns` up to `end_ns` (positions on the axis of the replay).
 
-    `opened` and `closed` are the places of the two verdicts in `Replay.events`; `closed` is None if
-    the rule is still active when the recording ends, `end_ns` is then the end of the replay.
+    `opened` and `closed` are the places of the two verdicts in `Replay.events`. If the rule is
+    still active when the recording ends, `closed` is None and `end_ns` is the end of the replay.
     `stale` is True if the rule became active because of a stale input.
     """
 
@@ -39,8 +39,9 @@ class ActiveSpan:
 class Summary:
     """One rule over a whole replay; `first_ns` is on the axis of the replay.
 
-    The first cause belongs to the first activation that is not a start: waiting for the first
-    message on an input is not informative. For a rule that only waited, it is that wait.
+    The first cause is the cause of the first activation that is not a start, because waiting for
+    the first message of an input is not informative. If a rule only waited, the first cause is this
+    wait.
     """
 
     rule: str
@@ -107,7 +108,7 @@ def _summary(
 
 
 def _is_start(event: Event) -> bool:
-    """Say whether a rule became active because an input had not sent its first message."""
+    """Say whether a rule became active because the first message of an input had not arrived."""
     return (
         isinstance(event, Verdict)
         and event.change is Change.ACTIVATED_STALE

@@ -10,7 +10,7 @@ from rossmarie import ir
 from rossmarie.testing.margins import Margin, Reach
 
 Range = tuple[float | None, float | None]
-"""The two ends of a range; None is no limit."""
+"""The two ends of a range; None means no limit."""
 
 MEANING = (
     "Between the first two values every verdict stays as it is, to the instant; between the "
@@ -20,8 +20,8 @@ MEANING = (
 
 @dataclass(frozen=True)
 class Spare:
-    """A threshold or a duration, its value, and the range of its values with exactly the `same`
-    verdicts, and with equally many activations of each rule.
+    """A threshold or a duration with its value and two ranges of its values. Within `same`, all
+    verdicts are equal; within the other range, each rule has equally many activations.
     """
 
     name: str
@@ -32,7 +32,7 @@ class Spare:
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """The name, and the four ends, as a user writes them."""
+        """The name, and the four ends, in the user's notation."""
         return tuple(
             "any" if each is None else f"{each:.6g} {self.unit}".strip()
             for each in (self.value, *self.same, *self.as_often)
@@ -63,8 +63,8 @@ def _shown(shown: ir.Signal | None, value: float) -> float:
 
 
 def read_spare(found: Mapping[str, object]) -> Spare:
-    """A spare from the form of `asdict` and JSON. Raises `ValueError`, and other errors for a wrong
-    shape.
+    """A spare from the JSON form of `asdict`. Raises `ValueError` for wrong values, and other
+    errors for a wrong shape.
     """
     return Spare(
         name=_text(found["name"]),

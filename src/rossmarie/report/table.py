@@ -20,16 +20,17 @@ from rossmarie.report.wording import format_length, format_position
 _DETAILS = re.compile(
     r", true since [-\d.]+ s|, \w+ = (?:\[[^\]]*\]|[-\d.]+)[^,;]*(?=[,;]|$)|(?<=  )[\w.]+: "
 )
-"""The parts of a cause that its short form lacks."""
+"""The parts of a cause that its short form leaves out."""
 _GAPS = 5
-"""The columns of a terminal that the edges of two columns take."""
+"""The columns of a terminal between two columns of a table."""
 _UNBROKEN = 1_000_000
-"""A width, in columns, in which no plain line has to be broken."""
+"""A width, in columns, at which plain lines need no line break."""
 
 
 def write_table(replay: Replay, out: TextIO, *, width: int | None = None) -> None:
-    """Write one row for each rule and, if the rules would have acted, one row for each task: fitted
-    to the width of a terminal, else one line each. With a `width`, `out` reaches a terminal later.
+    """Write one row for each rule and, if the rules would have acted, one row for each task. On a
+    terminal the table fits its width; elsewhere, each row is one line. Give `width` if `out`
+    reaches a terminal later.
     """
     terminal = None if width is None else True
     console = Console(file=out, width=width, force_terminal=terminal, highlight=False)
@@ -61,8 +62,8 @@ def _task_table(tasks: tuple[TaskSummary, ...], *, styled: bool) -> Table:
 
 
 def _tables(summaries: tuple[Summary, ...], console: Console) -> Iterator[Table]:
-    """The table of rules. On a terminal that is too narrow for it, the causes are a second one,
-    with one line for each.
+    """The table of rules. On a terminal that is too narrow for it, a second table contains the
+    causes, with one line each.
     """
     styled = console.is_terminal
     whole = _empty(styled=styled)

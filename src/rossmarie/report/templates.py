@@ -1,4 +1,4 @@
-"""The templates of pages, and the styles and scripts that they take in."""
+"""The templates of pages, and the styles and scripts that templates include."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import jinja2
 
 @cache
 def template(name: str) -> jinja2.Template:
-    """A template, which fails on a missing name."""
+    """A template; filling it raises an error if a name is missing."""
     environment = jinja2.Environment(
         undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
     )

@@ -1,4 +1,4 @@
-"""A replay -> one HTML page that needs only a browser: no network, no other file.
+"""A replay as one HTML page that needs only a browser: no network, no other file.
 
 The page contains the data that `page.py` prepares; its scripts draw the picture. The template
 contains the text for readers without scripts, or on paper.
@@ -21,7 +21,9 @@ from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
 
 _FIRST_DATED_NS = 10**18
-"""Stamps from this one on (the year 2001) count from the Unix epoch; smaller ones need not."""
+"""Stamps from this one on (the year 2001) count from the Unix epoch. Smaller stamps may have any
+origin.
+"""
 
 _SCRIPTS = (
     "times.js", "series.js", "shapes.js", "runs.js", "card.js", "rows.js", "plot.js", "view.js",
@@ -64,7 +66,7 @@ def _notes(runs: Sequence[Run]) -> list[str]:
 
 
 def _listed(runs: Sequence[Run]) -> str:
-    """Describe the list of changes: the page does not hold more than the first ones of a run."""
+    """Describe the list of changes: the page contains only the first changes of a run."""
     counts = [sum(isinstance(each, Verdict) for each in run.replay.events) for run in runs]
     most = max(counts)
     if most <= MOST_DETAILED:

@@ -8,7 +8,7 @@ _DAY = 864_000
 """Longer units, in tenths of a second."""
 
 _ALMOST_A_SECOND_NS = 995_000_000
-"""The length in nanoseconds from which rounding to two digits gives 1."""
+"""The length in ns from which rounding to two digits gives 1."""
 
 
 def format_position(position_ns: int) -> str:

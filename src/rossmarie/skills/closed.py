@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 
 
 class Closure:
-    """The names below and above others. `parents` maps each name to the names that it is derived
-    from.
+    """The names below and above other names. `parents` maps each name to the names that it is
+    derived from.
 
-    Parents without an entry of their own count as well. All names on a circle, such as equivalent
+    Parents without an entry of their own are included. All names on a circle, such as equivalent
     classes, are derived from each other.
     """
 
@@ -29,7 +29,7 @@ class Closure:
         return _reached(name, self._parents)
 
     def are_related(self, one: str, other: str) -> bool:
-        """Say whether two names are equal, or one is derived from the other, or some name is
+        """Say whether two names are equal, or one is derived from the other, or another name is
         derived from both.
         """
         return not set(self.below(one)).isdisjoint(self.below(other))
@@ -66,7 +66,7 @@ def circle_among(parents: Mapping[str, Sequence[str]]) -> str | None:
 
 
 def _on_circle(start: str, parents: Mapping[str, Sequence[str]], left: Mapping[str, int]) -> str:
-    """A name on a circle that is reached by going to parents that wait themselves."""
+    """A name on a circle, found by steps from a name to a parent in `left`."""
     seen: set[str] = set()
     name = start
     while name not in seen:

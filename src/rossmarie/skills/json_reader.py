@@ -15,8 +15,8 @@ _LONGEST_SHOWN = 40
 
 
 class UnreadableJson(Exception):
-    """A text that is not JSON, or not the expected JSON. `offset` is the place, None if only the
-    message gives it.
+    """A text that is not JSON, or not the expected JSON. `offset` is the place of the error; None
+    if only the message contains the place.
     """
 
     def __init__(self, problem: str, offset: int | None = None) -> None:
@@ -33,7 +33,7 @@ class Json:
     way: str = ""
 
     def fail(self, problem: str) -> NoReturn:
-        """Raise `UnreadableJson` with the place."""
+        """Raise `UnreadableJson` with the place of the value."""
         raise UnreadableJson(f"`{self.way}` {problem}" if self.way else f"the file {problem}")
 
     def get(self, key: str) -> Json:
@@ -52,7 +52,7 @@ class Json:
         return f"{self.way}.{key}" if self.way else key
 
     def fields(self) -> Mapping[str, Any]:
-        """The members of an object, as they are."""
+        """The members of an object, unchecked."""
         if not isinstance(self.value, dict):
             self._expected("an object")
         return self.value

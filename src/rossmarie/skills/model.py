@@ -53,10 +53,10 @@ class Property:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`. A
-    needed parameter has a value before the skill starts. A given parameter gets its value from the
-    program that starts the skill, and has no default. `default` is the default of a parameter with
-    a number as default.
+    """A parameter of a skill: its type is a class of things, or `float`, `int`, `bool`, `str` or
+    `enum`. A needed parameter has a value before the skill starts. A given parameter gets its value
+    from the program that starts the skill, and has no default. `default` is the default of a
+    parameter with a number as default.
     """
 
     name: str
@@ -76,7 +76,7 @@ class Limit:
     si: float
 
     def __str__(self) -> str:
-        """`30 N`."""
+        """The limit as `30 N`."""
         return f"{self.value:g} {self.unit}"
 
 
@@ -92,7 +92,7 @@ class Permission:
     place: Place | None
 
     def __str__(self) -> str:
-        """`contact with skiros.Product up to 30 N`."""
+        """The permission as `contact with skiros.Product up to 30 N`."""
         named = [name for _, name in self.things]
         things = f" with {' and '.join(named)}" if named else ""
         return f"{self.kind}{things}" + (f" up to {self.limit}" if self.limit else "")
@@ -120,8 +120,9 @@ class Use:
 @dataclass(frozen=True)
 class Child:
     """A skill in a behavior tree. `arguments` maps the names of its parameters to texts: the name
-    of a parameter of the compound, or a name that children share; or a Python value; or None for a
-    computed value. `is_retried` is True if the tree can start the skill again after a failure.
+    of a parameter of the compound skill, or a name that children share, or a Python value. It maps
+    them to None for a computed value. `is_retried` is True if the tree can start the skill again
+    after a failure.
     """
 
     skill: str
@@ -211,7 +212,7 @@ class Location:
 
 @dataclass(frozen=True)
 class SkillFile:
-    """A file of skills. `digest` identifies its sources; messages of that export contain it. The
+    """A file of skills. `digest` identifies its sources; messages from this export contain it. The
     context is the topic of these messages, which arrive every `period_ns`.
     """
 

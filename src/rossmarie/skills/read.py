@@ -1,4 +1,4 @@
-"""The text of a file of skills -> its content.
+"""Reads the content of a file of skills from its text.
 
 The content is not trusted: any violation of the format is an `UnreadableSkills` with its place.
 Unknown keys are ignored.
@@ -44,7 +44,7 @@ LONGEST_PERIOD = 3600.0
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
 """The types of parameters that are not things."""
 NUMBERS = ("float", "int")
-"""The numeric types among them."""
+"""The numeric types among the plain types."""
 
 _STARTING_AGAIN = (RETRY,)
 """Nodes of a tree that start a child again after a failure."""
@@ -56,8 +56,9 @@ _TOPIC = re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*", re.ASCII)
 
 
 class UnreadableSkills(Exception):
-    """A file of skills that cannot be used: the reason, the text read so far, and the offset in it,
-    None if the reason contains the place. `is_missing` is True if the file does not exist.
+    """An unusable file of skills: the reason, the text read so far, and the offset in the text. The
+    offset is None if the reason contains the place. `is_missing` is True if the file does not
+    exist.
     """
 
     def __init__(

@@ -19,7 +19,7 @@ _BLOCK = 2**20
 
 @dataclass(frozen=True)
 class OutOfDate:
-    """A changed source, and the words for the change."""
+    """A changed source, and the description of the change."""
 
     path: str
     problem: str
@@ -56,7 +56,7 @@ def _sha256(path: Path) -> str | None:
 
 
 def span_at(place: Place | None, folder: Path) -> Span | None:
-    """The span of a place in a Python module; None if nothing can be shown. Text of other files,
+    """The span of a place in a Python module; None if no text can be shown. Text of other files,
     and of links to them, is never shown: the author of the rules may not be allowed to read them.
     """
     if place is None:

@@ -13,15 +13,15 @@ from rossmarie.skills.locations import place_of
 from rossmarie.skills.model import Control, Node, Step
 
 SERIAL = ("serial", "serialstar")
-"""The words for nodes that tick one child after the other, while they succeed."""
+"""The words for nodes that tick their children in order while these succeed."""
 SELECTOR = ("selector", "selectorstar")
-"""The words for nodes that tick one child after the other, until one succeeds."""
+"""The words for nodes that tick their children in order until one succeeds."""
 FIRST_SUCCESS = "parallelfs"
 FIRST_FAILURE = "parallelff"
 RETRY, TIMEOUT = "retry", "timeout"
 NO_FAIL, INVERTER = "nofail", "inverter"
 _LIMITS = {RETRY: "tries", TIMEOUT: "seconds"}
-"""The keys of the numbers that nodes have."""
+"""The keys of the numbers in nodes."""
 
 _Made = TypeVar("_Made")
 

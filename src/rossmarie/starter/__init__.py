@@ -1,4 +1,4 @@
-"""First rules for a robot, written from one recording of it.
+"""First rules for a robot, written from one recording of the robot.
 
 `begin` reads a recording and returns the texts of a system model, and of rules with their tests.
 """

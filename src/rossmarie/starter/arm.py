@@ -43,14 +43,14 @@ class Joints:
         }
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """An input for the positions, and one for each field with nonzero numbers."""
+        """An input for the positions, and one input for each field with nonzero numbers."""
         filled = [each for each, most in (self.largest or {}).items() if most or each == "position"]
         inputs = {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled}
         return inputs or {f"{name}_state": ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Proposals for fast and loaded joints. If the names of the joints identify an arm, the
-        rules of the library.
+        """Proposals for fast and loaded joints. If the names of the joints identify an arm, also
+        the rules of the library.
         """
         commands, filled = robot.commands, self.largest or {}
         if filled.get("velocity"):
@@ -107,7 +107,7 @@ def _by_parameter(names: Sequence[str]) -> dict[str, str]:
     if len(found) == len(words):
         return dict(zip(_PARAMETERS, map(found.__getitem__, words), strict=True))
     numbered = {int(each[1]): name for name in usable if (each := _NUMBERED.match(name))}
-    # An arm of seven joints has an additional rotation of its upper arm, the third joint.
+    # The third joint of an arm with seven joints is an additional rotation of its upper arm.
     numbers = {7: (1, 2, 4, 5, 6, 7), 6: (1, 2, 3, 4, 5, 6)}.get(len(numbered), ())
     if len(usable) != len(numbered) or not all(each in numbered for each in numbers):
         return {}
@@ -131,11 +131,11 @@ class Force:
             self.largest = max(self.largest, size)
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """Force and torque."""
+        """The inputs for force and torque."""
         return {name: self._path}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Contact."""
+        """Proposals for contact."""
         commands = robot.commands
         limit = rounded_up(max(self.largest * _ROOM, 1.0))
         yield Proposal(

@@ -35,7 +35,7 @@ class Odometry:
             self.fastest = max(self.fastest, speed)
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The whole message."""
+        """An input for the whole message."""
         return {name: ""}
 
     def limit(self) -> float:
@@ -96,11 +96,11 @@ class Inertia:
         self.first_tilt = tilt if self.first_tilt is None else self.first_tilt
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The whole message."""
+        """An input for the whole message."""
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Proposals for tilt, if the IMU measures it; else for the turn rate."""
+        """Proposals for the tilt if the IMU measures it, else for the turn rate."""
         commands, name = robot.commands, watched.name
         first = self.first_tilt or 0.0
         if not self.has_orientation or first > _UPRIGHT_DEG:
@@ -151,7 +151,7 @@ class Scan:
         self.nearest = min([self.nearest, *(each for each in seen if each > 0)])
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The whole message."""
+        """An input for the whole message."""
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:

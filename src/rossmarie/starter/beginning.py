@@ -25,13 +25,13 @@ from rossmarie.starter.robot import Commands, Kind, Proposal, Robot, Watched
 from rossmarie.starter.writing import Source, write_rules
 
 READING_S = 20.0
-"""The longest time in seconds for reading a recording, so that a large one does not take longer."""
+"""The longest time in s for reading a recording, however large."""
 
 
 @dataclass(frozen=True)
 class Beginning:
     """The texts of a system model, of definitions by their types, and of rules. `topic_map` maps
-    topics of the rules to recorded topics of another name.
+    topics of the rules to recorded topics with other names.
     """
 
     model: str
@@ -57,7 +57,7 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     observers: dict[str, Observe] = {name: each.see for name, each in kinds.items()}
     observers |= {name: each.see for name, each in wanted.items()}
     survey = recording.survey(observers, seconds)
-    # raises for a table, which has no types
+    # raises an error for a table, which has no types
     model = write_model(recording, definitions, survey.frames)
     names = Names()
     watched = list(_watched(topics, kinds, survey, names))

@@ -41,7 +41,7 @@ def are_commands(topic: Topic) -> bool:
 
 
 def chosen(topics: Sequence[Topic]) -> Topic | None:
-    """The command topic that most likely reaches the robot: a topic with the usual name comes
+    """The command topic that most likely reaches the robot. A topic with the usual name comes
     first, then the topic with the most messages.
     """
 
@@ -78,7 +78,7 @@ def commands_of_nobody(is_arm: bool, others: Collection[str]) -> Commands:
 
 
 def _free(topic: str, others: Collection[str]) -> str:
-    """A topic, or one in a namespace if messages of another type are on it."""
+    """A topic; if messages of another type use it, a topic in a namespace."""
     while topic in others:
         topic = f"/robot{topic}"
     return topic

@@ -35,9 +35,9 @@ class Names:
 
 
 def name_of(topic: str, word: str, alike: Collection[str]) -> str:
-    """A name for the messages on a topic, among the topics `alike` with messages of one kind: the
-    word for that kind, and the parts of the topic that distinguish it: `imu_front` for
-    `/front/imu/data` beside `/rear/imu/data`.
+    """A name for the messages on a topic. `alike` are the topics with messages of the same kind.
+    The name consists of the word for this kind, and the parts of the topic that distinguish it:
+    `imu_front` for `/front/imu/data` beside `/rear/imu/data`.
     """
     if len(alike) == 1:
         return word
@@ -51,5 +51,5 @@ def _words(topic: str) -> list[str]:
 
 
 def _means(part: str, word: str) -> bool:
-    """Say whether a part of a topic has the meaning of a word, as `odom` has of `odometry`."""
+    """Say whether a part of a topic has the meaning of a word: `odom` means `odometry`."""
     return part == "data" or (len(part) >= _SHORTEST and word.startswith(part))

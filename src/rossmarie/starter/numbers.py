@@ -21,7 +21,7 @@ _EXACT = 1e-9
 
 
 def rounded_up(number: float) -> float:
-    """A number at or above a positive one: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of
+    """A number at or above a positive number: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of
     ten.
     """
     power = 10.0 ** math.floor(math.log10(number))
@@ -30,14 +30,14 @@ def rounded_up(number: float) -> float:
 
 
 def rounded_down(number: float) -> float:
-    """The same at or below a positive number."""
+    """Such a number at or below a positive number."""
     power = 10.0 ** math.floor(math.log10(number))
     step = next(each for each in reversed(_STEPS) if each * power <= number * (1 + _EXACT))
     return float(f"{step * power:.3g}")
 
 
 def plain(number: float) -> str:
-    """A number without an exponent, if it is short: `0.05`, `12`."""
+    """A number without an exponent, if this form is short: `0.05`, `12`."""
     return f"{number:.3g}" if 1e-3 <= abs(number) < 1e3 else f"{number:.6g}"
 
 
@@ -49,7 +49,7 @@ def is_steady(rhythm: Rhythm) -> bool:
 
 
 def timeout_s(rhythm: Rhythm) -> float:
-    """The timeout in seconds for a topic of this rhythm.
+    """The timeout in s for a topic with this rhythm.
 
     It is three periods, or one and a half times the longest gap, whichever is longer. For a steady
     topic it is at most five periods, so that a pause of the sensor in the recording is detected.

@@ -1,4 +1,4 @@
-"""The robot of a recording, as far as first rules need it."""
+"""The facts about the robot of a recording that first rules need."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ UNFILTERED = "unfil_"
 
 @dataclass(frozen=True)
 class Proposal:
-    """Rules that may fit a robot, and a sentence or two about them."""
+    """Rules that may fit a robot, and a sentence or two about the rules."""
 
     about: str
     code: str
@@ -23,9 +23,9 @@ class Proposal:
 
 @dataclass(frozen=True)
 class Commands:
-    """The topic of the commands that rules bound, and the actions that do so.
+    """The topic of the commands that rules bound, and the actions that bound them.
 
-    `declared` brings the actions into a rules file. `field` is a field of the messages, from the
+    `declared` brings the actions into a rules file. `field` is a field of the messages, with the
     topic.
     """
 
@@ -58,16 +58,16 @@ class Kind(Protocol):
 
     @property
     def word(self) -> str:
-        """A name for such messages, if only one topic has them."""
+        """A name for such messages, if only one topic has messages of this kind."""
 
     def see(self, message: Any) -> None:
         """Process a message."""
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The inputs by name: their field and its unit."""
+        """The inputs by name, each with its field and unit."""
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """Rules that may fit."""
+        """Proposals for rules that may fit the robot."""
 
 
 @dataclass(frozen=True)

@@ -25,13 +25,13 @@ class Battery:
     def see(self, message: Any) -> None:
         """Process a message: its charge, from 0 to 1, and its voltage in V."""
         charge, voltage = message.percentage, message.voltage
-        self.is_share &= 0 < charge <= 1  # also if it is not a number
+        self.is_share &= 0 < charge <= 1  # false for NaN
         self.lowest = min(self.lowest, charge)
         if voltage > 0:
             self.weakest = min(self.weakest, voltage)
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The whole message."""
+        """An input for the whole message."""
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
@@ -76,7 +76,7 @@ class Heat:
             self.hottest = max(self.hottest, message.temperature)
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The temperature."""
+        """An input for the temperature."""
         return {name: ".temperature"}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
@@ -111,7 +111,7 @@ class Diagnostics:
         self.most = max(self.most, len(message.status))
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """The statuses: twice as many as in the recording."""
+        """An input for the statuses: twice as many as in the recording."""
         bound = _FEWEST_STATUSES
         while bound < 2 * self.most:
             bound *= 2

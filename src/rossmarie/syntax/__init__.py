@@ -1,6 +1,6 @@
-"""The text of .ross files: the grammar, its tree, the parser and the formatter.
+"""The text of .ross files: the grammar, the tree, the parser and the formatter.
 
-`parse` turns a text into an `ast.Module` and never fails; `format_module` turns a module without
+`parse` turns any text into an `ast.Module` and never fails. `format_module` turns a module without
 syntax errors into its canonical text.
 """
 

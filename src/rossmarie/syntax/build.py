@@ -1,9 +1,9 @@
-"""Build the tree from the rules that the grammar recognises. One method per rule of ross.lark,
-called bottom up.
+"""Build the tree from the rules that the grammar recognises. There is one method for each rule of
+ross.lark; the parser calls them bottom up.
 
 Each method gets the parts of its rule: tokens, nodes, or small records. No method raises an error
 for user text. A form that is recognised but not accepted (`&&`, `a < b < c`, a number beyond the
-range of a double) is reported, and the rest of the expression continues.
+range of a double) is reported, and the rest of the expression is used.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ class _Steps(NamedTuple):
 
 
 class Unless(NamedTuple):
-    """The rules behind `unless`."""
+    """The rules after `unless`."""
 
     rules: tuple[ast.Name, ...]
     span: Span
 
 
 class Scope(NamedTuple):
-    """The skills behind `while`."""
+    """The skills after `while`."""
 
     skills: tuple[ast.Doing, ...]
     span: Span
 
 
 class _Guarded(NamedTuple):
-    """`if CONDITION then { STEP; ... }` behind the `then` of an exemption."""
+    """`if CONDITION then { STEP; ... }` after the `then` of an exemption."""
 
     condition: ast.Expression
     steps: tuple[ast.Step, ...]
@@ -49,7 +49,7 @@ class _Guarded(NamedTuple):
 
 
 class Categorized(NamedTuple):
-    """The word behind `category`, or behind `task`."""
+    """The word after `category`, or after `task`."""
 
     word: ast.Name
     is_task: bool
@@ -57,14 +57,14 @@ class Categorized(NamedTuple):
 
 
 class Learned(NamedTuple):
-    """The amounts behind `feedback`."""
+    """The amounts after `feedback`."""
 
     amounts: tuple[ast.Feedback | ast.Margin, ...]
     span: Span
 
 
 class Mitigates(NamedTuple):
-    """The hazards behind `mitigates`."""
+    """The hazards after `mitigates`."""
 
     hazards: tuple[ast.Name, ...]
     span: Span
@@ -167,7 +167,7 @@ class Builder(SystemBuilder):
         )
 
     def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
-        """The unit and the frame behind `in`, and the index after them."""
+        """The unit and the frame after `in`, and the index after them."""
         found: list[Token] = []
         while is_token(parts, index, "in"):
             found.append(parts[index + 1])
@@ -222,7 +222,7 @@ class Builder(SystemBuilder):
 
     def rule(self, parts: list[Any]) -> ast.Rule:
         """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
-        but the condition and the steps may be missing.
+        parts except the condition and the steps are optional.
         """
         name = self.name(parts[1]) if is_token(parts, 2, ":") else None
         place = 0 if name is None else 3

@@ -156,7 +156,7 @@ class EffectBuilder(ExpressionBuilder):
         """`else ACTION`."""
         return Part("else", self.name(parts[1]), self._span(parts))
 
-    # --- the rest --------------------------------------------------------------------------------
+    # --- other effects -----------------------------------------------------------------------
 
     def log(self, parts: list[Any]) -> ast.Log:
         """`log LEVEL TEXT`."""
@@ -180,7 +180,7 @@ class EffectBuilder(ExpressionBuilder):
         return ast.Name(token.text.replace("/msg/", "/"), self._at(token))
 
     def _path(self, parts: list[Any], index: int) -> tuple[tuple[ast.Name, ...], int]:
-        """The words behind dots from an index on, and the index behind them."""
+        """The words after dots, from an index on, and the index after them."""
         names = []
         while index < len(parts) and isinstance(parts[index], Token) and parts[index].text == ".":
             names.append(self.name(parts[index + 1]))
@@ -190,7 +190,7 @@ class EffectBuilder(ExpressionBuilder):
     def _listed(
         self, parts: list[Token], words: tuple[str, str]
     ) -> dict[str, tuple[ast.Name, ...]]:
-        """The names behind each of two words, in `WORD NAME, NAME; ...`."""
+        """The names after each of two words, in `WORD NAME, NAME; ...`."""
         found: dict[str, tuple[ast.Name, ...]] = dict.fromkeys(words, ())
         current = words[0]
         is_start = True

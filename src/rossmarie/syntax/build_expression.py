@@ -15,7 +15,7 @@ from rossmarie.syntax import ast, errors
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import FOREIGN
 
-_MOST_DIGITS = 9  # of an index; no message field has more elements
+_MOST_DIGITS = 9  # for an index; no message field has more elements
 _LONGEST_ADVICE = 80
 
 
@@ -27,7 +27,7 @@ class _Comparator(NamedTuple):
 
 
 class _Trailer(NamedTuple):
-    """`.name`, `.name(...)`, `[0]`, `["name"]`, `[name]` or `[-30 deg .. 30 deg]` behind a value;
+    """`.name`, `.name(...)`, `[0]`, `["name"]`, `[name]` or `[-30 deg .. 30 deg]` after a value;
     the parts distinguish the forms.
     """
 
@@ -75,7 +75,7 @@ class ExpressionBuilder:
         return value
 
     def prefix(self, parts: list[Any]) -> ast.Expression:
-        """`not a`, `-a`; a sign in front of a number is part of the number."""
+        """`not a`, `-a`; a sign before a number is part of the number."""
         operator, operand = parts
         span = self._at(operator).to(operand.span)
         if operator.text != "-":
@@ -123,8 +123,8 @@ class ExpressionBuilder:
         return _Comparator("not in", self._span(parts))
 
     def comparison(self, parts: list[Any]) -> ast.Expression:
-        """`a < b`, `a in b`. A chain is reported; if all its signs point in the same direction, it
-        becomes its links joined by `and`.
+        """`a < b`, `a in b`. A chain is reported. If all its signs have the same direction, it
+        becomes comparisons that are joined by `and`.
         """
         if len(parts) > 3 and not _is_monotonic(parts[1::2]):
             self._report(self._chained(parts))
@@ -194,7 +194,7 @@ class ExpressionBuilder:
         return _Trailer(None, None, self.position(token), span)
 
     def sector(self, parts: list[ast.Arc]) -> _Trailer:
-        """`[-30 deg .. 30 deg]` behind a value."""
+        """`[-30 deg .. 30 deg]` after a value."""
         return _Trailer(None, None, None, parts[0].span, parts[0])
 
     def arc(self, parts: list[Any]) -> ast.Arc:
@@ -207,7 +207,7 @@ class ExpressionBuilder:
         return ast.Reference(name, name.span)
 
     def call(self, parts: list[Any]) -> ast.Expression:
-        """`name(arguments)`; `oscillates` has its own shape."""
+        """`name(arguments)`; `oscillates` has a form of its own."""
         return self._called(self.name(parts[0]), _arguments(parts[2:-1]), False, self._span(parts))
 
     def _called(
@@ -216,7 +216,7 @@ class ExpressionBuilder:
         if name.text == "oscillates":
             return self._oscillates(name.span, arguments, span)
         if [type(each) for each in arguments] == [ast.Edges, Part]:
-            arguments = arguments[:1]  # a comma in front of `within`: its absence is reported
+            arguments = arguments[:1]  # a comma before `within`; a missing comma is reported
         if len(arguments) == 1 and isinstance(arguments[0], _Each):
             each = arguments[0]
             return ast.ListFold(name, each.variable, each.list, each.body, span)
@@ -248,7 +248,7 @@ class ExpressionBuilder:
         return ast.Broken(argument.span)
 
     def _not_alone(self, each: _Each) -> ast.Broken:
-        """The elements of a list beside other arguments of a call."""
+        """Report a fold over a list that is not the only argument of its call."""
         form = "`NAME in LIST: CONDITION` stands alone: `any(NAME in LIST: CONDITION)`"
         finding = errors.MisplacedWord(found=each.span.text, before="(", form=form)
         self._report(finding.at(each.span))
@@ -315,14 +315,14 @@ class ExpressionBuilder:
         return ast.Boolean(parts[0].text == "true", self._at(parts[0]))
 
     def text(self, parts: list[Any]) -> ast.Text:
-        """`"docked"`; there are no escapes, a backslash is a backslash."""
+        """`"docked"`. There are no escapes: a backslash is a backslash."""
         return ast.Text(parts[0].text[1:-1], self._at(parts[0]))
 
     # --- parts -----------------------------------------------------------------------------------
 
     def position(self, token: Token) -> int | str | None:
-        """The index or the name of an element; None after reporting that there can be no such
-        element.
+        """The index or the name of an element; None after a report that no such element can
+        exist.
         """
         if token.kind == "text":
             return token.text[1:-1]
@@ -335,7 +335,7 @@ class ExpressionBuilder:
         return None
 
     def name(self, token: Token | ast.Name) -> ast.Name:
-        """A token as a name; a qualified name is one already."""
+        """A token as a name; a qualified name is already a name."""
         return token if isinstance(token, ast.Name) else ast.Name(token.text, self._at(token))
 
     def qualified(self, parts: list[Any]) -> ast.Name:
@@ -373,9 +373,7 @@ class ExpressionBuilder:
 
 
 def _is_monotonic(signs: list[Token | _Comparator]) -> bool:
-    """Say whether all comparisons of a chain have the same direction: less, or greater, or
-    equal.
-    """
+    """Say whether all comparisons of a chain have the same direction: less, greater, or equal."""
     meant = {FOREIGN.get(sign.text, sign.text) for sign in signs}
     return meant <= {"<", "<="} or meant <= {">", ">="} or meant == {"=="}
 

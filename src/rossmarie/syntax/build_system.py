@@ -81,11 +81,11 @@ class SystemBuilder(ZoneBuilder):
         return self._source.documentation.get(parts[0].start)
 
     def _frame(self, token: Token) -> ast.Name:
-        """A frame, by its bare name or in quotes."""
+        """A frame, given by its bare name or in quotes."""
         text = token.text[1:-1] if token.kind == "text" else token.text
         return ast.Name(text, self._at(token))
 
 
 def is_token(parts: list[Any], index: int, text: str) -> bool:
-    """Say whether there is a token of that text at that place."""
+    """Say whether a token with this text is at this index."""
     return index < len(parts) and isinstance(parts[index], Token) and parts[index].text == text

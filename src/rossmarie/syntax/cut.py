@@ -1,4 +1,4 @@
-"""Tokens -> ranges of one item each, so that an error costs only its own item.
+"""Cuts tokens into ranges of one item each, so that an error costs only its own item.
 
 An item ends at a `;` outside braces, at the `}` of an entity, system or action (which `latched
 until reset` may follow), or at an item word at the start of a line, however many braces are open.
@@ -27,20 +27,20 @@ _CONTINUATIONS = frozenset(
     | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
 _CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
-_JOINING = frozenset({"of", "within"})  # a line may be broken before and after them
+_JOINING = frozenset({"of", "within"})  # a line break may precede or follow these
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 _BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in")}
-# Words that do not make a declaration of the unknown word before them, as `imu` does in `entitty
-# imu`: after a name they continue something, or begin something else.
+# An unknown word before these words does not declare a name, unlike `entitty` in `entitty imu`:
+# after a name, these words continue an item, or begin another part.
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
 
 
 class Piece(NamedTuple):
     """The tokens from `first` up to, not including, `last`.
 
-    `kind` is the start rule of the grammar, None if no item begins like this. `head` is the correct
-    word if the first one is misspelt.
+    `kind` is the start rule of the grammar; None if no item begins like this. `head` is the correct
+    word if the first word is misspelt.
     """
 
     kind: str | None
@@ -50,7 +50,7 @@ class Piece(NamedTuple):
 
 
 def cut(source: Scan) -> Iterator[Piece]:
-    """All items of a file, in order; semicolons between them are dropped."""
+    """All items of a file, in order; semicolons between items are dropped."""
     cutter = _Cutter(source)
     index = 0
     while index < len(source.tokens):
@@ -105,7 +105,7 @@ class _Cutter:
         return index
 
     def _brace_is_missing(self, first: int, kind: str | None) -> bool:
-        """Say whether an entity, motion or system is written `entity NAME CONDITION : ...`."""
+        """Say whether an entity, motion or system is written as `entity NAME CONDITION : ...`."""
         behind = first + 2
         if kind in ("entity", "motion"):
             return self._text(behind) != "{" and self._text(behind + 1) == ":"
@@ -148,7 +148,7 @@ class _Cutter:
         return index
 
     def _is_exempting(self, index: int) -> bool:
-        """Say whether the `then` in front of a token belongs to an `unless doing SKILL`."""
+        """Say whether the `then` before a token belongs to an `unless doing SKILL`."""
         before = (token.text for token in reversed(self._tokens[: index - 1]))
         return (
             next((text for text in before if text in (*ITEM_WORDS, "then", "unless")), "")
@@ -156,7 +156,7 @@ class _Cutter:
         )
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
-        """Say whether an unknown word is meant to begin an item: a line such as `entitty imu {`."""
+        """Say whether an unknown word probably begins an item, as in the line `entitty imu {`."""
         token, before = self._tokens[index], self._tokens[index - 1]
         if token.kind != "word" or not self._source.begins_line(index):
             return False
@@ -192,7 +192,7 @@ class _Cutter:
         return index < len(self._tokens) and self._tokens[index].kind == kind
 
     def _meant(self, index: int) -> str | None:
-        """The item word nearest to this word."""
+        """The item word that is most similar to this word."""
         token = self._tokens[index]
         if token.kind != "word" or self._text(index + 1) in (":", "=", ".", ";"):
             return None

@@ -23,7 +23,7 @@ from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
-_NAMES_AT_LEAST = 5  # tokens of an input before which no names of elements stand
+_NAMES_AT_LEAST = 5  # tokens of an input that come before any names of elements
 _ARRIVES_AT = 3  # the place of `topic` in an input
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
@@ -39,7 +39,7 @@ _ADVICE = {
 def explain(
     source: Scan, first: int, last: int, kind: str, failure: Failure
 ) -> tuple[Diagnostic, ...]:
-    """The findings for the tokens from `first` up to, but not including, `last`, meant as
+    """The findings for the tokens from `first` up to, not including, `last`. Their intended kind is
     `kind`.
     """
     tokens = source.tokens[first:last]
@@ -53,7 +53,7 @@ def explain(
 
 
 def unterminated_text(source: Scan, token: Token) -> Diagnostic:
-    """A text without closing quotation mark. The fix closes it before `then {` or a final `;`."""
+    """A text without a closing quotation mark. The fix closes it before `then {` or a final `;`."""
     text = source.file.text
     if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
         finding = errors.UnterminatedString()
@@ -78,7 +78,7 @@ def missing_sign(
 
 
 def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
-    """A wrong sign in the place of another one."""
+    """A wrong sign in the place of another sign."""
     fix = Fix(f"write `{sign}`", (Edit(source.span(found), sign),))
     finding = errors.MissingSign(sign=sign, place="instead of", form=FORMS[kind])
     return finding.at(source.span(found), fix=fix)
@@ -209,7 +209,7 @@ class _Case:
         return self._character() or self._bracket() or self._name() or self._value() or self._sign()
 
     def _is_over_time(self) -> bool:
-        """Say whether a `once` or an `after` stands before the failure."""
+        """Say whether a `once` or an `after` precedes the failure."""
         tokens = self._tokens
         return any(
             tokens[index].text in PREFIXES and is_operator(tokens, index)
@@ -217,7 +217,7 @@ class _Case:
         )
 
     def _is_at_names(self) -> bool:
-        """Say whether names of elements stand in an input up to here."""
+        """Say whether the tokens up to here end with names of elements in an input."""
         around = self._tokens[self._first + _NAMES_AT_LEAST : min(self._index + 1, self._last)]
         return any(token.text in ("names", "[") for token in around)
 
@@ -317,12 +317,12 @@ class _Case:
         return wrong_sign(self._source, sign, found, self._kind)
 
     def _text_behind(self) -> str:
-        """The token after the one that does not fit."""
+        """The token after the token that does not fit."""
         behind = self._index + 1
         return self._tokens[behind].text if behind < self._last else ""
 
     def _is_only(self, sign: str) -> bool:
-        """Say whether that sign is the only possible continuation."""
+        """Say whether a sign is the only possible continuation."""
         return sign in self._expected and len(self._expected) <= 3
 
     def _misplaced(self, before: Token) -> Diagnostic:
@@ -342,5 +342,5 @@ class _Case:
 
 
 def _shown(token: Token) -> str:
-    """A token for a message; a long one is cut."""
+    """A token for a message; a long token is shortened."""
     return token.text if len(token.text) <= 40 else f"{token.text[:37]}..."

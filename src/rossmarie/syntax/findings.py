@@ -7,14 +7,14 @@ from rossmarie.syntax.limits import MAXIMUM_ERRORS
 
 
 class Findings:
-    """Passes findings on to a collector, each once, until there are too many to be shown."""
+    """Passes findings on to a collector, each once, up to the limit of shown findings."""
 
     def __init__(self, collector: Collector) -> None:
         self._collector = collector
         self._seen: set[Diagnostic] = set()
 
     def add(self, finding: Diagnostic) -> None:
-        """Pass on a finding. If there are too many already, do nothing."""
+        """Pass on a finding. If the limit is reached, do nothing."""
         if not self.is_full and finding not in self._seen:
             self._seen.add(finding)
             self._collector.add(finding)
@@ -26,5 +26,5 @@ class Findings:
 
     @property
     def is_full(self) -> bool:
-        """True if there are too many, so that further reading is useless."""
+        """True if the limit is reached, so that further reading is useless."""
         return len(self._seen) > MAXIMUM_ERRORS

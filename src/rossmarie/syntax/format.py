@@ -1,14 +1,14 @@
-"""A module without syntax errors -> its canonical text.
+"""Formats a module without syntax errors: its canonical text.
 
 - Four spaces for each level; one statement on a line, broken if it exceeds 100 columns (`layout`).
-- Items, conditions and effects end in `;`; what ends in a brace of its own does not: entities,
+- Items, conditions and effects end in `;`, except those that end in a brace of their own: entities,
   systems, tests, and actions with a body.
 - A condition is `name : expression;`, a rule `rule name: if condition then { action; };`.
-- Entities, systems, rules and actions with a body are set apart by an empty line, as are items of
-  different kinds; elsewhere up to one empty line of the author's stays.
-- Comments stay beside what they precede or trail, documentation strings in front of what they
-  document. A documentation string that documents nothing and cannot stay where it is (in front of a
-  `;` that moves) becomes a comment.
+- Empty lines separate entities, systems, rules and actions with a body, and items of different
+  kinds. Elsewhere, up to one empty line of the author stays.
+- A comment stays beside the text that it precedes or follows. A documentation string stays before
+  the text that it documents. A documentation string that documents nothing and cannot stay in its
+  place (before a `;` that moves) becomes a comment.
 
 Formatting twice changes nothing; the formatted text has the same tree, up to spans.
 """
@@ -33,7 +33,7 @@ _EMPTY_LINE = re.compile(r"\n\s*\n")
 class _Entry:
     """A statement, or a comment between statements, with its range of the text.
 
-    `group`: statements of the same group may stand on adjacent lines; comments have no group.
+    Statements of the same `group` may be on adjacent lines; comments have no group.
     """
 
     lines: list[str]
@@ -44,8 +44,8 @@ class _Entry:
 
 
 def format_module(module: ast.Module) -> str:
-    """The canonical text of a module that was parsed without findings (anything that could not be
-    parsed would be lost).
+    """The canonical text of a module that was parsed without findings. Unparsed text would be
+    lost.
     """
     source = scan(module.file)
     formatter = _Formatter(source, collect_style(source, module.items))
@@ -54,7 +54,7 @@ def format_module(module: ast.Module) -> str:
 
 
 class _Formatter:
-    """Goes through the text once, from start to end."""
+    """Processes the text once, from start to end."""
 
     def __init__(self, source: Scan, style: Style) -> None:
         self._source = source
@@ -69,7 +69,7 @@ class _Formatter:
         end: int,
         indent: int,
     ) -> list[str]:
-        """The lines of all statements, and of all comments up to `end` not taken before."""
+        """The lines of all statements, and of all remaining comments up to `end`."""
         entries: list[_Entry] = []
         for node in nodes:
             entries += self._comments(node.span.start, indent)
@@ -80,7 +80,7 @@ class _Formatter:
         return list(self._join(entries))
 
     def _join(self, entries: list[_Entry]) -> Iterator[str]:
-        """All lines, with empty lines where the author or the style wants them."""
+        """All lines, with empty lines where the author has put them or the style requires them."""
         for index, entry in enumerate(entries):
             if index and (self._is_apart(entries, index) or self._has_gap(entries, index)):
                 yield ""
@@ -91,8 +91,8 @@ class _Formatter:
         return _EMPTY_LINE.search(between) is not None
 
     def _is_apart(self, entries: list[_Entry], index: int) -> bool:
-        """Say whether an empty line is needed after a statement, before the comments of the next
-        one, unless the author has put one further down.
+        """Say whether an empty line is needed between a statement and the comments of the next
+        statement. It is not needed if the author has put one after these comments.
         """
         before = entries[index - 1]
         if before.group is None:
@@ -110,7 +110,7 @@ class _Formatter:
     # --- comments --------------------------------------------------------------------------------
 
     def _take(self, end: int) -> Iterator[Token]:
-        """The comments in front of an offset that were not taken before."""
+        """The remaining comments before an offset."""
         while self._next_trivium < len(self._trivia):
             trivium = self._trivia[self._next_trivium]
             if trivium.start >= end:
@@ -137,7 +137,9 @@ class _Formatter:
         return f"'''{text} '''" if text.endswith("'") else f"'''{text}'''"
 
     def _trailing(self, entry: _Entry) -> int:
-        """Append the comment behind a statement on its line; the end of statement and comment."""
+        """Append the comment that follows a statement on its line. Returns the end of statement and
+        comment.
+        """
         tokens = self._source.tokens
         following = self._style.index(entry.end)
         end = entry.end
@@ -151,7 +153,7 @@ class _Formatter:
         return comment.end
 
     def _is_next(self, offset: int) -> bool:
-        """Say whether the next comment stands in front of the next token behind an offset."""
+        """Say whether the next comment comes before the next token after an offset."""
         if self._next_trivium == len(self._trivia):
             return False
         trivium = self._trivia[self._next_trivium]
@@ -242,7 +244,7 @@ class _Formatter:
             is_first = False
 
     def _is_glued(self, before: Token | None, token: Token) -> bool:
-        """Say whether no space stands in front of a token."""
+        """Say whether no space precedes a token."""
         if before is None or before.end in self._style.tight_behind:
             return True
         if token.text == ".":

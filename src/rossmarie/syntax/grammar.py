@@ -82,16 +82,16 @@ _LOGIC = {sign: meant for sign, meant in FOREIGN.items() if meant in OPERATOR_WO
 
 @cache
 def load_tables() -> Tables:
-    """The tables of ross.lark. They are made once and stored in the user's cache folder.
+    """The tables of ross.lark. They are computed once and stored in the user's cache folder.
 
-    Raises lark's `GrammarError` if it is not LALR(1).
+    Raises lark's `GrammarError` if the grammar is not LALR(1).
     """
     text = (Path(__file__).parent / "ross.lark").read_text(encoding="utf-8")
     return read_tables(kept(_name_of_tables(text), partial(make_tables, text, START_RULES)))
 
 
 def _name_of_tables(grammar: str) -> str:
-    """The name of the tables. Tables of another grammar, or made in another way, have another
+    """The name of the tables. Tables of another grammar, or computed in another way, have another
     name.
     """
     made_by = Path(tables.__file__).read_text(encoding="utf-8")
@@ -101,8 +101,8 @@ def _name_of_tables(grammar: str) -> str:
 
 @dataclass(frozen=True)
 class Failure:
-    """The place at which parsing stopped: the index of the token that does not fit, from the first
-    of the range; the end of the range if a token is missing there.
+    """The place at which parsing stopped: the index of the token that does not fit, relative to the
+    start of the range. It is the end of the range if a token is missing there.
     """
 
     index: int
@@ -125,7 +125,7 @@ class Recognizer:
 
     def run(self, start: str, first: int, last: int, head: str | None = None) -> Any:
         """The value of the rule `start` for the tokens from `first` up to, not including, `last`;
-        or the `Failure`. `head` replaces the first token if it is misspelt.
+        or the `Failure`. `head` replaces the first token if this token is misspelt.
         """
         parser = Parser(self._tables, self._tables.starts[start][:1])
         index = first
@@ -142,9 +142,9 @@ class Recognizer:
         return Failure(last - first, parser) if found is None else self._built(found[0])
 
     def _built(self, part: Any) -> Any:
-        """The value of a node, by the builder's method of its rule; a token is its own value.
+        """The value of a node, from the builder's method for its rule; a token is its own value.
 
-        Recurses along the nodes, whose depth the limits on nesting bound before anything is fed.
+        Recurses along the nodes. The limits on nesting bound their depth before any token is read.
         """
         if isinstance(part, Node):
             return getattr(self._builder, part.rule)([self._built(each) for each in part.parts])
@@ -152,7 +152,7 @@ class Recognizer:
 
     def _fitting(self, parser: Parser, index: int) -> Collection[str]:
         """The symbols that may fit here. For a word that may also be a name, the exact set is
-        computed, because the tables only know that some words fit somewhere.
+        computed, because the tables only state that some words fit somewhere.
         """
         fitting = parser.fitting
         text = self._tokens[index].text
@@ -161,8 +161,8 @@ class Recognizer:
         return fitting
 
     def _classify(self, index: int, fitting: Collection[str]) -> tuple[str, Token, int]:
-        """The symbol of the current token, the token itself (several joined, for a unit or topic),
-        and the next index.
+        """The symbol of the current token, the token itself (for a unit or topic, several joined
+        tokens), and the next index.
         """
         token = self._tokens[index]
         kind, text = token.kind, token.text
@@ -183,7 +183,7 @@ class Recognizer:
         return _LOGIC.get(text, text), token, index + 1
 
     def _is_name(self, index: int) -> bool:
-        """Say whether a word that may be an operator here is the name of something."""
+        """Say whether a word that may be an operator here is a name."""
         text = self._tokens[index].text
         if text in ("doing", "ahead"):
             return not names_skill(self._tokens, index)

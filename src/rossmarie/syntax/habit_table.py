@@ -31,12 +31,14 @@ _ONE_WORD = rf"{_NAME}(?:(?:\s-)?\x20{_NAME})+|\""
 class Habit(NamedTuple):
     """A frequent mistake and its correction.
 
-    `meant` is what to write in the place of the group `x` of `pattern` (of a pair of brackets: of
-    both, with a space between), with the groups of the pattern, or None if that is uncertain; what
-    to do is then said by `advice`. `is_final`: the tokens stay as they are, and their part of the
-    file is not parsed further. `drops`: the tokens are left out where `meant` is None. `inside`:
-    the kind of item that the mistake stands in; empty where its pattern tells enough. `outside`:
-    the kind of item in which it is no mistake of this kind.
+    `meant` replaces the group `x` of `pattern`, and may refer to the pattern's groups. For a pair
+    of brackets, it is the text for both, with a space between them. It is None if the correction is
+    uncertain; `advice` then describes the correction.
+
+    With `is_final`, the tokens stay unchanged, and their part of the file is not parsed further.
+    With `drops`, the tokens are removed if `meant` is None. `inside` is the kind of item that
+    contains the mistake; it is empty if the pattern is specific enough. `outside` is the kind of
+    item in which the text is no mistake of this kind.
     """
 
     pattern: re.Pattern[str]
@@ -150,7 +152,7 @@ HABITS = (
         rf"\b(?P<x>then\s(?P<a>{_NAME}))(?!\s;?\s?[}}(]| ; {_NAME} ;)(?=\s)",
         "then {{ {a}; }}",
         _ACTIONS_IN_BRACES,
-        outside="action",  # there, a word behind the time of a goal says how it goes on
+        outside="action",  # there, the word after the time of a goal is correct
     ),
     _habit(
         rf"(?P<x>->\s(?P<a>{_NAME}))(?=\s;)",

@@ -26,12 +26,12 @@ from rossmarie.syntax.words import MEMBER_WORDS, PART_WORDS, RESERVED, nearest
 _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
 _PARTNERS = {"(": ")", "[": "]", "{": "}"}
 _ENDS = (")", "]", "%")  # signs that end a value
-_LONGEST = 40  # letters of a mistake in the title of its finding
+_LONGEST = 40  # the most letters of a mistake in the title of its finding
 _NO_WORD = "this is not a keyword of the language"
 
 
 class _Change(NamedTuple):
-    """The replacement of the tokens from `first` up to, but not including, `last` by `tokens`."""
+    """The replacement of the tokens from `first` up to, not including, `last` by `tokens`."""
 
     first: int
     last: int
@@ -42,9 +42,9 @@ _Remedy = Callable[[], tuple[tuple[_Change, ...], Diagnostic]]
 
 
 def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
-    """The file with its habits corrected; each of them is reported.
+    """The file with its habits corrected; each habit is reported.
 
-    `kinds` has the kind of the item around each token; None if that item parses.
+    `kinds` is the kind of the item around each token; None if the item parses.
     """
     changes: dict[int, _Change] = {}
     end = 0
@@ -63,7 +63,7 @@ def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
 
 
 def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
-    """The file with its changes, by the number of their first token."""
+    """The file with its changes, by the index of their first token."""
     tokens: list[Token] = []
     reported: set[int] = set()
     index = 0
@@ -98,7 +98,7 @@ class _Search:
         self._text = "".join((*pieces, "\n"))
 
     def all(self) -> Iterator[tuple[int, _Remedy]]:
-        """The first token of each mistake, and the remedy that makes its changes and its
+        """The first token of each mistake, and the remedy that creates its changes and its
         finding.
         """
         for habit in HABITS:
@@ -196,8 +196,8 @@ def _nearest(word: str, words: tuple[str, ...]) -> str | None:
 
 
 def _edit(span: Span, meant: str) -> Edit:
-    """Write `meant` there. A superfluous space around removed text, or before a colon, is removed
-    too, and a word that would touch another one gets a space.
+    """The edit that writes `meant` there. It also removes a superfluous space around removed text
+    or before a colon, and adds a space if a word would touch another word.
     """
     text = span.file.text
     before = text[span.start - 1 : span.start]
@@ -209,7 +209,7 @@ def _edit(span: Span, meant: str) -> Edit:
 
 
 def _one_word(text: str) -> str:
-    """A name of several words as one: `slow_down`."""
+    """A name of several words as one word: `slow_down`."""
     word = re.sub(r"\W+", "_", text).strip("_")
     return word if re.fullmatch(ANY_NAME, word) else f"name_{word}"
 

@@ -1,8 +1,8 @@
-"""Characters that make a file look different from its content: each is an error, wherever it
-stands.
+"""Characters that make a file look different from its content. Each is an error in any place.
 
-Editors end a line at a lone carriage return, a line separator or a form feed, and change the
-writing direction at others. So a rule could seem to be active although it is part of a comment.
+Some editors end a line at a lone carriage return, a line separator or a form feed, and change the
+writing direction at other characters. So a rule could seem to be active although it is part of a
+comment.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rossmarie.syntax.scan import Scan, Token
 
 _LONE_RETURN = re.compile(r"\r(?!\n)")
 _BREAKS = "\v\f\x85\u2028\u2029"
-_BIDIRECTIONAL = "\u202a-\u202e\u2066-\u2069"  # `scan` steps over these
+_BIDIRECTIONAL = "\u202a-\u202e\u2066-\u2069"  # `scan` skips these
 _HIDDEN = re.compile(rf"[{_BREAKS}{_BIDIRECTIONAL}]")
 _NAMES = {"\v": "vertical tab", "\f": "form feed", "\x85": "next line"}
 

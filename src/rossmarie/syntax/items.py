@@ -39,17 +39,17 @@ class _Reading(NamedTuple):
 
     @property
     def is_broken(self) -> bool:
-        """True if it does not parse, or begins like no item."""
+        """True if the item does not parse, or begins like no item."""
         return self.result is None or isinstance(self.result, Failure)
 
 
 def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
-    """All items, in order. Errors are reported, and as little as possible is lost."""
+    """All items, in order. Errors are reported, and as little text as possible is lost."""
     part = PartParser(source, findings)
     readings, kinds = _first_readings(part)
     pieces: Iterable[Piece] = (reading.piece for reading in readings.values())
     if any(reading.is_broken for reading in readings.values()):
-        from rossmarie.syntax.habits import mend  # compiles many patterns
+        from rossmarie.syntax.habits import mend  # this import compiles many patterns
 
         part = PartParser(mend(source, kinds, findings), findings)
         pieces = cut(part.source)
@@ -73,9 +73,9 @@ def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
 
 def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | None]]:
     """The reading of each item, by its start; and the kind of the item around each token, None if
-    that item parses.
+    the item parses.
 
-    Ends after so many broken items that further reports would be cut off.
+    The function stops after so many broken items that further findings would not be shown.
     """
     tokens = part.source.tokens
     readings: dict[int, _Reading] = {}
@@ -94,7 +94,7 @@ def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | N
 
 
 def _attempt(part: PartParser, piece: Piece) -> Any:
-    """The item; or the `Failure` or None of `PartParser.attempt`."""
+    """The item; or the `Failure` or None from `PartParser.attempt`."""
     if piece.kind is None:
         return None
     return part.attempt(piece.kind, piece.first, piece.last, piece.head)
@@ -120,7 +120,7 @@ def _item(
 
 
 def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
-    """Constants for `NAME = VALUE`, which is meant as a constant."""
+    """Constants for `NAME = VALUE`, which is intended as a constant."""
     tokens = part.source.tokens
     name, value = piece.first, piece.first + 2
     if value >= piece.last or tokens[name + 1].text != "=" or not is_name(tokens[name]):
@@ -135,8 +135,8 @@ def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
 
 
 def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -> Any:
-    """The item, if it is complete before the word at which it failed and that word begins a line:
-    then the word, which is reported, is not part of it. Otherwise the failure.
+    """The item, if it is complete before the word at which it failed, and if this word begins a
+    line. Then the word, which is reported, is not part of the item. Otherwise the failure.
     """
     source, stray = part.source, piece.first + failure.index
     if not piece.first < stray < piece.last or not source.begins_line(stray):

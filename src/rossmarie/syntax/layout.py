@@ -1,7 +1,7 @@
-"""The words of one statement -> lines of at most 100 columns.
+"""Lays out the words of one statement in lines of at most 100 columns.
 
 A statement stays on one line if it fits. Otherwise it is broken before its parts (`then`, a resume
-contract, `publishes`); a part that still does not fit is broken before each `and`, `or` and action.
+contract, `publishes`). A part that still does not fit is broken before each `and`, `or` and action.
 Values of an import share lines. A comment inside a statement ends its line.
 """
 
@@ -27,7 +27,7 @@ class Break:
 
 @dataclass(frozen=True)
 class Comment:
-    """A comment behind an atom: on its line, or on a line (or several) of its own."""
+    """A comment after an atom: on the atom's line, or on lines of its own."""
 
     text: str
     is_trailing: bool
@@ -48,7 +48,7 @@ _Piece = tuple[Sequence[Atom], int]
 
 
 def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
-    """The lines of a statement that stands `indent` levels deep."""
+    """The lines of a statement at the level `indent`."""
     if _fits(atoms, indent):
         return [_line(atoms, indent)]
     lines = []
@@ -62,7 +62,7 @@ def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
 
 
 def _filled(pieces: Sequence[_Piece], indent: int) -> list[_Piece]:
-    """The pieces, some of them joined to the piece before them while they fit."""
+    """The pieces. Pieces are joined to the piece before them while they fit."""
     found: list[_Piece] = []
     for atoms, extra in pieces:
         begin = atoms[0].break_before
@@ -81,7 +81,9 @@ def indented(text: str, indent: int) -> list[str]:
 
 
 def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[_Piece]:
-    """Cut in front of the breaks of a level; each piece with the indentation of its break."""
+    """The pieces between the breaks of a level, each with the indentation of the break before
+    it.
+    """
     starts = [0]
     indents = [indent]
     for index, atom in enumerate(atoms):
@@ -94,7 +96,7 @@ def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[_Piece]:
 
 
 def _commented(atoms: Sequence[Atom], indent: int, continuation: int) -> list[str]:
-    """One line, broken behind each comment."""
+    """One line, broken after each comment."""
     lines = []
     start = 0
     for index, atom in enumerate(atoms):

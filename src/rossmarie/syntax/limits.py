@@ -12,33 +12,33 @@ from rossmarie.syntax.temporal import PREFIXES, is_operator
 from rossmarie.syntax.words import FOREIGN, OPERATOR_WORDS
 
 MAXIMUM_FILE_SIZE = 2**20
-"""Bytes of UTF-8 in one file."""
+"""The most bytes of UTF-8 in one file."""
 
 MAXIMUM_TOKENS = 300_000
-"""The most words and signs in one file. Ordinary text of this many tokens has reached the limit in
-bytes.
+"""The most words and signs in one file. Ordinary text reaches the limit in bytes before this
+limit.
 """
 
 MAXIMUM_NESTING = 64
-"""Brackets, prefix operators, and `once` and `after` up to their `within`, inside each other."""
+"""The most levels of brackets, prefix operators, and `once` and `after` up to their `within`,
+inside each other.
+"""
 
 MAXIMUM_DEPTH = 250
 """The most levels of an expression. Each operator of `a + b + c` is one level."""
 
 MAXIMUM_LENGTH = 10_000
-"""Tokens of one constant, input, condition or rule."""
+"""The most tokens of one constant, input, condition or rule."""
 
 MAXIMUM_ERRORS = 100
-"""The most errors, and the most warnings, that are reported for one file. After so many, reading
-stops.
-"""
+"""The most errors, and the most warnings, that are reported for one file. Then reading stops."""
 
 _CLOSING = frozenset(")]")
 _RESTART = frozenset(";{}:")
 
 
 def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
-    """The number of the token that exceeds the nesting limit, if one does."""
+    """The index of the token that exceeds the nesting limit, if there is one."""
     levels: list[tuple[str, int]] = []
     level = 0
     prefixes = 0

@@ -1,6 +1,6 @@
 """Facts about expressions, stored outside the tree, by the identity of the node.
 
-Two nodes that look alike are different: each has its own facts.
+Two equal nodes are different keys: each has its own facts.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ Fact = TypeVar("Fact")
 
 class NodeMap(Generic[Fact]):
     """A map from nodes to facts of one kind. It keeps its nodes alive, so that no other node gets
-    the identity of one. `map[node]` for a node without a fact is a defect of this program.
+    the same identity. `map[node]` for a node without a fact is a defect of this program.
     """
 
     def __init__(self) -> None:
@@ -33,6 +33,6 @@ class NodeMap(Generic[Fact]):
         return id(node) in self._facts
 
     def get(self, node: ast.Expression) -> Fact | None:
-        """The fact about a node; None if nothing is known about it."""
+        """The fact about a node; None if the map has none."""
         found = self._facts.get(id(node))
         return None if found is None else found[1]

@@ -1,8 +1,8 @@
-"""The text of a rules file -> its tree, and a finding for every syntax error.
+"""Parses a rules file: its tree, and a finding for every syntax error.
 
 Accepts any text. Each item, and inside a broken item each part, is parsed separately, so that a
-mistake costs only the condition around it. Time is linear in the length of the text; nesting,
-length and the number of findings are bounded by `limits`.
+mistake costs only the condition around it. Time is linear in the length of the text; `limits` bound
+nesting, length and the number of findings.
 
 The steps: `respell` corrects capitals and numbers, `cut` separates the items, `grammar` reads each.
 If some fail, `habits` corrects notations of other languages in them, and the changed items are read
@@ -32,8 +32,8 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     """The tree of a file. Text that could not be parsed is reported, and is missing in the tree or
     is an `ast.Broken`.
 
-    Spans never include the `;` behind an item or condition. An input that could not be parsed has a
-    topic without text, a topic declaration that could not be parsed a type without text. A file
+    Spans never include the `;` after an item or condition. An input that could not be parsed has a
+    topic without text. A topic declaration that could not be parsed has a type without text. A file
     with too many errors is not read to its end, and has no items.
     """
     findings = Findings(collector)

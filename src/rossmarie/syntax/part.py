@@ -1,4 +1,4 @@
-"""One range of tokens, meant as one part of a file -> its node, or findings.
+"""Parses one range of tokens as one part of a file. The result is a node, or findings.
 
 The limits of `limits` are checked: a returned node is never nested more deeply than later passes
 can handle.

@@ -1,8 +1,8 @@
 """Items that do not parse as a whole: their parts are parsed one by one.
 
-Each error costs only its own part. An item with a readable name keeps it, with `ast.Broken` as its
-value, so that later stages do not report the name as undeclared. Every failed item has at least one
-finding.
+Each error costs only its own part. An item with a readable name keeps the name, with `ast.Broken`
+as its value, so that later stages do not report the name as undeclared. Every failed item has at
+least one finding.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ from rossmarie.syntax.words import FORMS, MEMBER_WORDS
 
 
 def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Item | None:
-    """Recover the readable parts of a failed item. `failure` is None if it exceeds a limit."""
+    """Recover the readable parts of a failed item. `failure` is None if the item exceeds a
+    limit.
+    """
     before = part.findings.count
     saved: ast.Item | None
     if item.kind == "rule":
@@ -82,7 +84,7 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
 
 
 def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:
-    """Recover `import husky.ross` and `import "husky.ross`, which still import."""
+    """Recover `import husky.ross` and `import "husky.ross`, which count as imports."""
     tokens = part.source.tokens
     if item.last - item.first < 2:
         return None
@@ -124,7 +126,7 @@ def _recover_entity(
 
 
 def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Zone | None:
-    """A zone with the readable shapes; without a readable frame, the zone has none."""
+    """A zone with the readable shapes. Without a frame, the zone's own name takes its place."""
     tokens = part.source.tokens
     before = part.findings.count
     start = start_of_body(part, item, failure)
@@ -163,7 +165,7 @@ def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) ->
 
 
 def _conditions(part: PartParser, first: int, last: int) -> Iterator[Member]:
-    """Cut at `;`, in front of `NAME :`, and at `}`."""
+    """Cut at `;`, before `NAME :`, and at `}`."""
     tokens = part.source.tokens
     start = first
     for index in range(first, last):
@@ -185,7 +187,7 @@ def _begins_condition(tokens: Sequence[Token], index: int, last: int) -> bool:
 
 
 def _declarations(part: PartParser, first: int, last: int) -> Iterator[Member]:
-    """Cut at `;`, at the `}` of a node, and in front of a word that begins a declaration."""
+    """Cut at `;`, at the `}` of a node, and before a word that begins a declaration."""
     tokens = part.source.tokens
     start = first
     is_node = False
@@ -219,7 +221,7 @@ def _broken_condition(part: PartParser, member: Member) -> ast.Condition | None:
 
 
 def _broken_topic(part: PartParser, member: Member) -> ast.TopicDeclaration | None:
-    """`topic /imu/data : ...` and `topic Wrench = ...`: declared, but of no known type."""
+    """`topic /imu/data : ...` and `topic Wrench = ...`: a declaration with an unknown type."""
     tokens = part.source.tokens
     if tokens[member.first].text != "topic" or member.last - member.first < 2:
         return None

@@ -1,4 +1,4 @@
-"""An action that does not parse as a whole -> its effects, parsed one by one."""
+"""Recovers an action that does not parse as a whole: its effects are parsed one by one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ _BEHIND_FIELD = frozenset({"=", ".", "[", "in"})
 
 
 def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Action | None:
-    """Recover the readable effects of an action. `failure` is None if it exceeds a limit."""
+    """Recover the readable effects of an action. `failure` is None if the action exceeds a
+    limit.
+    """
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"
@@ -36,8 +38,8 @@ def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> 
 
 
 def _end_of_body(part: PartParser, first: int, last: int) -> int:
-    """The index of the closing brace; `last` if there is none. At an effect on a line of its own,
-    all braces of the effect before are closed.
+    """The index of the closing brace; `last` if there is none. An effect on a line of its own
+    closes all braces of the effect before it.
     """
     depth = 0
     for index in range(first, last):
@@ -65,7 +67,7 @@ def _effect(part: PartParser, member: Member) -> ast.Effect | None:
     meant = None
     if token.text not in EFFECT_WORDS:
         if token.text == "{" and member.last == member.first + 1:
-            return None  # it is reported as never closed
+            return None  # the unclosed effect is reported
         if token.kind != "word" or not token.text.isascii():
             part.findings.add(explain_token(part.source, member.first, "effect"))
             return None
@@ -92,7 +94,7 @@ def _report_unknown(part: PartParser, index: int, meant: str | None) -> None:
 
 
 def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
-    """Cut at each `;` outside of inner braces, and where an effect begins on a line of its own."""
+    """Cut at each `;` outside of inner braces, and before an effect on a line of its own."""
     tokens = part.source.tokens
     start = first
     depth = 0

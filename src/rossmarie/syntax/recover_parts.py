@@ -16,7 +16,9 @@ _Node = TypeVar("_Node")
 
 
 class Stretch(NamedTuple):
-    """The tokens of an item, and its kind. `head` is the correct word if the first is misspelt."""
+    """The tokens of an item, and its kind. `head` is the correct word if the first word is
+    misspelt.
+    """
 
     kind: str
     first: int
@@ -64,7 +66,7 @@ def parse_members(
     kind: Callable[[Member], str],
     rescue: Callable[[PartParser, Member], _Node | None],
 ) -> list[_Node]:
-    """The nodes of all members; of a broken one what `rescue` makes of it."""
+    """The nodes of all members. For a broken member, it is the result of `rescue`."""
     nodes = []
     for member in members:
         if part.findings.is_full:
@@ -81,7 +83,7 @@ def parse_members(
 
 
 def name_of(part: PartParser, item: Stretch) -> ast.Name | None:
-    """The name behind the first word of an item."""
+    """The name after the first word of an item."""
     if item.last - item.first < 2:
         return None
     token = part.source.tokens[item.first + 1]

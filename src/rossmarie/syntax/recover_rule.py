@@ -1,5 +1,5 @@
-"""A rule that does not parse as a whole -> its condition, steps and contracts, parsed one by
-one.
+"""Recovers a rule that does not parse as a whole: its condition, steps and contracts are parsed one
+by one.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
 def recover_rule(part: PartParser, first: int, last: int, head: str | None) -> ast.Rule:
-    """Recover the readable parts of the rule in the tokens from `first` up to, but not including,
+    """Recover the readable parts of the rule in the tokens from `first` up to, not including,
     `last`.
     """
     return _Recovery(part, first, last).rule(head or part.source.tokens[first].text)
@@ -66,7 +66,7 @@ class _Recovery:
         return self._tokens[index].text if index < self._last else ""
 
     def _name(self) -> ast.Name | None:
-        """`NAME : if`; all three may be missing."""
+        """`NAME : if`; all three tokens may be missing."""
         name = None
         if self._index < self._last and is_name(self._tokens[self._index]):
             token = self._tokens[self._index]
@@ -90,8 +90,8 @@ class _Recovery:
         return name
 
     def _condition(self) -> tuple[ast.Expression, tuple[ast.Name, ...]]:
-        """The condition up to `then`, or up to the brace, with the rules behind `unless`. The
-        skills behind `while` are read only to report errors.
+        """The condition up to `then`, or up to the brace, with the rules after `unless`. The skills
+        after `while` are read only to report errors.
         """
         first = self._index
         end = self._next(first, ("then", "{"))
@@ -108,7 +108,7 @@ class _Recovery:
         return condition, () if others is None else others.rules
 
     def _next(self, first: int, words: tuple[str, ...]) -> int:
-        """The first place of one of some words, or the end of the rule."""
+        """The first place of one of these words, or the end of the rule."""
         places = range(first, self._last)
         return next((at for at in places if self._tokens[at].text in words), self._last)
 
@@ -186,7 +186,7 @@ class _Recovery:
         return name
 
     def _end_step(self) -> None:
-        """The `;` behind a step."""
+        """The `;` after a step."""
         if self._text() == ";":
             self._index += 1
         elif self._text() == ",":

@@ -1,4 +1,4 @@
-"""A test that does not parse as a whole -> its statements, parsed one by one."""
+"""Recovers a test that does not parse as a whole: its statements are parsed one by one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.syntax.words import STATEMENT_WORDS, nearest
 
 
 def recover_test(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Test | None:
-    """Recover the readable statements of a test. `failure` is None if it exceeds a limit."""
+    """Recover the readable statements of a test. `failure` is None if the test exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"
@@ -38,7 +38,7 @@ def _statements(part: PartParser, first: int, last: int) -> Iterator[ast.Stateme
 
 
 def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
-    """Cut at each `;`, at `}`, and where a statement begins on a line of its own."""
+    """Cut at each `;`, at `}`, and before a statement on a line of its own."""
     tokens = part.source.tokens
     start = first
     for index in range(first, last):

@@ -1,4 +1,4 @@
-"""Tokens as written -> the intended tokens.
+"""Replaces tokens as written by the intended tokens.
 
 Two mistakes are corrected, so that each costs one finding and nothing around it: keywords in
 capitals (`IF`, `THEN`), and numbers with a missing digit or a comma (`.5`, `1.`, `1,5`). A token is
@@ -29,7 +29,7 @@ _BEHIND_WORD = {
     ("until", "reset"),
     ("edges", "of"),
 }
-_THOUSANDS = 3  # digits behind a comma that may separate thousands
+_THOUSANDS = 3  # digits after a comma that may separate thousands
 
 
 def respell(source: Scan, findings: Findings) -> Scan:
@@ -71,7 +71,7 @@ def _bad_number(source: Scan, token: Token) -> Diagnostic:
 
 def _respell(tokens: Sequence[Token], text: str) -> list[Token]:
     found: list[Token] = []
-    takes_commas: list[bool] = []  # of each open `(` and `[`
+    takes_commas: list[bool] = []  # one entry for each open `(` and `[`
     for token, after in zip(tokens, chain(tokens[1:], (None,)), strict=False):
         if token.text in ("(", "["):
             is_call = bool(found) and found[-1].kind == "word" and found[-1].text not in _KEYWORDS
@@ -113,7 +113,9 @@ def _joined(whole: Token, rest: Token) -> Token:
 
 
 def _is_keyword(before: Sequence[Token], token: Token, after: Token | None, text: str) -> bool:
-    """Say whether a word is a keyword in capitals. A name in a correct file never is."""
+    """Say whether a word is a keyword in capitals. In a correct file, a name is never such a
+    word.
+    """
     word = token.text.lower()
     if word == token.text or word not in _KEYWORDS:
         return False
@@ -145,7 +147,7 @@ def _ends_value(token: Token) -> bool:
 
 
 def _goes_on(after: Token | None) -> bool:
-    """Say whether a text, or a word that is not a keyword, follows. This never follows a name."""
+    """Say whether a text, or a word that is not a keyword, follows. Neither ever follows a name."""
     return after is not None and (
         after.kind == "text" or (after.kind == "word" and after.text not in _KEYWORDS)
     )

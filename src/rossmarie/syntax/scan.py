@@ -1,4 +1,4 @@
-"""Text -> words, signs, comments and documentation, in one linear pass.
+"""Cuts text into words, signs, comments and documentation, in one linear pass.
 
 Any text is accepted. `grammar` decides the meaning of words (keyword, name, unit), which depends on
 their place. A comment `/* ... */` is separated like any other, and `parse` reports it. A `'''` that
@@ -70,7 +70,7 @@ class Scan:
     tokens: tuple[Token, ...]
     trivia: tuple[Token, ...]
     reported: frozenset[int] = frozenset()
-    """The starts of tokens that cannot be parsed and are reported already."""
+    """The starts of tokens that cannot be parsed and are already reported."""
 
     @cached_property
     def documentation(self) -> dict[int, str]:
@@ -125,7 +125,8 @@ def _find(text: str) -> Iterator[Token]:
     if unclosed is None:
         yield from found
         return
-    # One ''' is missing, not necessarily the last: more likely one before an item than one inside.
+    # One ''' is missing, not necessarily the last one: more likely it is missing before an item
+    # than inside an item.
     for token in found:
         if token is unclosed or _swallows_item(token):
             end = _end_of_unclosed(text, token.start)
@@ -145,7 +146,7 @@ def _tokens(text: str, position: int) -> Iterator[Token]:
 
 
 def _end_of_block(text: str, position: int, last_closing: int) -> int:
-    """The end of a comment `/* ... */` that began before `position`; an open comment is one
+    """The end of a comment `/* ... */` that began before `position`; an unclosed comment is one
     line.
     """
     if position <= last_closing:

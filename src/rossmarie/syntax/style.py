@@ -1,7 +1,7 @@
-"""A module -> the layout data that its tokens alone do not give the formatter.
+"""The layout data of a module that the formatter cannot compute from tokens alone.
 
-The data say which tokens form one word (a unit, a topic), which tokens touch, and where a line may
-be broken, all as offsets into the text.
+The data determine which tokens form one word (a unit, a topic), which tokens touch, and where a
+line may be broken, all as offsets into the text.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _VALUE = Break(2, 2, fills=True)
 
 @dataclass
 class Style:
-    """Filled by `add`, item by item."""
+    """Layout data, which `add` collects item by item."""
 
     source: Scan
     words: dict[int, int] = field(default_factory=dict)
@@ -35,13 +35,13 @@ class Style:
     tight: set[int] = field(default_factory=set)
     """Starts of colons without a space before them."""
     breaks: dict[int, Break] = field(default_factory=dict)
-    """Starts of tokens in front of which a line may be broken."""
+    """The starts of tokens before which a line may be broken."""
 
     def __post_init__(self) -> None:
         self._starts = [token.start for token in self.source.tokens]
 
     def index(self, offset: int) -> int:
-        """The number of the first token that does not begin before an offset."""
+        """The index of the first token that does not begin before an offset."""
         return bisect_left(self._starts, offset)
 
     def add(self, item: ast.Item) -> None:
@@ -84,7 +84,7 @@ class Style:
         self.words.update((word.span.start, word.span.end) for word in words if word is not None)
 
     def _parameters(self, item: ast.Import | ast.Parameter) -> None:
-        """Break an import in front of `with`, each value and `as`."""
+        """Break an import before `with`, each value and `as`."""
         if isinstance(item, ast.Parameter):
             self._word(item.unit, item.default if isinstance(item.default, ast.Name) else None)
             return
@@ -234,7 +234,7 @@ class Style:
         self._steps(exemption.steps or ())
 
     def _steps(self, steps: Sequence[ast.Step]) -> None:
-        """Break before each action, and before the brace after the last one."""
+        """Break before each action, and before the brace after the last action."""
         for step in steps:
             self.breaks[step.span.start] = _ACTION
         if steps:
@@ -242,8 +242,8 @@ class Style:
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
 
     def _operators(self, root: ast.Expression) -> None:
-        """Break before the outermost `and`s and `or`s, also inside `(...) for 2 sec`, before those
-        between conditions on the elements of a list, and before the answer of an `after`.
+        """Break before the outermost `and`s and `or`s, also inside `(...) for 2 sec`, before `and`s
+        and `or`s between conditions on the elements of a list, and before the answer of an `after`.
         """
         pending = [_peeled(root)]
         while pending:
@@ -299,7 +299,7 @@ class Style:
             self.tight_behind.add(start + 1)
 
     def _start(self, offset: int) -> int:
-        """The start of the first token at or behind an offset."""
+        """The start of the first token at or after an offset."""
         return self.source.tokens[self.index(offset)].start
 
 

@@ -26,9 +26,9 @@ class Node(NamedTuple):
 
 
 class Reduction(NamedTuple):
-    """An expansion of a rule: its number of symbols, and the node that it makes. A rule that
-    `is_spliced` gives its parts to the rule above it; a rule that `is_transparent` gives a single
-    part.
+    """An expansion of a rule: its number of symbols, and the node that it creates. A rule that
+    `is_spliced` passes its parts to the rule above it. A rule that `is_transparent` passes on a
+    single part.
     """
 
     origin: str
@@ -39,8 +39,8 @@ class Reduction(NamedTuple):
 
 
 State = tuple[Mapping[str, int], Mapping[str, int]]
-"""The action on each symbol - a state to go to or, if negative, a reduction ~N -, and the state to
-go to after each rule.
+"""The action on each symbol, and the next state after each rule. An action is the next state or, if
+negative, a reduction ~N.
 """
 
 
@@ -85,7 +85,7 @@ class Parser:
 
     @property
     def fitting(self) -> Collection[str]:
-        """The symbols that may be accepted. The stack decides."""
+        """The symbols that may be accepted. The stack decides whether they are."""
         return self.tables.states[self._stack[-1]][0].keys()
 
     def feed(self, symbol: str, token: object) -> bool:
@@ -128,7 +128,7 @@ class Parser:
         self._stack.append(self.tables.states[self._stack[-1]][1][reduction.origin])
 
 
-# --- tables made by lark, and stored -----------------------------------------------------------
+# --- computing and storing tables --------------------------------------------------------
 
 
 def make_tables(grammar: str, start_rules: Collection[str]) -> bytes:
@@ -159,7 +159,7 @@ def make_tables(grammar: str, start_rules: Collection[str]) -> bytes:
 
 
 def read_tables(content: bytes) -> Tables:
-    """The tables that `make_tables` made."""
+    """The tables in a result of `make_tables`."""
     read = json.loads(content)
     return Tables(
         {start: (first, last) for start, (first, last) in read["starts"].items()},

@@ -1,8 +1,8 @@
 """The words `once`, `after`, `since`, `within` and `doing`: operators in some places, names
 elsewhere.
 
-`once` and `after` precede an operand, `since` and `within` stand between two. Each is an operator
-if an operand follows, else a name. `doing` is an operator if a name follows.
+`once` and `after` precede an operand, `since` and `within` come between two operands. Each is an
+operator if an operand follows, else a name. `doing` is an operator if a name follows.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def is_operator(tokens: Sequence[Token], index: int) -> bool:
     behind = index + 1
     while behind < len(tokens) and tokens[behind].text in _BETWEEN:
         behind += 1
-    # If words that may stand between two operands follow each other, every second one is a name.
+    # If words that may come between two operands follow each other, every second word is a name.
     is_even = (behind - index) % 2 == 1
     return is_even is (behind < len(tokens) and _opens(tokens[behind]))
 

@@ -1,4 +1,4 @@
-"""Walking over expressions, without recursion, so that any depth is possible."""
+"""Traversal of expressions without recursion, so that any depth is possible."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
 
 
 def walk(expression: ast.Expression) -> Iterator[ast.Expression]:
-    """The expression and everything inside it, each before its parts, from left to right."""
+    """The expression and all expressions inside it, each before its parts, from left to right."""
     pending = [expression]
     while pending:
         current = pending.pop()

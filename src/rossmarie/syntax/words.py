@@ -5,7 +5,9 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-_LIKENESS = 0.7  # the share of common letters from which a word counts as a misspelling of another
+_LIKENESS = (
+    0.7  # the share of common letters from which a word counts as a misspelling of another word
+)
 
 ITEM_WORDS = {
     "import": "import_item",
@@ -29,7 +31,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "parameter": "parameter",
     "always": "rule",
 }
-"""The same for words that are free as names elsewhere."""
+"""The words that begin an item but may be names elsewhere, and the grammar's rule for the item."""
 
 STATEMENT_WORDS = {"at": "at_instant", "every": "repeated", "expect": "expectation"}
 """The words that begin a statement of a test, and the grammar's rule for it."""
@@ -79,7 +81,7 @@ PART_WORDS = frozenset(
 """The words that are keywords inside other items, and names elsewhere."""
 
 MEANT = {"when": "if", "whenever": "if", "include": "import"}
-"""Words with which users wrongly begin an item, and the correct word."""
+"""Words with which users wrongly begin an item, and the correct word for each."""
 
 OPERATOR_WORDS = frozenset({"and", "or", "not", "in", "for"})
 
@@ -102,15 +104,13 @@ FOREIGN = {
     "=>": ">=",
     "≥": ">=",
 }
-"""Operators in the spelling of other languages, and the correct operator."""
+"""Operators in the notation of other languages, and the correct operator for each."""
 
 COMPARISONS = frozenset({"==", "!=", "<", "<=", ">", ">="})
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:
-    """The word of `words` that `word` equals, except for a small misspelling; None if there is
-    none.
-    """
+    """The word of `words` that equals `word` up to a small misspelling; None if there is none."""
     near = difflib.get_close_matches(word, words, n=1, cutoff=_LIKENESS)
     return near[0] if near else None
 

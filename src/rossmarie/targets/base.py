@@ -1,7 +1,7 @@
 """The interface of a target: its name, its limits, and its generator.
 
-A target takes a machine that `ir.verify` has passed. It reports unsupported features with ordinary
-diagnostics, before it writes anything.
+A target takes a machine that `ir.verify` has accepted. It reports unsupported features with
+ordinary diagnostics, before it writes anything.
 """
 
 from __future__ import annotations
@@ -16,11 +16,13 @@ from rossmarie.targets.manifest import Placement
 
 @dataclass(frozen=True)
 class Target:
-    """`unsupported` gives a finding for every feature of a machine that the target does not
-    support. If there is none, `generate` gives the files of the machine by name. Files that are
+    """A target and its functions.
+
+    `unsupported` gives a finding for every feature of a machine that the target does not support.
+    If there is none, `generate` gives the files of the machine by name. Files that are
     `owned_by_user` are written once: an existing file is left alone. `next_step` describes the step
-    after `generate`, None if there is none. Only a target that `is_package` uses the placement of
-    the node.
+    after `generate`; it is None if no step follows. Only a target that `is_package` uses the
+    placement of the node.
     """
 
     name: str

@@ -10,7 +10,7 @@ from rossmarie import ir
 
 
 def rules_files(machine: ir.Machine) -> str:
-    """The files of the rules, without their folders, which differ from machine to machine."""
+    """The names of the rules files, without folders, which differ from computer to computer."""
     found = {PurePath(rule.span.file.path).name for rule in machine.rules}
     return ", ".join(sorted(found)) or machine.name
 
@@ -18,11 +18,11 @@ def rules_files(machine: ir.Machine) -> str:
 def in_c(text: str) -> str:
     """A text in a comment of C or C++, of either kind."""
     safe = _line(text).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
-    return f"{safe}." if safe.endswith("\\") else safe  # else the next line is a comment, too
+    return f"{safe}." if safe.endswith("\\") else safe  # a backslash would join the next line
 
 
 def after_hash(text: str) -> str:
-    """A text in a comment that begins with #, as in CMake, Python, YAML and messages of ROS."""
+    """A text in a comment that begins with #, as in CMake, Python, YAML and ROS message files."""
     return _line(text)
 
 
@@ -37,7 +37,7 @@ def inside(path: str, text: str) -> str:
 
 
 def _line(text: str) -> str:
-    """The text on one line; characters that are not shown are query marks."""
+    """The text on one line. Unprintable characters are replaced by question marks."""
     joined = " ".join(text.split())
     return "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
 

@@ -36,10 +36,10 @@ _INFIX = {
 
 @dataclass(frozen=True)
 class Dialect:
-    """The notation of one language, where languages differ.
+    """The notation of one language, for everything in which languages differ.
 
-    `calls` are the functions for operations, without operations for which the language has an
-    operator that follows IEEE 754. `chosen` selects one of two numbers by a condition.
+    `calls` are the functions for operations. An operation is missing there if the language has an
+    operator for it that follows IEEE 754. `chosen` selects one of two numbers by a condition.
     """
 
     number: Callable[[float], str]
@@ -50,14 +50,14 @@ class Dialect:
 
 
 class Formulas:
-    """Writes expressions in a dialect, with these texts, which are atoms, for their operands."""
+    """Writes expressions in a dialect. The texts of the operands are atoms."""
 
     def __init__(self, dialect: Dialect, operands: Sequence[str]) -> None:
         self._dialect = dialect
         self._operands = operands
 
     def text(self, expression: Expression) -> str:
-        """An expression that stands alone."""
+        """An expression without parentheses around it."""
         return self._strong(expression, 0)
 
     def _strong(self, expression: Expression, least: int) -> str:
@@ -110,8 +110,8 @@ class Definition:
 
     @property
     def is_inline(self) -> bool:
-        """True if the definition is one operation on its operands, or one of them, so that it needs
-        no function.
+        """True if the definition is a single operation on its operands, or one of its operands, so
+        that it needs no function.
         """
         operands = tuple(map(Operand, range(len(self.parameters))))
         match self.expression:
@@ -123,7 +123,7 @@ class Definition:
                 return False
 
     def call(self, dialect: Dialect, operands: Sequence[str]) -> str:
-        """The function of operands that are atoms of a language, before S4."""
+        """The function applied to operands that are atoms of the language, before S4 applies."""
         if self.is_inline:
             return Formulas(dialect, operands).text(self.expression)
         return f"{self.name}({', '.join(operands)})"
@@ -138,13 +138,13 @@ def definition_of(function: AnyFunction, count: int) -> Definition:
 
 
 def definition_of_subfunction(function: Subfunction) -> Definition:
-    """A function that others are made of."""
+    """The definition of a subfunction, which other functions apply."""
     remark = _sentence(function.phrase.format(*function.parameters))
     return Definition(function.name, function.parameters, function.expression, remark)
 
 
 def definition_of_samples(function: Sampling) -> Definition:
-    """A function of what it looks at among samples."""
+    """The definition of a function of samples. Its operands are views of the samples."""
     declared = sampling_row(function)
     remark = _sentence(declared.worded("a number", "a window" if declared.has_window else "a time"))
     names = tuple(view.value for view in declared.views)
@@ -154,7 +154,7 @@ def definition_of_samples(function: Sampling) -> Definition:
 def definitions(
     machine: ir.Machine, is_called: Callable[[Definition], bool]
 ) -> Iterator[Definition]:
-    """The functions of a machine that need a definition and are called there, each once, after the
+    """The functions of a machine that need a definition and are called, each once, and after the
     functions that it applies.
     """
     found = [definition_of(*each) for each in ir.functions(machine)]
@@ -163,7 +163,7 @@ def definitions(
 
 
 def fixed_definitions() -> Iterator[Definition]:
-    """All functions that take a fixed number of operands, in the same order: these are the same for
+    """All functions that take a fixed number of operands, in the same order. They are the same for
     all machines.
     """
     found = [
@@ -173,7 +173,7 @@ def fixed_definitions() -> Iterator[Definition]:
 
 
 def _after_applied(found: Sequence[Definition]) -> Iterator[Definition]:
-    """Those that need a definition, after those that they apply."""
+    """The definitions that are needed, each after the definitions that it applies."""
     called = [each for each in found if not each.is_inline]
     applied = dict.fromkeys(part for each in called for part in subfunctions_of(each.expression))
     yield from map(definition_of_subfunction, applied)

@@ -1,8 +1,8 @@
 """Comparisons with fixed limits as places on the number line at which their values change.
 
-The input is a leaf proposition; the result is its limits, or None if it has no fixed ones. A limit
-`at` separates the numbers `x <= at` from those above, so `x >= c` has its limit one number below
-`c`.
+The input is a leaf proposition; the result is its limits, or None if it has no fixed limits. A
+limit `at` separates the numbers `x <= at` from greater numbers. So the limit of `x >= c` is the
+next double below `c`.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def true_below(limits: list[Limit]) -> set[int]:
 
 
 def twins(limits: list[Limit]) -> list[int | None]:
-    """The index of the other limit of the same proposition for each limit; None if there is no
+    """For each limit, the index of the other limit of the same proposition; None if there is no
     other.
     """
     places: dict[int, list[int]] = {}
@@ -109,7 +109,7 @@ def _between(low: float, high: float) -> list[Limit]:
 
 
 def _flag(machine: ir.Machine, signal: int) -> list[Limit]:
-    """A flag is 0 or 1; any other number is true unless it is 0."""
+    """The limits of a flag. It is 0 or 1; any other number counts as true unless it is 0."""
     if ir.kind_of(machine, signal) is ir.Kind.FLAG:
         return [Limit(0.5, True)]
     return _compared(Comparison.NOT_EQUAL, 0.0)

@@ -1,7 +1,8 @@
 """The metadata of a generated package, for targets that make packages, and of the package that
 contains a node.
 
-The texts of a manifest are used unchanged: use the functions here, which check them, to make one.
+The texts of a manifest are used unchanged. Create a manifest with the functions here, which check
+them.
 """
 
 from __future__ import annotations
@@ -14,25 +15,27 @@ _PERSON = re.compile(r"\s*([^<>\s][^<>]*?)\s*<([^\s@<>]+@[^\s@<>]+)>\s*")
 
 @dataclass(frozen=True)
 class Person:
-    """Somebody who maintains a package."""
+    """A maintainer of a package."""
 
     name: str
     mail: str
 
 
 class BadFieldError(ValueError):
-    """A licence or a maintainer that is not valid. The text describes the valid form."""
+    """An invalid licence or maintainer. The text of the error describes the valid form."""
 
 
 def parse_license(text: str) -> str:
-    """A licence. Raises `BadFieldError`."""
+    """A licence. Raises `BadFieldError` if it is not valid."""
     if not text.strip():
         raise BadFieldError("a licence has a name, such as `Apache-2.0` (see spdx.org/licenses)")
     return text.strip()
 
 
 def parse_maintainer(text: str) -> Person:
-    """A maintainer, from `Ada Lovelace <ada@example.org>`. Raises `BadFieldError`."""
+    """A maintainer, from `Ada Lovelace <ada@example.org>`. Raises `BadFieldError` if it is not
+    valid.
+    """
     match = _PERSON.fullmatch(text)
     if match is None:
         raise BadFieldError("a maintainer has a name and a mail address: `Name <name@example.org>`")
@@ -43,7 +46,7 @@ def parse_maintainer(text: str) -> Person:
 class Manifest:
     """The fields of a `package.xml` that do not come from the rules.
 
-    What is not known is None or empty: the package then has a text that says so.
+    An unknown field is None or empty. The package then contains a text that states this.
     """
 
     version: str | None = None
@@ -52,13 +55,13 @@ class Manifest:
 
 
 UNKNOWN = Manifest()
-"""Nothing is known."""
+"""A manifest without known fields."""
 
 
 @dataclass(frozen=True)
 class Placement:
-    """The package that a node is built in: one of its own with this manifest, or, if `part_of`
-    names it, one that a user writes.
+    """The package in which a node is built: a package of its own with this manifest or, if
+    `part_of` names one, a package that the user writes.
     """
 
     manifest: Manifest = UNKNOWN
@@ -66,4 +69,4 @@ class Placement:
 
 
 OWN_PACKAGE = Placement()
-"""A package of its own of which nothing is known."""
+"""A package of its own with an unknown manifest."""

@@ -12,8 +12,8 @@ from rossmarie.targets.errors import TooManyEvaluations
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """A finding for the first timer that is one too many, if any."""
-    found = 1  # that of the event itself
+    """A finding for the first timer beyond the limit, if any."""
+    found = 1  # the timer of the event itself
     for owner, count in ir.wakes(machine):
         found += count
         if found > ir.MOST_EVALUATIONS:

@@ -1,8 +1,8 @@
-"""Points of scans in tests: beams at whole degrees, whose readings are set.
+"""Points of scans in tests: beams at whole degrees with given readings.
 
-To find the angle of a point, a solver would have to compute sines and cosines. So the points of a
-proposal are neighbours, ahead of the scanner, to its left, behind it, or to its right; the solver
-chooses the side and the distances.
+To find the angle of a point, a solver would have to compute sines and cosines. Therefore the points
+of a proposal are neighbours, ahead of the scanner, to its left, behind it, or to its right. The
+solver chooses the side and the distances.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rossmarie.ir.beams import USUAL_DISTANCES, scan_path
 from rossmarie.ir.script import FieldValue
 
 SIDES = (0, 90, -180, -90)
-"""The angles in degrees at which the first point can be."""
+"""The possible angles of the first point, in degrees."""
 _NOTHING = USUAL_DISTANCES[1] + 1.0
 _WAVES = {Function.COSINE: math.cos, Function.SINE: math.sin}
 
@@ -30,7 +30,7 @@ def is_column(array: ir.Array, field: str) -> bool:
 
 
 def sides(side: z3.ArithRef) -> z3.BoolRef:
-    """A formula: a term is the number of a side."""
+    """A formula: the term is the number of a side."""
     return z3.Or([side == number for number in range(len(SIDES))])
 
 
@@ -42,8 +42,8 @@ def angle(side: z3.ArithRef, part: int) -> z3.ArithRef:
 def coordinate(
     machine: ir.Machine, share: int, distance: z3.ArithRef, side: z3.ArithRef, part: int
 ) -> z3.ArithRef:
-    """The distance of a point, times its share along an axis: the sine or cosine that the signal
-    `share` is.
+    """The coordinate of a point: its distance times its share along an axis. The signal `share` is
+    the sine or cosine of the point's angle.
     """
     wave = _wave_of(machine, share)
     assert wave is not None, "it is one"
@@ -52,7 +52,7 @@ def coordinate(
 
 
 def list_of_share(machine: ir.Machine, signal: int) -> int | None:
-    """The list of a scan for whose points a signal is the sine or cosine of the angle."""
+    """The scan's list, if a signal is the sine or cosine of its points' angle; else None."""
     node = machine.signals[signal].node
     if _wave_of(machine, signal) is None or not isinstance(node, ir.Apply):
         return None
@@ -79,7 +79,7 @@ def _by_side(side: z3.ArithRef, terms: Sequence[z3.ArithRef]) -> z3.ArithRef:
 def readings(
     machine: ir.Machine, array: ir.Array, distances: Sequence[float], side: float
 ) -> Iterator[FieldValue]:
-    """The settings with which a scan has points at exactly these distances in m."""
+    """The settings that give a scan points at exactly these distances in m."""
     path = scan_path(array.path)
     assert path is not None, "it is of a scan"
     used = machine.inputs[array.input]

@@ -1,4 +1,4 @@
-"""Values that have to precede others, so that each `since` has its wanted value."""
+"""Values that precede others, so that each `since` has its required value."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.testing.variables import Values
 
 
 def wanted_before(world: World, values: Values) -> list[z3.BoolRef]:
-    """The formulas that have to be true before some values; none if the past does not matter."""
+    """The formulas that must be true before these values; none if the past does not matter."""
     wanted = []
     for variable, held, begun in world.remembering():
         if variable in values and _is_so(world, z3.And(held, z3.Not(begun)), values):

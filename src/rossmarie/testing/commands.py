@@ -1,6 +1,6 @@
-"""The commands that the safety filter lets pass in a test, on the interpreter: their bounds.
+"""The bounds of the commands that the safety filter passes in a test, on the interpreter.
 
-The filter opens after every input with a timeout has arrived. There are no answers: services,
+The filter opens after every input with a timeout has arrived. A test gives no replies: services,
 action servers and parameters time out.
 """
 
@@ -22,8 +22,8 @@ _EVERYTHING = FieldBounds(1.0, -math.inf, math.inf)
 
 
 def command_failures(machine: ir.Machine, script: Script) -> Iterator[Diagnostic]:
-    """A finding for each unmet expectation of a command, at the first instant at which it is not
-    met.
+    """A finding for each unmet expectation of a command, at the first instant at which it is
+    unmet.
     """
     if not script.commands:
         return
@@ -35,8 +35,8 @@ def command_failures(machine: ir.Machine, script: Script) -> Iterator[Diagnostic
 
 
 class _Guard:
-    """A monitor with its reactor. The bounds only widen from one event to the next, so it is enough
-    to look at them first and last.
+    """A monitor with its reactor. The bounds only widen from one event to the next, so the first
+    and the last instant between two events are enough.
     """
 
     def __init__(self, machine: ir.Machine, script: Script) -> None:
@@ -54,7 +54,7 @@ class _Guard:
         }
 
     def play(self) -> None:
-        """The whole script."""
+        """Play the whole script."""
         steps = list(steps_of(self._machine, self._script))
         if not steps or steps[0].at_ns > 0:
             self._monitor.advance(0)
@@ -70,7 +70,7 @@ class _Guard:
         self._look(self._script.end_ns + 1)
 
     def _pass_to(self, at_ns: int) -> None:
-        """Process everything that is due before an instant."""
+        """Process all timers that are due before an instant."""
         while (wake_ns := self._next_wake()) is not None and wake_ns < at_ns:
             self._monitor.advance(wake_ns)
             self._react(wake_ns)

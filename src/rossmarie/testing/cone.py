@@ -1,10 +1,10 @@
-"""The cone of a threshold: the part of a machine that depends on it, run separately.
+"""The cone of a threshold: the part of a machine that depends on the threshold, run separately.
 
-A moved threshold leaves most of a machine unchanged. The changed part, the propositions above the
-threshold and the rules on them, is a machine of its own. Its inputs are the propositions at its
-boundary: with their old values, except for the moved comparisons, which are computed again. It runs
-over the few instants at which one of its inputs changes. Its verdicts are those of the whole
-machine.
+A moved threshold leaves most of a machine unchanged. The changed part consists of the propositions
+that depend on the threshold, and the rules that depend on these. It is a machine of its own. Its
+inputs are the propositions at its boundary: they keep their old values, except for the moved
+comparisons, which are computed again. It runs only at the few instants at which one of its inputs
+changes. Its verdicts equal the verdicts of the whole machine.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rossmarie.testing.history import Elements, History, backwards
 from rossmarie.testing.margins import Reported
 
 _NEVER_NS = 2 * ir.LATEST_NS
-# A proposition is fed in as two flags, one of which is missing if the proposition is unknown: a
+# A proposition is fed in as two flags. One of them is missing if the proposition is unknown. A
 # missing flag whose input may be stale makes the proposition stale.
 _FLAGS = {
     TruthValue.FALSE: (0.0, 0.0),
@@ -40,7 +40,7 @@ _FLAGS = {
 @dataclass(frozen=True)
 class Cone:
     """The part of a machine that depends on moved propositions, with indices of the whole machine:
-    the propositions `inside`, the `rules`, and the inputs, the `boundary`.
+    the propositions `inside`, the `rules`, and the `boundary`, which are the inputs.
     """
 
     moved: tuple[int, ...]
@@ -50,8 +50,8 @@ class Cone:
 
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
-    """The cone of propositions whose thresholds, or durations, are moved. None if it cannot be
-    separated: elements that are counted, or used in several conditions.
+    """The cone of propositions with moved thresholds or durations. None if the cone cannot be
+    separated: its elements are counted, or several conditions use them.
     """
     if not all(_is_apart(machine, proposition, moved) for proposition in moved):
         return None
@@ -92,8 +92,8 @@ def _is_apart(machine: ir.Machine, proposition: int, moved: Sequence[int]) -> bo
 
 
 def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
-    """Say whether only moved propositions depend on the quantified proposition, and no numbers
-    stand beside its elements: these are not in the history.
+    """Say whether only moved propositions depend on a quantified proposition, and its elements are
+    used without other numbers. The history does not contain such numbers.
     """
     if ir.element_arrays(machine).propositions[node.element] in ir.beside(machine):
         return False
@@ -111,7 +111,9 @@ def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) ->
 
 
 def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
-    """A channel with two flags for each proposition of the boundary, and what rests on them."""
+    """The machine of a cone: a channel with two flags for each proposition of the boundary, and the
+    nodes that depend on these.
+    """
     boundary, inside = cone.boundary, cone.inside
     span = machine.propositions[boundary[0]].span
     flags = range(2 * len(boundary))
@@ -156,8 +158,8 @@ def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
 
 
 def reported_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Reported]:
-    """The verdicts of the rules of a cone on a trace, as part of the machine `moved`, in the order
-    of the trace.
+    """The verdicts of the rules of a cone on a trace, in the order of the trace. `moved` is the
+    whole machine with the moved threshold.
     """
     at_ns = history.at_ns
     columns = np.column_stack(
@@ -202,7 +204,7 @@ def _is_new(columns: NDArray[np.int8], at_ns: NDArray[np.int64]) -> NDArray[np.b
 
 
 def _column(cone: Cone, moved: ir.Machine, history: History, proposition: int) -> NDArray[np.int8]:
-    """A proposition of the boundary in each row."""
+    """The values of a proposition of the boundary, one for each row."""
     node = moved.propositions[proposition].node
     usual = history.propositions[:, proposition]
     if proposition not in cone.moved:
@@ -219,7 +221,7 @@ def _column(cone: Cone, moved: ir.Machine, history: History, proposition: int) -
 def _compared(
     machine: ir.Machine, node: ir.PropositionNode, values: Mapping[int, NDArray[np.float64]]
 ) -> NDArray[np.bool_]:
-    """A comparison, made anew."""
+    """A comparison, computed again."""
 
     def of(signal: int) -> NDArray[np.float64] | float:
         its = machine.signals[signal].node
@@ -235,7 +237,7 @@ def _compared(
 def _quantified(
     machine: ir.Machine, history: History, proposition: int, node: ir.Quantified
 ) -> NDArray[np.int8]:
-    """A comparison of elements, made anew, and whether it holds for any or for all."""
+    """A comparison of elements, computed again, and its result for any or for all elements."""
     element = machine.propositions[node.element].node
     compared = {
         signal: history.elements[signal]
@@ -255,12 +257,12 @@ def _quantified(
     unknown = TruthValue.STALE if may_be_stale else TruthValue.UNKNOWN
     otherwise = np.where(unclear, int(unknown), int(not is_any))
     of_elements = np.where(decided, int(is_any), otherwise)[found.rows]
-    # Without elements, no threshold matters: an empty array, an empty list, or an unknown one.
+    # Without elements (an empty or unknown array or list), no threshold matters.
     is_empty = (found.starts == found.ends)[found.rows]
     return np.where(is_empty, history.propositions[:, proposition], of_elements).astype(np.int8)
 
 
 def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:
-    """A mask of the sequences of which an element has a flag."""
+    """A mask of the sequences in which at least one element has a flag."""
     before = np.append(0, np.cumsum(flags))
     return np.asarray(before[found.ends] > before[found.starts])

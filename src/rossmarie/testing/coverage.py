@@ -1,6 +1,6 @@
-"""Coverage of the rules of a machine by traces: the goals that they reach.
+"""Coverage of the rules of a machine by traces: the goals that the traces reach.
 
-Every evaluation of the interpreter counts, also those at timers between messages.
+Every evaluation of the interpreter counts, including those at timers between messages.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _ROUNDING = 1.000001
 
 @dataclass(frozen=True)
 class Coverage:
-    """The goals of a machine in their order, and those that were reached."""
+    """The goals of a machine in their order, and the reached goals."""
 
     machine: ir.Machine
     goals: tuple[Goal, ...]
@@ -41,7 +41,7 @@ class Coverage:
 
 
 def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
-    """The goals that scripts cover together."""
+    """The joint coverage of several scripts."""
     watcher = Watcher(machine)
     for script in scripts:
         watcher.watch(steps_of(machine, script), script.end_ns)
@@ -50,8 +50,8 @@ def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
 
 @dataclass
 class _Timer:
-    """The instant from which the operand of a `for` has been true; None if it is not true, or if it
-    has counted as true since before the start.
+    """The instant since which the operand of a `for` has been true. None if the operand is not
+    true, or if it has counted as true since before the start.
     """
 
     is_from_start: bool
@@ -80,7 +80,7 @@ class Watcher:
         return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
 
     def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> History:
-        """Look at one trace, from 0 s or from its first step on."""
+        """Watch one trace, from 0 s or from its first step on. Returns its history."""
         recorder = Recorder(self._watching, self.kept)
         trace = _Trace(self._watching, self._decisions, self.reached, recorder, not from_zero)
         for step in steps:
@@ -103,8 +103,8 @@ class _Decision:
         self._known: dict[tuple[TruthValue, ...], frozenset[int]] = {}
 
     def decisive(self, propositions: Sequence[TruthValue]) -> frozenset[int]:
-        """The atoms on which the decision depends: if one had the opposite value, so would the
-        decision.
+        """The atoms on which the decision depends: the opposite value of such an atom would give
+        the decision the opposite value.
         """
         key = tuple(propositions[atom] for atom in self.atoms)
         if key not in self._known:
@@ -123,7 +123,7 @@ class _Decision:
 
 
 def evaluate(machine: ir.Machine, proposition: int, values: Mapping[int, TruthValue]) -> TruthValue:
-    """The value of a decision from those of its atoms."""
+    """The value of a decision, computed from the values of its atoms."""
     if proposition in values:
         return values[proposition]
     match machine.propositions[proposition].node:
@@ -143,7 +143,7 @@ def evaluate(machine: ir.Machine, proposition: int, values: Mapping[int, TruthVa
 
 
 class _Trace:
-    """One trace on the way."""
+    """The state of the watcher within one trace."""
 
     def __init__(
         self,
@@ -168,7 +168,7 @@ class _Trace:
         self._held = {each for each in held if each is not None}
 
     def begin(self, at_ns: int) -> None:
-        """Run the wakes before an instant, each looked at; a trace begins at 0 s at the latest."""
+        """Run and watch the timers before an instant; a trace begins at 0 s at the latest."""
         if not self._has_begun and at_ns > 0:
             self.advance(0)
         self._has_begun = True
@@ -205,7 +205,7 @@ class _Trace:
                 ]  # fmt: skip
 
     def _ages(self, step: Step) -> None:
-        """Messages that come just before an age is reached."""
+        """Watch messages that arrive just before an age is reached."""
         for index, used in enumerate(self._machine.inputs):
             if used.channel not in step.messages:
                 continue
@@ -268,8 +268,8 @@ class _Trace:
                     self._add(decision, aspect, atom, number)
 
     def _compared(self, atom: int, edge: Edge, signals: Sequence[float]) -> Sequence[float]:
-        """The value that a threshold was compared with: a number, or the elements of an array as
-        they are.
+        """The values that were compared with a threshold: one number, or the elements of an
+        array.
         """
         if not isinstance(self._machine.propositions[atom].node, ir.Quantified):
             return (signals[edge.signal],)
@@ -277,7 +277,9 @@ class _Trace:
         return self._elements.get(element.array, ()) if isinstance(element, ir.Element) else ()
 
     def _elapsed(self, held: int, propositions: Sequence[TruthValue], at_ns: int) -> int | None:
-        """The time for which the operand of a `for` was true when it ended; None if it goes on."""
+        """The time in ns for which the operand of a `for` was true when it ended; None if it has
+        not ended.
+        """
         node = self._machine.propositions[held].node
         assert isinstance(node, ir.Held)
         timer = self._timers.setdefault(held, _Timer(node.initially))
@@ -316,7 +318,9 @@ class _Trace:
 
 
 def side_of(edge: Edge, value: float) -> Aspect | None:
-    """Say whether a value is at a threshold, or within a step beside it."""
+    """The aspect of a value that is at a threshold, or within a step of it; None for other
+    values.
+    """
     distance = value - edge.threshold
     if distance == 0.0:
         return Aspect.AT

@@ -1,4 +1,4 @@
-"""The failures of a test as findings at its lines."""
+"""Findings for the failures of a test, at the lines of the test."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rossmarie.testing.run import Failure, judge
 
 
 def seconds(at_ns: int) -> str:
-    """`1.52 s`; all digits that there are."""
+    """An instant as `1.52 s`, with all its digits."""
     number = Decimal(at_ns).scaleb(-9).normalize()
     return f"{number:f} s"
 
@@ -53,7 +53,7 @@ def reported(machine: Machine, verdict: Verdict) -> str:
 def differences(
     machine: Machine, script: Script, expected: Sequence[Verdict], found: Sequence[Verdict]
 ) -> Iterator[Diagnostic]:
-    """A finding for the first verdict in which two engines are not exactly equal."""
+    """A finding for the first verdict in which two engines differ."""
     if [repr(one) for one in expected] == [repr(one) for one in found]:
         return
     pairs = zip([*expected, None], [*found, None], strict=False)

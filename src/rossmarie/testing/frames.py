@@ -1,4 +1,4 @@
-"""The frames that rules use: by default, a message in a test has this frame."""
+"""The frames that rules use. They are the default frames of messages in a test."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from rossmarie.ir import Apply, Constant, Element, Kind, Machine, Path, Read
 
 
 def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
-    """The first frame in which a position is used, by the topic and the path of the field with its
-    frame: a field of the message, or of each element of a list.
+    """The first frame in which a rule uses a position, by the topic and the path of the frame's
+    field. The field belongs to the message, or to each element of a list.
     """
     found: dict[tuple[str, Path], str] = {}
     for signal in machine.signals:
@@ -27,6 +27,6 @@ def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
                 topic = machine.channels[machine.inputs[reported.input].channel].topic
                 if reported.kind is Kind.TEXT:
                     found.setdefault((topic, reported.path), machine.texts[int(text.value)])
-            case _:  # open: nothing else has a frame
+            case _:  # open: no other node has a frame
                 pass
     return found

@@ -1,11 +1,12 @@
 """Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, stale inputs.
 
 A rule has *decisions*: its condition, its release, and the operands of `for`, `since`, `once` and
-`after`. A decision consists of *atoms*, joined by `and`, `or` and `not`: comparisons and other
-leaves, and whole expressions of these four operators. An atom is covered if tests saw it both true
-and false while the decision depended on this atom alone. The decision depends on the atom alone if
-the opposite value of the atom gives the opposite decision (masking MC/DC). An atom that occurs
-twice in a decision is inverted in both places.
+`after`. A decision consists of *atoms*, joined by `and`, `or` and `not`. Atoms are comparisons and
+other leaves, and whole expressions with `for`, `since`, `once` or `after`.
+
+An atom is covered if a trace has shown it true and false while the decision depended on it alone.
+This means that the opposite value of the atom would have given the decision the opposite value
+(masking MC/DC). An atom that occurs twice in a decision is inverted in both places.
 """
 
 from __future__ import annotations
@@ -25,18 +26,18 @@ from rossmarie.ir.support import (
 from rossmarie.testing.whole import whole_step
 
 LONGEST_SILENCE_NS = 10**16
-"""A silence that is too long for a test. An input with a longer timeout is stale only until it
-arrives.
+"""The shortest silence that is too long for a test. An input with a longer timeout is stale only
+until its first message.
 """
 
 
 def stays(used: ir.Input) -> bool:
-    """Say whether an input is stale only until it arrives, as a static frame is."""
+    """Say whether an input is stale only until its first message, as a static frame is."""
     return used.timeout_ns is not None and used.timeout_ns > LONGEST_SILENCE_NS
 
 
 class Aspect(enum.Enum):
-    """The aspect of a rule, an atom or an input that has to be seen."""
+    """The aspect of a rule, an atom or an input that a trace has to show."""
 
     ACTIVE = "active"
     CLEARED = "cleared"
@@ -50,9 +51,9 @@ class Aspect(enum.Enum):
 
 @dataclass(frozen=True)
 class Goal:
-    """A goal to be seen. `subject` is a proposition, or with STALE an input, or -1 for the rule
-    itself. `decision` is the proposition that it decides. `edge` distinguishes the two ends of a
-    range.
+    """An aspect that a trace has to show. `subject` is a proposition, or an input for STALE, or -1
+    for the rule itself. `decision` is the proposition that the subject decides. `edge` tells the
+    two ends of a range apart.
     """
 
     rule: int
@@ -64,9 +65,9 @@ class Goal:
 
 @dataclass(frozen=True)
 class Edge:
-    """A signal and the constant that it is compared with; `step` is a small visible distance, in
-    SI: a thousandth, rounded to a power of ten of the unit that the user sees, or with `is_whole`
-    that of two neighbors among the values that the signal can have.
+    """A signal and the constant that it is compared with. `step` is a small visible distance, in
+    SI. Usually it is a thousandth, rounded to a power of ten of the unit that the user sees. With
+    `is_whole`, it is the distance of two neighbors among the possible values of the signal.
     """
 
     signal: int
@@ -91,8 +92,8 @@ def goals(machine: ir.Machine) -> Iterator[Goal]:
 
 
 def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
-    """The inputs of a rule that have a timeout and of which more is read than the age, which goes
-    on growing when they are stale.
+    """The inputs of a rule that have a timeout and provide more than their age. The age keeps
+    growing while the input is stale.
     """
     rests_on = supports(machine).propositions
     read: set[int] = set()
@@ -112,7 +113,7 @@ def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Itera
 
 
 def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
-    """The decisions of a rule; one that negates another is no decision of its own."""
+    """The decisions of a rule. The negation of a decision is not listed as another decision."""
     found: dict[int, None] = {}
     waiting = [*rule.roots]
     while waiting:
@@ -143,7 +144,7 @@ def _plain(machine: ir.Machine, proposition: int) -> int:
 
 
 def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
-    """The atoms of a decision, in index order."""
+    """The atoms of a decision, in order of index."""
     found: set[int] = set()
     waiting = [decision]
     while waiting:
@@ -163,7 +164,7 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
 
 
 def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
-    """The thresholds of an atom: constants that are compared with something that changes."""
+    """The thresholds of an atom: constants that it compares with a variable signal."""
     node = machine.propositions[proposition].node
     if isinstance(node, ir.Quantified):
         node = machine.propositions[node.element].node
@@ -179,7 +180,7 @@ def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
 
 
 def _pairs(node: ir.PropositionNode) -> tuple[tuple[int, int], ...]:
-    """Signals, each with one that it is compared with."""
+    """Pairs of compared signals."""
     match node:
         case ir.Compare(left=left, right=right):
             return (left, right), (right, left)
@@ -216,8 +217,8 @@ def visible_step(number: float) -> float:
 
 
 def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
-    """The time in nanoseconds after which an atom becomes true, or `once` and `after` false; None
-    if it does not depend on time.
+    """The time in ns after which an atom becomes true (`once` and `after`: false). None if the atom
+    does not depend on time.
     """
     held = ir.held_of(machine, atom)
     match machine.propositions[atom if held is None else held].node:

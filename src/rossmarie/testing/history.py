@@ -17,8 +17,8 @@ from rossmarie.interpreter import Interpreter
 
 @dataclass(frozen=True)
 class Elements:
-    """The values of an elementwise signal, concatenated. The sequence of entry i belongs to row
-    `rows[i]`, and reaches from `starts[i]` to `ends[i]`.
+    """The values of an elementwise signal, concatenated. Sequence i belongs to row `rows[i]`, and
+    reaches from `starts[i]` up to, not including, `ends[i]`.
     """
 
     values: NDArray[np.float64]
@@ -30,8 +30,8 @@ class Elements:
 @dataclass(frozen=True)
 class History:
     """A row for each evaluation, in the order of the trace. `propositions` has a column for each
-    proposition; those over elements have none of their own, and are unknown in it. `ages_ns` are
-    those of the inputs that rules ask for theirs, -1 before the first message.
+    proposition; propositions over single elements are always unknown in it. `ages_ns` contains the
+    ages in ns of the inputs whose age a rule uses, -1 before the first message.
     """
 
     at_ns: NDArray[np.int64]
@@ -47,8 +47,8 @@ def backwards(at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
 
 
 class Recorder:
-    """Keeps the history of one trace of a machine all of whose propositions are watched; `signals`
-    are those whose values are wanted.
+    """Keeps the history of one trace. The machine watches all its propositions. `signals` are the
+    signals whose values are recorded.
     """
 
     def __init__(self, machine: ir.Machine, signals: Sequence[int]) -> None:
@@ -102,7 +102,7 @@ class _Sequences:
 
     def keep(self, interpreter: Interpreter) -> None:
         present = interpreter.arrays[self._array]
-        if present is not self._present:  # a message, or its timeout
+        if present is not self._present:  # changed by a message, or by a timeout
             self._present = present
             self._starts.append(len(self._values))
             self._values.extend(interpreter.elements(self._signal))

@@ -1,4 +1,4 @@
-"""Conditions on points that generated tests leave out, in words."""
+"""Conditions on points that generated tests leave out, described in words."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.testing.goals import Aspect, Goal, goals
 
 
 def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
-    """The values that no generated test gives to a condition on points of a scan, and the
+    """The values that no generated test gives to a condition on points of a scan, with the
     reason.
     """
     rests_on = supports(machine).propositions
@@ -31,6 +31,6 @@ def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
 
 
 def _scan_of(machine: ir.Machine, inputs: Set[int]) -> str | None:
-    """The input of points of a scan among some; None if there is none."""
+    """The first of these inputs that provides points of a scan; None if there is none."""
     of_points = (each.input for each in machine.arrays if ir.RETURNS in each.path)
     return next((machine.inputs[used].name for used in of_points if used in inputs), None)

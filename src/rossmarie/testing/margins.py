@@ -1,4 +1,4 @@
-"""Margins of thresholds and durations: how far one can be moved before the verdicts on traces
+"""Margins of thresholds and durations: how far a threshold can move before the verdicts on traces
 change.
 
 A comparison changes only if its threshold passes an observed value, a duration only if it passes an
@@ -31,14 +31,15 @@ Replay = Callable[[ir.Machine], Verdicts]
 
 @dataclass(frozen=True)
 class Threshold:
-    """A value that can be moved: the constant of a leaf (`constant` is a signal; a named constant
-    moves everywhere), or the duration of a proposition. `propositions` are those that use it.
+    """A value that can be moved: the constant of a leaf, or the duration of a proposition.
+    `constant` is a signal; a named constant moves wherever it is used. `propositions` are those
+    that use the value.
     """
 
     propositions: tuple[int, ...]
     constant: int | None
     text: str
-    value: float  # SI; seconds for durations
+    value: float  # in SI; s for durations
 
 
 @dataclass(frozen=True)
@@ -150,7 +151,7 @@ def _with_constant(node: ir.PropositionNode, old: int, new: int) -> ir.Propositi
 def margin(
     machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
 ) -> Margin:
-    """The margin of a threshold. `seen` are the values, or lengths, that it could pass."""
+    """The margin of a threshold. `seen` are the observed values or lengths, the candidates."""
     usual = replay(machine)
 
     @cache
@@ -190,15 +191,15 @@ class _Side:
         self._places = sorted(places, reverse=way < 0)
 
     def next(self) -> float:
-        """The next value. A duration becomes a nanosecond longer or shorter, which changes the
-        instant of its end. A comparison is unchanged until its threshold passes a candidate.
+        """The next value. A duration becomes a nanosecond longer or shorter, which moves its end. A
+        comparison is unchanged until its threshold passes a candidate.
         """
         step = 1e-9 if self._threshold.constant is None else 0.0
         return self._threshold.value + self._way * step
 
     def first(self, differs: Callable[[float], bool]) -> float | None:
-        """The first candidate beyond which the result differs. The nearest are tried one by one;
-        the others by bisection, which assumes that the result differs from there on.
+        """The first candidate beyond which the result differs. The nearest candidates are tried one
+        by one. Bisection finds the others; it assumes that the result differs from there on.
         """
         near = self._places[:NEAREST_PLACES]
         for index, place in enumerate(near):

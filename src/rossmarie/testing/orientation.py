@@ -1,4 +1,4 @@
-"""Orientations with a given angle: the angle that rules compute from them is exact if an
+"""Orientations with a given angle. The angle that rules compute from the orientation is exact if an
 orientation of doubles with this angle exists.
 """
 
@@ -20,7 +20,7 @@ _REACH = 24  # the most ulps by which a component is moved
 
 @lru_cache(maxsize=4096)
 def with_angle(current: Orientation, angle: str, value: float) -> Orientation:
-    """An orientation whose `angle` (roll, pitch or yaw, in rad) is `value`; the other angles are
+    """An orientation whose `angle` (roll, pitch or yaw, in rad) is `value`. The other angles are
     those of `current`. An unknown current angle counts as zero.
     """
     angles = {name: _known(arithmetic.apply(of, current)) for name, of in ANGLES.items()}
@@ -45,8 +45,8 @@ def _composed(roll: float, pitch: float, yaw: float) -> Orientation:
 
 
 def _refined(near: Orientation, angle: str, value: float) -> Orientation:
-    """The nearest by ulps of two components of which exactly `value` is computed; `near` if there
-    is none.
+    """The orientation nearest to `near`, by ulps of two components, whose computed angle is exactly
+    `value`; `near` if there is none.
     """
     moved = {"roll": 0, "pitch": 1, "yaw": 2}[angle]
     for reach in range(_REACH):

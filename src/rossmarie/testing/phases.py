@@ -1,4 +1,4 @@
-"""A trace in phases: values that stay for a while, one after the other -> the events of a script.
+"""Turn a trace in phases into the events of a script. In a phase, values stay constant.
 
 All inputs of the rule are sent repeatedly, with one period, except on channels that are silent in a
 phase. A rate or a previous sample takes two messages at the beginning of its phase, an oscillation
@@ -41,9 +41,9 @@ class Phase:
 
 
 def beat_ns(machine: ir.Machine, rule: ir.Rule) -> int:
-    """The period of messages that keep all inputs of a rule alive: at most half of the shortest
-    timeout, and 1, 2 or 5 tenths, hundredths ...; where rates count, a power of two of a second,
-    by which doubles are divided without rounding.
+    """The period of messages that keeps all inputs of a rule fresh: at most half of the shortest
+    timeout. It is 1, 2 or 5 times a power of ten of nanoseconds. With rates, it is a power of two
+    of a second, because doubles are divided by it without rounding.
     """
     timeouts = [machine.inputs[used].timeout_ns for used in rule.inputs]
     most_ns = min([2 * _USUAL_BEAT_NS, *(each for each in timeouts if each is not None)]) // 2
@@ -61,7 +61,9 @@ def _is_rate(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Stage:
-    """The setting in which the phases of one rule are played."""
+    """The machine, the solver's world and the period with which the phases of one rule are
+    played.
+    """
 
     world: World
     machine: ir.Machine
@@ -70,8 +72,8 @@ class Stage:
     ramp: Ramp
 
     def script(self, name: str, phases: Sequence[Phase]) -> Script:
-        """The events of phases, without expectations. There are none if no skills give the required
-        answers.
+        """The events of phases, without expectations. The script is empty if no skills give the
+        required answers.
         """
         ends = list(itertools.accumulate(phase.length_ns for phase in phases))
         starts = [0, *ends[:-1]]
@@ -88,7 +90,7 @@ class Stage:
         return Script(name, reported_by_skills(self.machine, events) or (), (), None)
 
     def _reported(self, phase: Phase) -> Phase:
-        """A phase without the numbers that only messages on silent channels could bring."""
+        """The phase without the numbers that only messages on silent channels could carry."""
         inputs, slots = self.machine.inputs, self.machine.slots
         values = {
             variable: value
@@ -196,8 +198,8 @@ class Stage:
         return FieldValue(name, self._topic(slot.input), slot.path, value, None, unit)
 
     def _elements(self, array: int, values: Values) -> tuple[float, ...]:
-        """All elements of an array, none if no rule at hand reads one; others are zero, or as far
-        away as a scan tells.
+        """All elements of an array; none if no rule at hand reads an element. Elements without a
+        value are zero, or for a scan at the usual greatest distance.
         """
         parts = {each.part for each in values if (each.kind, each.index) == ("element", array)}
         places = range(self.world.length if parts else 0)
@@ -205,14 +207,14 @@ class Stage:
         return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
     def _reported_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
-        """All elements of an array; and of points of a scan the side on which they are."""
+        """All elements of an array, and for points of a scan their side in degrees (else 0)."""
         its_list = self.machine.arrays[array].list
         side = None if its_list is None else values.get(Variable("side", its_list))
         return self._elements(array, values), side or 0.0
 
     def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[FieldValue]:
-        """An array as a whole; of a list, a field of one element after the other, but of points of
-        a scan the readings.
+        """The settings of an array: the array as a whole; for a list, a field of one element after
+        the other; for points of a scan, the readings.
         """
         array = self.machine.arrays[index]
         if is_of_scan(array) and array.list is not None:
@@ -235,7 +237,7 @@ class Stage:
     def _moves(
         self, variable: Variable, value: float, values: Values
     ) -> Iterator[tuple[int, list[FieldValue]]]:
-        """The settings to make, each with the time after the beginning of a phase."""
+        """The settings of a variable, each with its time in ns after the beginning of a phase."""
         slot = self._slot_of(variable)
         if slot < 0:
             return
@@ -257,7 +259,9 @@ class Stage:
                 yield count * step_ns, [self._of_slot(slot, number)]
 
     def _slot_of(self, variable: Variable) -> int:
-        """The field that a rate, a sample or an oscillation is of; -1 if it is of none alone."""
+        """The field that a rate, a sample or an oscillation is computed from; -1 if there is no
+        such field.
+        """
         if variable.kind == "oscillating":
             node = self.machine.propositions[variable.index].node
             signal = node.signal if isinstance(node, ir.Oscillates) else -1
@@ -271,7 +275,9 @@ class Stage:
 
 
 def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
-    """The swing of a field from its present value: clearly far enough, if it can be."""
+    """The swing of a field from its present value. It is clearly larger than required if the field
+    can carry it.
+    """
     sizes = [factor * swing for factor in (2.0, 1.25, 1.0)] if swing else [1.0]
     if slot.limits is not None:
         step = abs(slot.scale)
@@ -287,7 +293,9 @@ def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
 
 
 def delay_ns(machine: ir.Machine, proposition: int, *, value: bool = True) -> int:
-    """The time after which a proposition is `value` once its leaves are so, at most."""
+    """The longest time in ns until a proposition is `value`, after its leaves have the values for
+    it.
+    """
     node = machine.propositions[proposition].node
     own_ns = 0
     match node:
@@ -308,7 +316,7 @@ def delay_ns(machine: ir.Machine, proposition: int, *, value: bool = True) -> in
 
 
 def _windows(machine: ir.Machine, signals: Sequence[int]) -> Iterator[int]:
-    """The windows that numbers look at, one behind the other where they follow on each other."""
+    """The windows in ns of the numbers. Windows of samples of samples are added."""
     for signal in signals:
         node = machine.signals[signal].node
         own_ns = node.window_ns if isinstance(node, ir.Sampled) else 0
@@ -316,12 +324,12 @@ def _windows(machine: ir.Machine, signals: Sequence[int]) -> Iterator[int]:
 
 
 def ir_operands(node: ir.PropositionNode) -> tuple[int, ...]:
-    """The propositions that a proposition joins; those of elements are not among them."""
+    """The operands of a proposition that are propositions, except those of elements."""
     return () if isinstance(node, ir.Quantified) else tuple(ir.proposition_operands(node))
 
 
 def round_up(length_ns: int, beat: int) -> int:
-    """A readable length: whole tenths of a second or longer, and whole beats."""
+    """A readable length in ns: whole tenths of a second or more, and a multiple of the period."""
     step_ns = max(round(visible_step(length_ns / 1e9) * 1e11), beat)
     step_ns = math.ceil(step_ns / beat) * beat
     return math.ceil(length_ns / step_ns) * step_ns

@@ -18,7 +18,7 @@ from rossmarie.testing.margins import Threshold
 
 
 def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
-    """The signals that thresholds are compared with, and what else is in these comparisons."""
+    """The signals that thresholds are compared with, and the other signals in these comparisons."""
     found: set[int] = set()
     for proposition in range(len(machine.propositions)):
         if edges(machine, proposition):
@@ -33,7 +33,7 @@ def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
 
 
 def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list[float]:
-    """The values in SI, or the lengths in seconds, at which a threshold would change a result."""
+    """The values in SI, or the lengths in s, at which a threshold would change a result."""
     found: set[float] = set()
     for proposition in threshold.propositions:
         node = machine.propositions[proposition].node
@@ -61,7 +61,9 @@ def _values(history: History, signal: int) -> NDArray[np.float64]:
 
 
 def _lengths(history: History, is_on: NDArray[np.bool_]) -> Iterator[float]:
-    """The times for which something was so, in seconds; a jump of the clock ends each."""
+    """The lengths in s of the stretches in which the flag is set. A jump of the clock ends a
+    stretch.
+    """
     begun: int | None = None
     rows = zip(
         history.at_ns.tolist(), is_on.tolist(), backwards(history.at_ns).tolist(), strict=True
@@ -79,9 +81,7 @@ def _lengths(history: History, is_on: NDArray[np.bool_]) -> Iterator[float]:
 
 
 def _ages(history: History, node: ir.AgeReaches) -> Iterator[float]:
-    """The ages that the messages of an input have reached, in seconds: until the next one, or the
-    end.
-    """
+    """The ages in s that the messages of an input reached, until the next message or the end."""
     ages_ns = history.ages_ns[node.input]
     gone_ns = np.maximum(np.diff(history.at_ns), 0)
     is_over = (ages_ns[1:] < ages_ns[:-1] + gone_ns) & (ages_ns[:-1] >= 0)

@@ -1,8 +1,8 @@
-"""A script and a machine -> the messages of each instant, as engines take them.
+"""Turn a script into the messages of each instant, in the form that engines take.
 
-Fields that were never set have the value of a new ROS message: 0, false, an empty string, no
-elements; an orientation is upright. A set value stays until it is set again. A list has the
-elements of which fields were set, and all before them.
+A field that was never set has the value of a new ROS message: 0, false, an empty string, no
+elements. Orientations are upright. A set value stays until it is set again. A list has the elements
+whose fields were set, and all elements before them.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _Field = tuple[str, Path]
 
 @dataclass(frozen=True)
 class Step:
-    """The events at one instant: messages, by channel, and after them resets."""
+    """The events at one instant: messages by channel, followed by resets."""
 
     at_ns: int
     messages: Mapping[int, ChannelValues]
@@ -51,8 +51,8 @@ class Step:
 
 
 def steps_of(machine: Machine, script: Script) -> Iterator[Step]:
-    """The steps of a script, in order. All messages of one instant are seen together, after what
-    the statements set, in their order.
+    """The steps of a script, in order. All messages of one instant form one step, after the
+    settings of all statements at this instant, in their order.
     """
     occurrences = [
         (at_ns, order, event)
@@ -79,8 +79,8 @@ def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
 
 @dataclass
 class _Sender:
-    """Stores the last values. `values` are in SI; `running` are the skills that run and that can
-    start next, by topic.
+    """Stores the last values. `values` are in SI. `running` are the skills that run and the skills
+    that can start next, by topic.
     """
 
     machine: Machine
@@ -174,7 +174,7 @@ class _Sender:
         return ChannelValues(slots, arrays)
 
     def _columns(self, number: int) -> dict[int, list[float]]:
-        """The columns of a list; none if it is not known, or too long."""
+        """The columns of a list; none if the list is unknown or too long."""
         its_list = self.machine.lists[number]
         topic = self._topic(its_list.input)
         size = len(its_list.path)
@@ -197,7 +197,7 @@ class _Sender:
         }
 
     def _is_there(self, topic: str, path: Path, place: int) -> bool:
-        """S57: a point without a place is none."""
+        """S57: say whether a point exists. A point without a position does not exist."""
         if path[-1:] != (POINTS,):
             return True
         axes = (self.values.get((topic, (*path, place, axis)), 0.0) for axis in AXES)
@@ -214,7 +214,7 @@ class _Sender:
         return self._scalar(slot, slot.path)
 
     def _scalar(self, source: Slot | Array, path: Path) -> float:
-        """A number, a flag or a text as a message carries it."""
+        """A number, a flag or a text in the form that a message carries."""
         value = self._value(self._topic(source.input), path)
         match source.kind:
             case Kind.TEXT:
@@ -240,7 +240,7 @@ class _Sender:
             elements = whole if isinstance(whole, tuple) else ()
             place = last if isinstance(last, int) else last.place_among(len(elements))
             return elements[place] if place is not None and place < len(elements) else None
-        # A message without a name has no element of that name. Without skills, there is no
+        # A message without a name has no element with this name. Without skills, there is no
         # quantity.
         is_lacking = isinstance(last, ByName | Quantity)
         return self.values.get((topic, path), None if is_lacking else _UNSET)

@@ -1,8 +1,9 @@
-"""Proposed traces for the goals of a rule, which the interpreter judges.
+"""Proposed traces for the goals of a rule. The interpreter judges them.
 
 For each leaf: values at, just under and just over its threshold, while the whole condition depends
-on it. For each `for` and each age: a hold for a step less, then for the full time. For each input
-with a timeout: silence. If a `since` is true, the trace that begins it comes first.
+on the leaf. For each `for` and each age: a hold that is one step too short, then a full hold. For
+each input with a timeout: silence. If a `since` has to be true, the trace that begins it comes
+first.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from rossmarie.testing.whole import is_carried
 
 _MOST_BEATS = 20_000
 _LONGEST_NAME = 90
-_MOST_BEFORE = 3  # phases that lead to another one
+_MOST_BEFORE = 3  # the most phases that lead to another phase
 
 
 @dataclass(frozen=True)
@@ -44,8 +45,8 @@ class Proposal:
 
 
 def propose(machine: ir.Machine, rules: Sequence[int] | None = None) -> Iterator[Proposal]:
-    """Proposals for all rules, or for those of these numbers, in this order, of messages that there
-    can be, and no longer than tests may be.
+    """Proposals for all rules, or for the rules with these numbers, in this order. Their messages
+    can exist, and they are no longer than tests may be.
     """
     for index in range(len(machine.rules)) if rules is None else rules:
         for proposal in _Proposer(machine, index).all():
@@ -77,7 +78,7 @@ class _Proposer:
         self._condition = self._world.formula(self._rule.condition)
 
     def all(self) -> Iterator[Proposal]:
-        """All proposals; none if the rule cannot be calm, or takes too long."""
+        """All proposals; none if the rule cannot be inactive, or if a trace takes too long."""
         if self._hold_ns > _MOST_BEATS * self._beat_ns:
             return
         calm = self._calm()
@@ -101,8 +102,8 @@ class _Proposer:
         return self._world.solve([over, *release]) or self._world.solve([over])
 
     def _hangs_on(self, proposition: int, decision: int | None = None) -> z3.BoolRef:
-        """A formula: the value of a proposition makes the difference to the clearing or activation
-        of the rule.
+        """A formula: the value of a proposition decides whether the rule is cleared or
+        activated.
         """
         roots = (*self._roots, *self._counted) if decision is None else (decision,)
         ways = []
@@ -112,7 +113,7 @@ class _Proposer:
             )
             ways.append(true != false)
         if decision is None and len(self._roots) > 1:
-            # A way to clear a rule counts while its condition is false.
+            # A release counts while the rule's condition is false.
             ways[1] = z3.And(ways[1], z3.Not(self._condition))
         return z3.Or(ways)
 
@@ -156,7 +157,7 @@ class _Proposer:
             return
         silent = frozenset({self._machine.inputs[node.input].channel})
         step_ns = deadline_step_ns(node.age_ns)
-        short_ns = (node.age_ns // step_ns - 1) * step_ns  # `> d` reaches d + 1 ns (S31)
+        short_ns = (node.age_ns // step_ns - 1) * step_ns  # `> d` is reached at d + 1 ns (S31)
         phases = [
             self._phase(young, self._hold_ns),
             self._phase(young, short_ns, silent),
@@ -186,7 +187,7 @@ class _Proposer:
         outer_ns = delay_ns(self._machine, node.operand, value=False)
         step_ns = deadline_step_ns(node.duration_ns)
         short_ns = inner_ns + node.duration_ns - step_ns - outer_ns
-        if short_ns <= 0:  # what is held takes longer to end than it may last
+        if short_ns <= 0:  # the operand takes longer to become false than it may stay true
             short_ns = self._hold_ns
         lengths = (self._hold_ns, short_ns, self._hold_ns, self._hold_ns, self._hold_ns)
         phases = [
@@ -200,7 +201,7 @@ class _Proposer:
     def _recurs(
         self, recurs: int, node: ir.Recurs, decision: int, calm: Values
     ) -> Iterator[Proposal]:
-        """The condition whose edges are counted comes and goes often enough, as fast as it can."""
+        """The condition with counted edges alternates as often as required, as fast as it can."""
         formula = self._world.formula(node.operand)
         hangs = self._hangs_on(recurs, decision)
         on = self._world.solve([formula, hangs], calm)
@@ -248,8 +249,9 @@ class _Proposer:
     def _made(
         self, leaf: int, name: str, calm: Values, values: Sequence[Values | None]
     ) -> Iterator[Proposal]:
-        """Calm, the values one after the other, calm. A rule that is cleared by something of its
-        own is calmed before each, or made active if the leaf is about what clears it.
+        """A calm phase, then phases with the values, then a calm phase. If the rule has a release
+        of its own, another phase comes before each value: a calm phase, or a phase that activates
+        the rule if the leaf belongs to the release.
         """
         known = [each for each in values if each is not None]
         if not known:
@@ -263,12 +265,12 @@ class _Proposer:
         yield self._proposal(name, [self._phase(each, self._hold_ns) for each in phases])
 
     def _has_own_release(self) -> bool:
-        """Say whether a leaf that the condition does not have clears the rule."""
+        """Say whether the rule's release contains a leaf that its condition does not contain."""
         condition = ir.leaf_propositions(self._machine, self._rule.condition)
         return any(leaf not in condition for leaf in self._leaves)
 
     def _phase(self, values: Values, length_ns: int, silent: frozenset[int] = frozenset()) -> Phase:
-        """A phase in which the inputs that are to be old are silent, and for long enough."""
+        """A phase in which the inputs that have to be old are silent, for long enough."""
         old = {each.index for each, value in values.items() if each.kind == "aged" and value}
         ages_ns = [
             node.age_ns
@@ -287,7 +289,9 @@ class _Proposer:
         return Proposal(self._index, self._stage.script(cleaned, led))
 
     def _led_to(self, phase: Phase) -> list[Phase]:
-        """A phase, behind those that make each `since` what it takes it for."""
+        """A phase, preceded by the phases that give each `since` the value that the phase
+        requires.
+        """
         phases = [phase]
         while len(phases) <= _MOST_BEFORE:
             wanted = wanted_before(self._world, phases[0].values)

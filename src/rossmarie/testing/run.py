@@ -1,4 +1,4 @@
-"""A script played on an engine, and the results of its expectations."""
+"""Plays a script on an engine and judges its expectations."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ class Engine(Protocol):
         """Let time pass."""
 
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """Reset one rule or all, for an operator."""
+        """Reset one rule, or all rules if `rule` is None, as an operator does."""
 
 
 @dataclass(frozen=True)
 class Failure:
-    """An expectation that was not met at `at_ns`. `cause` is the last change of the rule up to
-    then, None if there was none; `following` the first one after it.
+    """An expectation that was not met at `at_ns`. `cause` is the last change of the rule until
+    then; `following` is the first change after it. Both are None if there is no such change.
     """
 
     expectation: Expectation
@@ -39,8 +39,8 @@ class Failure:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A rule is active, or inactive, from `first_ns` up to, not including, `end_ns`; None: to the
-    end.
+    """A stretch in which a rule is active, or inactive: from `first_ns` up to, not including,
+    `end_ns`. An `end_ns` of None means the end of the test.
     """
 
     is_active: bool
@@ -71,7 +71,7 @@ def run(engine: Engine, machine: Machine, script: Script) -> list[Verdict]:
 
 
 def judge(script: Script, verdicts: Sequence[Verdict]) -> Iterator[Failure]:
-    """The expectations that are not met, in their order; each where it is first not met."""
+    """The unmet expectations in their order, each with the first instant at which it is unmet."""
     for expected in script.expectations:
         changes = [verdict for verdict in verdicts if verdict.rule == expected.rule]
         at_ns = _first_violation(expected, changes)
@@ -92,7 +92,9 @@ def _first_violation(expected: Expectation, changes: Sequence[Verdict]) -> int |
 
 
 def stretches(changes: Sequence[Verdict]) -> Iterator[Stretch]:
-    """The stretches of one rule, from its changes; of several at one instant the last counts."""
+    """The stretches of one rule, from its changes. The last of several changes at one instant
+    counts.
+    """
     is_active, first_ns = False, 0
     for change in changes:
         now_active = change.change is not Change.CLEARED

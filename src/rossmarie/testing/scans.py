@@ -1,6 +1,6 @@
-"""Laser scans of tests: what messages hold of which only readings of sectors are set (S70 to S73).
+"""Laser scans in tests that set only the readings of sectors (S70 to S73).
 
-Where nothing is set, a scan goes once around, a beam each degree, and sees nothing.
+By default, a scan covers the full circle with one beam per degree, and no beam hits anything.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ USUAL: Mapping[str, SettingValue] = {
     "range_max": USUAL_DISTANCES[1],
     "ranges": (math.inf,) * BEAMS,
 }
-"""The fields of a scan of which nothing is set, in SI."""
+"""The default values of the fields of a scan, in SI."""
 
 FIELDS = frozenset((*USUAL, "intensities"))
-"""The fields on which sectors and beams rest."""
+"""The fields on which sectors and beams depend."""
 
 Place = tuple[str, Path]
 """A topic, and a path in its messages."""
@@ -38,7 +38,7 @@ Values = Mapping[Place, SettingValue]
 
 
 def usual_scans(machine: Machine) -> Iterator[tuple[Place, SettingValue]]:
-    """The fields of all scans of which sectors or beams are read."""
+    """The default fields of all scans whose sectors or beams are read."""
     for topic, path in sorted(_scans(machine), key=str):
         for name, value in USUAL.items():
             yield (topic, (*path, name)), value
@@ -47,8 +47,9 @@ def usual_scans(machine: Machine) -> Iterator[tuple[Place, SettingValue]]:
 def set_sector(
     values: Values, topic: str, path: Path, value: SettingValue
 ) -> tuple[Place, SettingValue]:
-    """The readings of a scan in which those of a sector are set, at a path that ends with it: all
-    to one number, to NaN for None or (), or one by one; then those behind the last see nothing.
+    """The readings of a scan in which those of one sector are set. `path` ends with the sector. One
+    value sets all readings of the sector; None or () sets them to NaN; a tuple sets them one by
+    one, and the readings after its last value hit nothing.
     """
     *before, _, sector = path
     assert isinstance(sector, Sector), "only sectors are set so"
@@ -67,8 +68,8 @@ def set_sector(
 def arrays_of_scans(
     machine: Machine, values: Values, of_channel: Callable[[int], bool]
 ) -> dict[int, list[float]]:
-    """The sectors and the beams of the scans of a channel, as messages carry them; those of which
-    nothing is known are left out.
+    """The sectors and the beams of the scans of a channel, in the form that messages carry. Unknown
+    ones are left out.
     """
     found: dict[int, list[float]] = {}
     for index, array in enumerate(machine.arrays):
@@ -92,7 +93,7 @@ def _taken(values: Values, topic: str, array: Array, most: int) -> list[float] |
 
 
 def _scan(values: Values, topic: str, path: Path) -> SimpleNamespace:
-    """The scan that was set, in SI."""
+    """The scan as it was set, in SI."""
     fields = {name: values.get((topic, (*path, name)), usual) for name, usual in USUAL.items()}
     numbers = {name: _number(fields[name]) for name in USUAL if name != "ranges"}
     ranges, intensities = fields["ranges"], values.get((topic, (*path, "intensities")))

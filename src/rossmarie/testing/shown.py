@@ -1,4 +1,4 @@
-"""A witness as a script: the messages that show a finding, as a user would write them."""
+"""A witness as a script: the messages that show a finding, written as a user would write them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rossmarie.units import parse_unit
 
 _DEGREES = parse_unit("deg")
 _DIGITS = 6
-_FEWEST = 3  # messages that are reported as a repetition
+_FEWEST = 3  # the fewest messages that are written as a repetition
 _UNSET = object()
 _Run = tuple[int, int, int | None]
 """The first and the last instant, and the period, of messages."""
@@ -30,9 +30,9 @@ _Run = tuple[int, int, int | None]
 def script_of(
     machine: ir.Machine, witness: Witness, name: str, rules: Sequence[int]
 ) -> Script | None:
-    """The witness as a script in which some rules do what they do in it; None if there is none.
-    Where it makes no difference, orientations are reported by their angles and numbers in the units
-    of the rules; as they are in messages otherwise.
+    """The witness as a script in which some rules behave as in the witness; None if there is no
+    such script. If the rules behave the same, orientations are written as angles, and numbers in
+    the units of the rules. Otherwise both are written as in messages.
     """
     for is_plain in (False, True):
         events = reported_by_skills(machine, _Teller(machine, is_plain).events(witness))
@@ -46,7 +46,7 @@ def script_of(
 
 def is_shown(machine: ir.Machine, witness: Witness, script: Script, rule: int) -> bool:
     """Say whether a rule becomes active and is cleared in a script as it does in a witness."""
-    # Of several evaluations at one instant the last counts.
+    # The last of several evaluations at one instant counts.
     seen = {0: False} | {view.at_ns: view.active[rule] for view in views(machine, witness)}
     before = [None, *seen.values()]
     changed = [each for each, last in zip(seen.items(), before, strict=False) if each[1] != last]
@@ -56,7 +56,7 @@ def is_shown(machine: ir.Machine, witness: Witness, script: Script, rule: int) -
 
 @dataclass
 class _Teller:
-    """Tells the messages of a witness; `last` is what fields were set to last, in SI."""
+    """Writes the messages of a witness; `last` are the last values of fields, in SI."""
 
     machine: ir.Machine
     is_plain: bool
@@ -67,7 +67,7 @@ class _Teller:
         self.last |= {(topic, path, None): text for (topic, path), text in frames.items()}
 
     def events(self, witness: Witness) -> list[ScriptedArrival]:
-        """All messages, in their order; those without news as repetitions."""
+        """All messages, in their order. Messages without changes are written as repetitions."""
         instants: dict[int, list[int]] = {}
         reported: list[ScriptedArrival] = []
         for sending in witness.events:
@@ -86,7 +86,9 @@ class _Teller:
     def _repeated(
         self, instants: Mapping[int, Sequence[int]], reported: Sequence[ScriptedArrival]
     ) -> Iterator[ScriptedArrival]:
-        """The messages by their instants; a single one only where nothing else tells of it."""
+        """The messages by their instants. A single message is written only if no other event
+        reports it.
+        """
         groups: dict[_Run, list[int]] = {}
         for channel, times_ns in instants.items():
             for run in _runs(times_ns):
@@ -111,7 +113,7 @@ class _Teller:
     # --- fields ------------------------------------------------------------------------------
 
     def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[FieldValue]:
-        """The settings that are not as they were in the message before."""
+        """The settings that differ from the message before."""
         for setting in self._settings(channel, values):
             key = (setting.topic, setting.path, setting.angle)
             usual: object = _UNSET if setting.angle is None else 0.0
@@ -128,7 +130,7 @@ class _Teller:
             if not any(math.isnan(part) for part in parts):
                 turned |= set(group)
                 yield from self._turned(group[0], topic, parts)
-        for its_list in machine.lists:  # a witness sends them without elements
+        for its_list in machine.lists:  # a witness sends such fields without elements
             used = machine.inputs[its_list.input]
             if used.channel == channel:
                 yield FieldValue(used.name, topic, its_list.path, ())
@@ -170,7 +172,7 @@ class _Teller:
             yield FieldValue(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
 
     def _orientations(self) -> Iterator[tuple[int, ...]]:
-        """The slots of each orientation of which the rules compute an angle."""
+        """The slots of each orientation from which the rules compute an angle."""
         found: dict[tuple[int, ...], None] = {}
         for signal in self.machine.signals:
             node = signal.node
@@ -182,7 +184,7 @@ class _Teller:
         return iter(found)
 
     def _unit(self, read: ir.SignalNode, own: str) -> str:
-        """The unit of a threshold of a field, or else its own."""
+        """The unit of a threshold of a field, or else the field's own unit."""
         for proposition in range(0 if self.is_plain else len(self.machine.propositions)):
             for edge in edges(self.machine, proposition):
                 if self.machine.signals[edge.signal].node == read:
@@ -191,7 +193,7 @@ class _Teller:
 
 
 def _runs(times_ns: Sequence[int]) -> Iterator[_Run]:
-    """Instants as repetitions with one period each, and single ones."""
+    """Instants as repetitions with one period each, and as single instants."""
     waiting = list(times_ns)
     while waiting:
         gaps = [later - earlier for earlier, later in itertools.pairwise(waiting)]

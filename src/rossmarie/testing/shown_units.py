@@ -10,7 +10,7 @@ from rossmarie.units import Unit, parse_unit
 
 
 def unit_of_field(machine: ir.Machine, kind: str, index: int) -> Unit:
-    """The unit of what a variable of the solver stands for, by its kind and its index."""
+    """The unit of a variable of the solver, by the variable's kind and index."""
     own = ""
     if kind == "slot":
         own = machine.slots[index].unit
@@ -26,8 +26,8 @@ def unit_of_field(machine: ir.Machine, kind: str, index: int) -> Unit:
 def unit_of_edge(
     machine: ir.Machine, propositions: Iterable[int], own: Unit, reads: Callable[[Edge], bool]
 ) -> Unit | None:
-    """The unit of a threshold that `reads` knows, of the dimension of a unit; None if there is
-    none.
+    """The unit of the first threshold that `reads` accepts, if its dimension is that of `own`; None
+    if there is none.
     """
     for proposition in propositions:
         for edge in edges(machine, proposition):

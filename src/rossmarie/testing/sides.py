@@ -11,7 +11,7 @@ from rossmarie.analysis.terms import constant
 from rossmarie.testing.goals import Edge
 from rossmarie.units import parse_unit
 
-_BETWEEN = 1e-3  # of a step: what is nearer to a whole number is that number, rounded
+_BETWEEN = 1e-3  # of a step: a value nearer to a whole number is rounded to it
 
 
 def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iterator[z3.BoolRef]:
@@ -32,12 +32,12 @@ def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iter
 
 
 def is_apart(edge: Edge, distance: z3.ArithRef) -> z3.BoolRef:
-    """The formula that a value on one side of a threshold is not the threshold itself."""
+    """A formula: a value on one side of a threshold differs from the threshold."""
     return distance >= constant(edge.step * _BETWEEN) if edge.is_whole else distance > 0
 
 
 def _point(machine: ir.Machine, edge: Edge, steps: int) -> float:
-    """The round number some steps beside a threshold, in SI."""
+    """The round number that lies some steps beside a threshold, in SI."""
     unit = parse_unit(machine.signals[edge.constant].unit or "1")
     shown = unit.from_si(edge.threshold)
     step = edge.step / unit.scale

@@ -1,4 +1,4 @@
-"""Answers about skills as tests say them: `doing Push(Object: skiros.Box)` for a flag."""
+"""Answers about skills in the form of tests: `doing Push(Object: skiros.Box)` for a flag."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ DOING = "doing"
 
 
 def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
-    """The events, in the order of time, with the skills that run where flags were set that ask for
-    them; None if no skills give these answers.
+    """The events in order of time, with running skills instead of the flags that depend on skills.
+    None if no skills give these answers.
     """
     names = _contexts(machine)
     wanted: dict[ir.Doing, bool] = {}
@@ -39,14 +39,14 @@ def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Ev
 
 
 def _contexts(machine: ir.Machine) -> frozenset[str]:
-    """The inputs that no rule declares: those that are asked which skills run."""
+    """The inputs that report which skills run. No rule declares them."""
     return frozenset(
         machine.inputs[slot.input].name for slot in machine.slots if query_at(slot.path) is not None
     )
 
 
 def _note(flags: Sequence[FieldValue], wanted: dict[ir.Doing, bool]) -> bool:
-    """Note the answers. Return False if an answer is unknown."""
+    """Note the answers. False if the answer to one of the queries is unknown."""
     for setting in flags:
         step = query_at(setting.path)
         if step is None or not isinstance(setting.value, bool):

@@ -1,15 +1,15 @@
 """Values for the fields of messages that make conditions true or false, found with z3.
 
-The model is a constant world: every `for` has the value of its operand. Fields are real numbers in
-SI. An angle of an orientation, a rate, a previous sample, an age, an oscillation and a count of
-edges are separate values. `phases` and `propose` know messages that cause these values. The memory
-of a `since` is a separate value as well, because earlier messages determine it. Each solution is
-only a proposal: the interpreter decides if it is right.
+The model has no time: every `for` equals its operand. Fields are real numbers in SI. An angle of an
+orientation, a rate, a previous sample, an age, an oscillation and a count of edges are variables of
+their own. `phases` and `propose` turn these variables into messages. The past of a `since` is also
+a variable; earlier values bring it about. Every result is only a proposal, which the interpreter
+judges.
 
-So this module does not use `analysis.encoding.Encoding`, which has the truth values T, F and S for
-each proposition, and a flag for each known number. Here all values are known, and a proposition is
-one formula, which stays small enough for many queries. Comparisons, functions and fields are the
-same terms in both.
+This module is therefore not an `analysis.encoding.Encoding`, which models whether each proposition
+is T, F or S and whether each number is known. Here everything is known, and a proposition is one
+formula, which stays small enough for many queries. Comparisons, functions and fields are the same
+terms in both.
 """
 
 from __future__ import annotations
@@ -48,9 +48,11 @@ from rossmarie.testing.zones import clear_of
 from rossmarie.units import Unit
 
 _MOST_ELEMENTS = 8
-_CLEAR = 10  # how many steps other values stay away from their thresholds
+_CLEAR = 10  # the number of steps that other values keep from their thresholds
 _CHOSEN = {Sampling.RATE: "rate", Sampling.PREVIOUS: "previous"}
-"""Functions of samples that are values of their own; all others are as of a number at rest."""
+"""Functions of samples with variables of their own. All others are computed for a constant
+number.
+"""
 _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 
 
@@ -58,9 +60,9 @@ _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 class World:
     """The formulas of one rule, and its variables.
 
-    A world that `is_free` allows for all that can be, and more: what is computed is any number,
-    `for`s are as they like. What is impossible there is impossible. A `ramp` is how a rate comes
-    about in any other.
+    A world that `is_free` allows everything that is possible, and more: computed numbers have any
+    value, and a `for` has any value. So its impossibilities are real impossibilities. In other
+    worlds, `ramp` describes the messages that produce a rate.
     """
 
     machine: ir.Machine
@@ -81,7 +83,7 @@ class World:
             self.formula(proposition)
 
     def _length(self) -> int:
-        """The number of elements that arrays have: enough for what is counted."""
+        """The length of arrays: enough elements for all counts, within the bounds of lists."""
         found = [
             edge for proposition in self.propositions for edge in edges(self.machine, proposition)
         ]
@@ -102,8 +104,8 @@ class World:
     def formula(
         self, proposition: int, fixed: Mapping[int, bool] | None = None, part: int | None = None
     ) -> z3.BoolRef:
-        """A proposition as a formula, with some of those below it replaced by what they are. `part`
-        is the element at hand.
+        """A proposition as a formula. Operands in `fixed` are replaced by their values. `part` is
+        the index of the present element.
         """
         if fixed is not None and proposition in fixed:
             return z3.BoolVal(fixed[proposition])
@@ -146,7 +148,7 @@ class World:
         return [self.formula(proposition, part=part) for part in range(self.length)]
 
     def signal(self, index: int, part: int | None = None) -> z3.ArithRef:
-        """A number as a term; `part` is the element at hand."""
+        """A number as a term. `part` is the index of the present element."""
         if part is None and index in self._signals:
             return self._signals[index]
         term = self._term(index, part)
@@ -202,7 +204,7 @@ class World:
                 return of_beam
             if isinstance(function, RegionFunction) or function is Function.SEEN:
                 seen, wanted = (self.signal(each, part) for each in operands[-2:])
-                self._side.append(seen == wanted)  # else it is stale
+                self._side.append(seen == wanted)  # else the result is stale
             if isinstance(function, RegionFunction):
                 place = self.signal(operands[0], part), self.signal(operands[1], part)
                 self._outside[index, part] = clear_of(function.region, *place)
@@ -213,13 +215,13 @@ class World:
             return angle
         values = [self.signal(operand, part) for operand in operands]
         if function is Function.SEEN:
-            self._side.append(values[1] == values[2])  # what comes in another frame is stale
+            self._side.append(values[1] == values[2])  # a value in another frame is stale
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
             case, *_ = declared.easy(tuple(map(Operand, range(len(operands)))))
             conditions = [z3.simplify(formulas.condition(each)) for each in case.conditions]
-            if not any(map(z3.is_false, conditions)):  # a frame that is mounted may be turned
+            if not any(map(z3.is_false, conditions)):  # a mounted frame may be rotated
                 self._side += conditions
                 expression = case.value
         return formulas.term(expression)
@@ -227,7 +229,7 @@ class World:
     def _of_beam(
         self, function: AnyFunction, operands: tuple[int, ...], part: int
     ) -> z3.ArithRef | None:
-        """A coordinate of a point of a scan; None if it is something else."""
+        """The term for a coordinate of a point of a scan; None for other products."""
         if function is not Function.MULTIPLY:
             return None
         its_list = list_of_share(self.machine, operands[1])
@@ -257,7 +259,9 @@ class World:
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:
-        """The element of an array of the machine that a slot is, if it is one of the first."""
+        """The variable of the array element that a slot reads, if it is one of the first
+        elements.
+        """
         part = slot.path[-1] if slot.path else None
         part = part.place if isinstance(part, ir.Listed) else part
         for index, array in enumerate(self.machine.arrays):
@@ -274,7 +278,7 @@ class World:
         return self.variables[variable]
 
     def _carried(self, variable: Variable, term: z3.ArithRef, name: str) -> list[z3.BoolRef]:
-        """The facts about a variable that follow from its field holding only whole numbers."""
+        """The facts about a variable whose field carries only whole numbers."""
         machine = self.machine
         source: ir.Slot | ir.Array | None = None
         if variable.kind == "element":
@@ -304,8 +308,9 @@ class World:
     def solve(
         self, wanted: Sequence[z3.BoolRef], near: Values | None = None, apart: int | None = None
     ) -> dict[Variable, float] | None:
-        """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
-        as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
+        """Values for which all of `wanted` is true, as round as possible, and as `near` as possible
+        to other values. Leaves other than `apart` keep away from their thresholds if possible. None
+        if the solver finds no values.
         """
         demands = [*self._side, *wanted, *self._bounds()]
         wishes = Wishes(demands, tuple(self.variables.values()), self._patience)
@@ -319,7 +324,9 @@ class World:
         return {variable: self._round(wishes, variable) for variable in self.variables}
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
-        """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
+        """Say whether it is proved that no values, in real arithmetic, make all of `wanted`
+        true.
+        """
         return ask(self._side, *wanted).outcome is Satisfiability.IMPOSSIBLE
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
@@ -328,7 +335,7 @@ class World:
                 yield z3.Or(term == 0, term == 1)
 
     def remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
-        """The value of each `since`, and its two conditions."""
+        """Each `since` as a variable, with the formulas of its two conditions."""
         for variable in [each for each in self.variables if each.kind == "remembered"]:
             node = self.machine.propositions[variable.index].node
             assert isinstance(node, ir.Since), "only that remembers what it was"
@@ -353,7 +360,7 @@ class World:
         return list(range(self.length)) if is_array else [None]
 
     def _round(self, wishes: Wishes, variable: Variable) -> float:
-        """A value that is as short as it may be in the unit in which it is written; it is kept."""
+        """A value that is as short as possible in its unit. The solver keeps this value."""
         term, unit = self.variables[variable], self.unit(variable)
         wishes.grant(term >= 0, term)
         assert wishes.model is not None, "there are values"
@@ -369,7 +376,9 @@ class World:
         return value
 
     def unit(self, variable: Variable) -> Unit:
-        """The unit in which a variable is written: that of a threshold of it, if there is one."""
+        """The unit of a variable: the unit of a threshold of the variable, if there is one, else
+        its own.
+        """
         if variable not in self.units:
             own = unit_of_field(self.machine, variable.kind, variable.index)
             found = unit_of_edge(

@@ -1,4 +1,4 @@
-"""The reasons why goals cannot be reached, as far as they are known.
+"""The known reasons why goals cannot be reached.
 
 z3 proves them in a world that allows more than is possible (`World.is_free`), so "no values" is
 certain. The proofs hold for doubles and for reals, since only signs and extremes are computed.
@@ -21,7 +21,7 @@ STALE_ONLY = "only a stale input ends it sooner"
 
 
 def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, str]:
-    """The reasons, for those of the goals that have a known one."""
+    """The reasons, for those goals that have a known reason."""
     return dict(_reasons(machine, missing))
 
 
@@ -41,8 +41,8 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
 
 
 def _ends_late(machine: ir.Machine, proposition: int) -> bool:
-    """Say whether `not (C for e) for d` has an e that is not below d. C is false at the beginning,
-    and has to be true for e before the outer `for` can end.
+    """Say whether a proposition is `not (C for e) for d` with e at least d. C is false at the
+    beginning, and has to be true for e before the outer `for` can end.
     """
     node = machine.propositions[proposition].node
     if not isinstance(node, ir.Held):

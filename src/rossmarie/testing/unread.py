@@ -1,4 +1,4 @@
-"""Fields that tests set for nothing: no rule reads them, nor does anything else in a machine."""
+"""Fields that tests set although no rule and no other part of a machine reads them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.testing.scans import FIELDS
 
 
 def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnostic]:
-    """A finding for each setting of which nothing is read: of a vector not a single number."""
+    """A finding for each statement that sets no field that is read. A vector has several fields."""
     fields = read_fields(machine)
     for script in scripts:
         written: dict[Span, list[FieldValue]] = {}
@@ -35,7 +35,7 @@ def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnosti
 
 
 def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
-    """The fields that a machine reads of each topic."""
+    """The paths of the fields that a machine reads, by topic."""
     found: dict[str, list[Path]] = {}
     carried = [(each.input, each.path) for each in machine.slots]
     carried += [(each.input, each.path) for each in machine.arrays]
@@ -46,9 +46,9 @@ def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
 
 
 def _is_read(setting: FieldValue, fields: Sequence[Path]) -> bool:
-    """A field, one around it or one in it is read: an element or all of an array, an angle. An
-    element by a declared name rests on all, by the length of the array. A sector rests on all
-    fields of its scan.
+    """Say whether a rule reads the field, a field around it, or a field inside it: an element or
+    all of an array, or an angle. An element with a declared name depends on all elements, because
+    of the length of the array. A sector depends on all fields of its scan.
     """
     path = tuple(step.place if isinstance(step, Listed) else step for step in setting.path)
     read = (each[:-1] if each and isinstance(each[-1], Listed) else each for each in fields)

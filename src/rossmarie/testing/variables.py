@@ -1,4 +1,4 @@
-"""Values that the solver of tests chooses."""
+"""Variables whose values the solver of tests chooses."""
 
 from __future__ import annotations
 
@@ -8,10 +8,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Variable:
-    """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
-    `angle` (`index` of the signal), `side` (`index` of the list of a scan), `rate`, `previous`,
-    `aged`, `oscillating` or `remembered` (`index` of the signal, of the input, or of the
-    proposition, which may count edges as well).
+    """A variable of the solver. `kind` determines the meaning of `index`.
+
+    - `slot`: a slot.
+    - `element`: an array; `part` is the index of the element.
+    - `angle`, `rate`, `previous`: a signal.
+    - `side`: the list of a scan.
+    - `aged`: an input.
+    - `oscillating`, `remembered`: a proposition; an `oscillating` one may also count edges.
     """
 
     kind: str
@@ -20,13 +24,13 @@ class Variable:
 
 
 Values = Mapping[Variable, float]
-"""Values in SI; propositions and texts by their numbers."""
+"""Values in SI; propositions and texts are numbers."""
 
 
 @dataclass(frozen=True)
 class Ramp:
-    """Messages `step_s` apart, with which a number rises or falls: one before the value that it is
-    about, and `count` behind it.
+    """Messages `step_s` apart, with which a number rises or falls: one before the value of
+    interest, and `count` after it.
     """
 
     step_s: float

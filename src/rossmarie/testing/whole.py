@@ -1,4 +1,6 @@
-"""Fields of whole numbers: the values that what rests on them can have, and what tests may set."""
+"""Fields of whole numbers: the possible values of expressions over them, and the values that tests
+may set.
+"""
 
 from __future__ import annotations
 
@@ -21,12 +23,12 @@ from rossmarie.ir.carried import carries
 from rossmarie.ir.script import FieldValue, Script, ScriptedArrival
 
 _PLAIN = frozenset({View.SECONDS, View.COUNT, View.CONSTANT})
-"""Views that are no sample, and any number."""
+"""Views that are not samples, and can be any number."""
 
 
 def whole_step(machine: ir.Machine, signal: int) -> float | None:
-    """The distance, in SI, between neighbors among the values of a signal that can only have some;
-    None if it may have any.
+    """The distance, in SI, between neighbors among the possible values of a signal; None if the
+    signal can have any value.
     """
     match machine.signals[signal].node:
         case ir.Count():
@@ -60,7 +62,9 @@ def _applied(machine: ir.Machine, function: AnyFunction, operands: tuple[int, ..
 
 
 class _Steps:
-    """The distances between the values of expressions; of operands that are any number, None."""
+    """The distances between the possible values of expressions; None for operands with any
+    value.
+    """
 
     def __init__(self, steps: Sequence[float | None], constants: Sequence[float | None]) -> None:
         self._steps, self._constants = steps, constants
@@ -107,7 +111,9 @@ class _Steps:
         return _representable(step * abs(factor)) if step and factor else None
 
     def _together(self, parts: tuple[Expression, ...]) -> float | None:
-        """The step of a sum, or of one of several numbers. Constants only shift it."""
+        """The step of a sum, or of a choice among several numbers. Constants only shift the
+        values.
+        """
         steps = [self.of(part) for part in parts if self._constant(part) is None]
         known = [step for step in steps if step is not None]
         is_whole = known and len(known) == len(steps) and _is_one(known)
@@ -115,18 +121,18 @@ class _Steps:
 
 
 def _representable(step: float) -> float | None:
-    """None if it is beyond the range of a double, or too small for one."""
+    """The step; None if it is beyond the range of a double, or too small for a double."""
     return step if 0.0 < step < math.inf else None
 
 
 def _is_one(steps: list[float]) -> bool:
-    """Say whether each step is a multiple of the least."""
+    """Say whether each step is a multiple of the least step."""
     ratios = [step / min(steps) for step in steps]
     return all(math.isclose(ratio, round(ratio)) for ratio in ratios)
 
 
 def slot_behind(machine: ir.Machine, sampled: int) -> int | None:
-    """The slot whose samples a rate or a previous sample takes; None if it takes others."""
+    """The slot whose samples a rate or a previous sample uses; None if it uses other samples."""
     node = machine.signals[sampled].node
     signal = node.signal if isinstance(node, ir.Sampled) else sampled
     read = machine.signals[signal].node
@@ -137,7 +143,7 @@ def slot_behind(machine: ir.Machine, sampled: int) -> int | None:
 
 
 def is_carried(machine: ir.Machine, script: Script) -> bool:
-    """Say whether messages can carry all that a script sets."""
+    """Say whether messages can carry all values that a script sets."""
     sources: list[ir.Slot | ir.Array] = [*machine.slots, *machine.arrays]
     fields = {
         (machine.channels[machine.inputs[each.input].channel].topic, each.path): each
@@ -153,7 +159,7 @@ def is_carried(machine: ir.Machine, script: Script) -> bool:
 
 
 def _field_of(setting: FieldValue, machine: ir.Machine) -> ir.Path:
-    """The path of the field that is set, of whichever element of a list."""
+    """The path of the set field, with the index in a list replaced by `EACH`."""
     for each in machine.lists:
         size = len(each.path)
         if setting.path[:size] == each.path and len(setting.path) > size:

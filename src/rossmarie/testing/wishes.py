@@ -1,7 +1,7 @@
-"""Wishes about values that a solver has found: each is granted if all that is demanded still holds.
+"""Wishes about a solver's values. A wish is granted if all demands can still be met.
 
-The effort is counted in steps of the solver, so that the same values are found on any machine. Time
-ends it only where single steps take long.
+The effort is counted in steps of the solver, so that every machine finds the same values. The time
+limit ends the search only if single steps take long.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import z3
 from rossmarie.analysis.solver import LIMIT_MS, check
 
 EFFORT = 3_000_000
-"""The steps that demands may cost. Wishes are cheaper; they are many."""
+"""The most steps for the demands. Wishes get fewer steps, because there are many of them."""
 
 _EFFORT_OF_WISH = 100_000
 _MOST_UNDECIDED = 4
@@ -22,15 +22,15 @@ _MOST_UNDECIDED = 4
 
 @dataclass
 class Patience:
-    """The number of wishes about the same formulas that may still stay undecided. Then only those
-    are granted that hold as it is.
+    """The number of wishes about the same formulas that may still stay undecided. At zero, only
+    wishes that the present values fulfil are granted.
     """
 
     left: int = _MOST_UNDECIDED
 
 
 class Wishes:
-    """A solver whose demands can be met, and values that meet them: those of `model`."""
+    """A solver whose demands can be met. `model` contains values that meet them."""
 
     def __init__(
         self,
@@ -38,7 +38,7 @@ class Wishes:
         variables: Sequence[z3.ArithRef],
         patience: Patience,
     ) -> None:
-        """Look for values of `variables`; `model` stays None where none are found."""
+        """Search for values of `variables`; `model` stays None if none are found."""
         self._solver = z3.Solver()
         self._solver.set(rlimit=EFFORT, timeout=LIMIT_MS)
         self._solver.add(*demands)
@@ -50,7 +50,9 @@ class Wishes:
         self._solver.set(rlimit=_EFFORT_OF_WISH)
 
     def grant(self, wish: z3.BoolRef, about: z3.ArithRef | None = None) -> bool:
-        """Demand a wish too, if it can be had; `about` is the only variable that it names."""
+        """Add a wish to the demands if it can be met. `about` is the only variable in the wish.
+        Returns whether the wish was granted.
+        """
         assert self.model is not None, "there are values"
         if z3.is_true(self.model.eval(wish, model_completion=True)):
             self._solver.add(wish)
@@ -63,7 +65,7 @@ class Wishes:
         return False
 
     def _others(self, about: z3.ArithRef) -> Sequence[z3.BoolRef]:
-        """All variables but one as they are, which is a much easier query."""
+        """All variables but one keep their values, which makes the query much easier."""
         assert self.model is not None, "there are values"
         others = (each for each in self._variables if not z3.eq(each, about))
         return [each == self.model.eval(each, model_completion=True) for each in others]

@@ -1,7 +1,7 @@
-"""Scripts as text in the rules language, not in canonical layout, which is the formatter's task.
+"""Scripts as text in the rules language. The formatter makes the layout canonical.
 
-Every number is written so that it is read as the same double in SI; the shortest such number in its
-unit, if there is one.
+Every number is written so that it is read as the same double in SI. The shortest such number in its
+unit is used, if there is one.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ Bases = Mapping[str, ir.Path]
 
 
 def own_name(name: str, seen: Counter[str]) -> str:
-    """A name that no other test has, and that can stand between quotes."""
+    """A name that no other test has, and that can be written in quotes."""
     plain = name.replace('"', "'")
     seen[plain] += 1
     return plain if seen[plain] == 1 else f"{plain} ({seen[plain]})"
 
 
 def write_script(machine: ir.Machine, script: Script, bases: Bases) -> str:
-    """One test."""
+    """The text of one test."""
     lines = [f'test "{script.name}" {{']
     for event in script.events:
         if isinstance(event, ScriptedReset):
@@ -71,7 +71,7 @@ def _field(setting: FieldValue, bases: Bases) -> str:
     base = bases[setting.input]
     is_sector = isinstance(setting.path[-1], ir.Sector)
     if is_sector and base[-1:] in ((str(ir.RETURNS),), (str(ir.INVALID),)):
-        base = base[:-1]  # points are set by the readings beside them
+        base = base[:-1]  # readings beside these set the points
     is_header = setting.path[:1] == ("header",) and base[:1] not in ((), ("header",))
     steps = setting.path if is_header else setting.path[len(base) :]
     text = f"{setting.input}{ir.path_text(steps)}"
@@ -108,7 +108,7 @@ def _unit(machine: ir.Machine, setting: FieldValue) -> Unit:
 
 
 def _leads_to(path: ir.Path, written: ir.Path) -> bool:
-    """Say whether a path is that of a setting, for the element of a list that it names."""
+    """Say whether a path, in which `EACH` stands for any element, is the path of a setting."""
     return len(path) == len(written) and all(
         step in (other, ir.EACH) for step, other in zip(path, written, strict=True)
     )

@@ -1,4 +1,6 @@
-"""Places clear of the edges of zones: by rounding, what lies on one comes to the other side."""
+"""Positions with a distance from the edges of zones. Rounding could move a point on an edge to the
+other side.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ _CLEAR = 0.01  # in m
 
 
 def clear_of(region: Region, x: z3.ArithRef, y: z3.ArithRef) -> z3.BoolRef:
-    """A formula: a point is not level with a corner of a region, in either direction."""
+    """A formula: both coordinates of a point keep a distance from the corners of a region."""
     apart = [
         z3.Or(place > constant(corner + _CLEAR), place < constant(corner - _CLEAR))
         for place, corners in ((x, 0), (y, 1))

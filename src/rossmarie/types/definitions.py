@@ -1,10 +1,9 @@
-"""Message definitions as written: the names of fields and of their types, nothing resolved, and the
-values of constants.
+"""Message definitions as written: fields with their types, unresolved, and values of constants.
 
-The common messages are read from `messages.msg` (see `snapshot`), others from folders of .msg
-files. Of services and actions only what is sent counts, the request and the goal: the part of their
-file in front of the first `---`; those of common services and actions are in `services.msg` and
-`actions.msg`. Names are in the short form, `sensor_msgs/Imu`.
+The common messages are read from `messages.msg` (see `snapshot`), other messages from folders of
+.msg files. Of services and actions, only the request or goal is read: the part of the file before
+the first `---`. Common services and actions are in `services.msg` and `actions.msg`. Names are in
+the short form, `sensor_msgs/Imu`.
 """
 
 from __future__ import annotations
@@ -21,19 +20,21 @@ from rossmarie.types.message_lines import read_line
 
 STORED = Path(__file__).with_name("messages.msg")
 OWN = Path(__file__).with_name("skill_context.msg")
-"""The messages of `skill_context_msgs`, our own package, which `STORED` has as well."""
+"""The messages of `skill_context_msgs`, our own package. `STORED` contains them, too."""
 SEPARATOR = "=" * 80 + "\nMSG: "
-"""Between two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
+"""The separator of two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
 
 _NAME = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
 _END_OF_SENT = "---"
-# The member that rosbags puts into messages without fields, as the IDL of ROS 2 does.
+# rosbags puts this member into messages without fields, as the IDL of ROS 2 does.
 _PADDING = "structure_needs_at_least_one_member"
 _LARGEST_FILE = 64 * 1024
 
 
 class Field(NamedTuple):
-    """The type of a field: `float32`, `geometry_msgs/Point`, and whether it is an array of them."""
+    """The type of a field (`float32`, `geometry_msgs/Point`), and whether the field is an array of
+    it.
+    """
 
     base: str
     is_array: bool
@@ -47,15 +48,15 @@ Constant = float | str
 
 
 class Definition(NamedTuple):
-    """The fields and the constants of a message, in the order in which they are written."""
+    """The fields and the constants of a message, in the order of the file."""
 
     fields: Mapping[str, Field]
     constants: Mapping[str, Constant]
 
 
 class Kind(enum.Enum):
-    """The things that a file defines; the value is its suffix, and the folder of the package it is
-    in.
+    """The kinds of definitions. The value is the suffix of the file, and the name of its folder in
+    the package.
     """
 
     MESSAGE = "msg"
@@ -71,7 +72,7 @@ _STORED = {
 
 
 class MessageDefinitionError(Exception):
-    """A definition that cannot be used: its file, at what line (None: as a whole), and why."""
+    """An unusable definition: its file, the line (None: the whole file), and the reason."""
 
     def __init__(self, path: Path, line: int | None, reason: str) -> None:
         place = f"{path}:{line}" if line is not None else str(path)
@@ -82,14 +83,16 @@ class MessageDefinitionError(Exception):
 
 
 def normalized(name: str) -> str | None:
-    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; None if this can be no name of a definition."""
+    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; None if this cannot be the name of a
+    definition.
+    """
     match = _NAME.fullmatch(name)
     return f"{match[1]}/{match[2]}" if match else None
 
 
 @cache
 def stored_texts(kind: Kind = Kind.MESSAGE) -> Mapping[str, str]:
-    """The text of each common definition, by name; `read_stored` makes sense of it."""
+    """The text of each common definition, by name; `read_stored` parses it."""
     return _texts_in(_STORED[kind])
 
 
@@ -105,7 +108,9 @@ def _texts_in(path: Path) -> Mapping[str, str]:
 
 
 def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
-    """The definition of a common message, service or action, None if it is not one."""
+    """The definition of a common message, service or action; None if the name is not one of
+    them.
+    """
     text = stored_texts(kind).get(name)
     if text is None:
         return None
@@ -122,12 +127,12 @@ def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
 
 
 def find_file(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> Path | None:
-    """The file of a definition, in the first folder that has it."""
+    """The file of a definition, in the first folder that contains it; None if no folder does."""
     return next((path for path in places(name, search_paths, kind) if path.is_file()), None)
 
 
 def places(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> list[Path]:
-    """The paths at which the file of a definition is looked for, in this order."""
+    """The paths at which the file of a definition is searched for, in this order."""
     package, _, short = name.partition("/")
     parents = ((package, kind.value), (package,))
     file = f"{short}.{kind.value}"
@@ -147,7 +152,9 @@ def names_in(search_path: Path, kind: Kind = Kind.MESSAGE) -> list[str]:
 
 
 def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
-    """The folder that is itself the package of a message, although its parent should be named."""
+    """The search path that is itself the package of a message; the user should give its parent
+    instead.
+    """
     package, _, short = name.partition("/")
     for folder in search_paths:
         places = (folder / "msg" / f"{short}.msg", folder / f"{short}.msg")
@@ -157,7 +164,7 @@ def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
 
 
 def parse_file(source: SourceFile, name: str) -> Definition:
-    """The definition in a .msg file, or what is sent of one of the others. Raises
+    """The definition in a .msg file, or the request or goal in a service or action file. Raises
     `MessageDefinitionError` if there is none.
     """
     path = Path(source.path)
@@ -176,7 +183,7 @@ def parse_file(source: SourceFile, name: str) -> Definition:
 
 
 def read_file(path: Path) -> SourceFile:
-    """The text of a definition. Raises `MessageDefinitionError` if it cannot be used."""
+    """The text of a definition. Raises `MessageDefinitionError` if the file cannot be read."""
     if ending(path) != path.suffix.lower():
         raise MessageDefinitionError(path, None, "is a link to a file of another kind")
     try:
@@ -207,7 +214,7 @@ def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
 
 
 def from_rosbags(types: Mapping[str, Any]) -> dict[str, Definition]:
-    """The definitions of rosbags in our own terms."""
+    """The definitions of rosbags, converted to our classes."""
     return {
         normalized(name) or name: Definition(
             {field: _field(description) for field, description in fields if field != _PADDING},
@@ -227,6 +234,6 @@ def _field(description: Any) -> Field:
         return Field(_field(content[0]).base, is_array=True)
     if kind.name == "BASE":
         return Field(content[0], is_array=False)
-    # rosbags does not know wide strings and takes the word for a message of the package.
+    # rosbags does not know wide strings and takes the type for a message of the package.
     base = "wstring" if content.endswith("/wstring") else normalized(content) or content
     return Field(base, is_array=False)

@@ -1,15 +1,14 @@
 """The units of the fields of common ROS messages; .msg files have no place for them.
 
-The units come from the comments in the message definitions, and otherwise from REP 103 (standard
-units: metre, kilogram, second, radian, SI). If a field is a message with one kind of number (a
-vector), the unit holds for all its numbers. A field of an inner message takes the unit of the
-outermost message that states one: `geometry_msgs/Point` is in metres, but
-`visualization_msgs/ImageMarker.position` is not.
+The units come from the comments in the message definitions. Where these are silent, they come from
+REP 103 (standard units: metre, kilogram, second, radian, SI). The unit of a vector field applies to
+all components. For a field in a nested message, the unit of the outermost message takes precedence:
+`geometry_msgs/Point` is in metres, but `visualization_msgs/ImageMarker.position` is not.
 
-Some fields are left out because their definition states no unit. The rule must then give the unit
-(`in rad`). These fields are positions, velocities and efforts of joints (radians or metres, by the
-kind of joint), covariances and variances with mixed or unstated units, axes of a joystick, pixels,
-counts and codes. Times and durations are always in seconds and need no row.
+Units that the definition leaves open are missing, so that a rule has to give them (`in rad`). These
+fields are the positions, velocities and efforts of joints (radians or metres, by the kind of
+joint), covariances and variances of mixed or unstated units, axes of a joystick, pixels, counts and
+codes. Times and durations are always in seconds and need no row.
 """
 
 from __future__ import annotations
@@ -59,7 +58,7 @@ FIELD_UNITS: Mapping[str, Mapping[str, str | None]] = {
         "charge": "Ah",
         "capacity": "Ah",
         "design_capacity": "Ah",
-        "percentage": "1",  # from 0 to 1, in spite of its name
+        "percentage": "1",  # from 0 to 1, despite its name
         "cell_voltage": "V",
         "cell_temperature": "degC",
     },
@@ -91,9 +90,11 @@ FIELD_UNITS: Mapping[str, Mapping[str, str | None]] = {
     "visualization_msgs/Marker": {"scale": "m"},
     "visualization_msgs/UVCoordinate": {"u": "1", "v": "1"},
 }
-"""Unit by message and field; None: not stated, although a message inside states one."""
+"""Unit by message and field. None means that the unit is open, although a nested message has
+one.
+"""
 
 RATIOS = frozenset(
     ("sensor_msgs/BatteryState.percentage", "sensor_msgs/RelativeHumidity.relative_humidity")
 )
-"""Fields that are documented as shares from 0 to 1: no number above 1 is to be expected there."""
+"""Fields that are documented as ratios from 0 to 1; numbers above 1 are not expected there."""

@@ -1,6 +1,6 @@
 """Reads one line of a .msg file: a field, a constant, or neither.
 
-The grammar is that of https://wiki.ros.org/msg and of ROS 2 (bounds, defaults, annotations).
+The grammar is the grammar of https://wiki.ros.org/msg and of ROS 2 (bounds, defaults, annotations).
 rosbags reads the same lines but needs NumPy, and a check of rules works without NumPy. A test
 compares the two readers.
 """
@@ -38,8 +38,8 @@ _TRUTHS = {"true": 1.0, "false": 0.0}
 
 
 class Line(NamedTuple):
-    """A field or a constant: its type as it is meant (`float32`, `geometry_msgs/msg/Point`), and
-    the value of a constant; None for a field.
+    """A field or a constant: its full type (`float32`, `geometry_msgs/msg/Point`), and the value of
+    a constant; None for a field.
     """
 
     name: str
@@ -49,8 +49,8 @@ class Line(NamedTuple):
 
 
 def read_line(text: str, package: str) -> Line | None:
-    """The field or the constant of a line; None if it has neither. A type without a package is of
-    `package`. Raises `ValueError` if the line is malformed.
+    """The field or the constant of a line; None if the line has neither. A type without a package
+    belongs to `package`. Raises `ValueError` if the line is malformed.
     """
     if _ONLY_ANNOTATIONS.fullmatch(text):
         return None
@@ -66,7 +66,7 @@ def read_line(text: str, package: str) -> Line | None:
         return Line(match["name"], base, match["array"] is not None, None)
     if not is_base or match["array"] or "<=" in match["type"] or not match["name"].isupper():
         raise ValueError(text)
-    # Of texts all that follows is the value, a comment included.
+    # The value of a text is the rest of the line, including a comment.
     value = _text(text.partition("=")[2].strip()) if "string" in base else _number(match["value"])
     return Line(match["name"], base, is_array=False, value=value)
 
@@ -77,7 +77,7 @@ def _text(written: str) -> str:
 
 
 def _number(written: str) -> float:
-    """The number of a constant. Raises `ValueError` if it is none."""
+    """The number of a constant. Raises `ValueError` if it is not a number."""
     word = written.lower()
     if word in _TRUTHS:
         return _TRUTHS[word]

@@ -1,6 +1,6 @@
 """The types of expressions.
 
-`Unknown` absorbs: an expression of this type has been reported, or rests on one that has, and no
+`Unknown` absorbs errors: an expression of this type, or an operand of it, has been reported. No
 operation on it is reported again.
 """
 
@@ -27,9 +27,9 @@ class Text:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number. `unit` is the unit in which it is written or arrives; two quantities may be
-    compared if their units have the same dimension. None: a message field of which no unit is
-    known. `limits` are the least and the greatest number that a field of whole numbers can hold.
+    """A number. `unit` is the unit in which it is written or arrives; two quantities are comparable
+    if their units have the same dimension. None is for a message field without a known unit.
+    `limits` are the least and the greatest number that a field of whole numbers can hold.
     """
 
     unit: Unit | None
@@ -38,8 +38,8 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Vector:
-    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32). A position is a
-    place in its frame; any other one is only a direction and a length.
+    """Three numbers x, y, z with one unit (geometry_msgs Vector3, Point, Point32). A position is a
+    point in its frame; any other vector is only a direction and a length.
     """
 
     element: Quantity
@@ -48,8 +48,8 @@ class Vector:
 
 @dataclass(frozen=True)
 class Point(Vector):
-    """A point of a sensor_msgs/PointCloud2: its place x, y, z, and fields of any other names. Only
-    a cloud says which it has; those of which a unit is declared are in `fields`.
+    """A point of a sensor_msgs/PointCloud2: its position x, y, z, and fields with any other names.
+    Only a cloud determines its fields; `fields` contains the fields with a declared unit.
     """
 
     fields: Mapping[str, Quantity] = field(default_factory=dict, compare=False)
@@ -61,7 +61,7 @@ class Point(Vector):
 
 @dataclass(frozen=True)
 class ScanPoint(Vector):
-    """A point of a sensor_msgs/LaserScan: its place x, y, z, and what `fields` are besides."""
+    """A point of a sensor_msgs/LaserScan: its position x, y, z, and the other `fields`."""
 
     fields: Mapping[str, Quantity] = field(default_factory=dict, compare=False)
 
@@ -74,8 +74,8 @@ class Quaternion:
 @dataclass(frozen=True)
 class Array:
     """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean. `names` is
-    the field beside it with a name for each element, or the names that an input declares.
-    `has_sectors` tells that a scan says at which angle each element was measured.
+    the field with the names of the elements, or the names that an input declares. `has_sectors` is
+    true if the elements are readings of a scan, which gives the angle of each.
     """
 
     element: Quantity | Boolean
@@ -85,18 +85,18 @@ class Array:
 
 @dataclass(frozen=True)
 class List:
-    """Any number of messages (`Detection3D[] detections`), which rules look at one by one."""
+    """Any number of messages (`Detection3D[] detections`), which rules use one by one."""
 
     element: Message | Vector | Quaternion
 
     @property
     def is_of_points(self) -> bool:
-        """Say whether the elements are the points of a cloud, which have no message each."""
+        """Say whether the elements are points of a cloud, which are no messages of their own."""
         return isinstance(self.element, Point)
 
     @property
     def is_of_beams(self) -> bool:
-        """Say whether the elements are beams of a scan, which have no message each either."""
+        """Say whether the elements are beams of a scan, which are no messages of their own."""
         return isinstance(self.element, ScanPoint | Beam)
 
 
@@ -116,8 +116,8 @@ class Box:
 
 @dataclass(frozen=True)
 class Region:
-    """A zone, or all locations of a class of things, in the x-y plane of a frame. `has_area` tells
-    that there are shapes among them, and not just points.
+    """A zone, or all locations of a class of objects, in the x-y plane of a frame. `has_area` is
+    true if it contains shapes besides points.
     """
 
     name: str
@@ -128,15 +128,15 @@ class Region:
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion of the robot, by its name: where it is, how fast, and how it brakes."""
+    """A motion of the robot, by its name: its position, its speed, and its deceleration."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Message:
-    """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out).
-    `names` is the field with the names of the elements of its arrays, if it has one.
+    """A ROS message, `sensor_msgs/Imu`, with the types of its fields, without constants. `names` is
+    the field with the names of the elements of its arrays, if it has one.
     """
 
     name: str
@@ -149,28 +149,28 @@ class Message:
 
 @dataclass(frozen=True)
 class Beam(Message):
-    """A beam of a sensor_msgs/LaserScan that tells nothing."""
+    """A beam of a sensor_msgs/LaserScan without a reading."""
 
     __hash__ = Message.__hash__
 
 
 @dataclass(frozen=True)
 class Entry:
-    """All that a message with names holds under one of them: `joints["elbow"]`."""
+    """All values that a message with names holds under one of the names: `joints["elbow"]`."""
 
     message: Message
 
 
 @dataclass(frozen=True)
 class Unsupported:
-    """A message field that rules cannot use (an array of messages, say), and why."""
+    """A message field that rules cannot use (for example an array of messages), with the reason."""
 
     reason: str
 
 
 @dataclass(frozen=True)
 class Unknown:
-    """Already reported."""
+    """The type of an expression that has already been reported."""
 
 
 Type = (

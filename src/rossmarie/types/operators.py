@@ -1,8 +1,8 @@
 """The one table of operators and built-in functions, with their operand and result types.
 
 Operands of type `Unknown` make the result `Unknown` and are not errors. Operators on numbers or
-booleans work on arrays element by element. Types do not tell whether arguments are constants,
-inputs, or of the same array; the checker tests this.
+booleans work on arrays element by element. Types do not show whether arguments are constants,
+inputs, or elements of the same array; the checker tests this.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rossmarie.units import DIMENSIONLESS
 
 
 class Operator(enum.Enum):
-    """All operators and functions; the value is the spelling (of `-x`: `negate`)."""
+    """All operators and functions; the value is the spelling (for `-x`: `negate`)."""
 
     OR = "or"
     AND = "and"
@@ -66,7 +66,9 @@ class Operator(enum.Enum):
 
 @dataclass(frozen=True)
 class Signature:
-    """The permitted number of operands (`most` None: any number), and the rule for their types."""
+    """The least and the greatest number of operands (`most` None: any), and the rule for their
+    types.
+    """
 
     least: int
     most: int | None
@@ -74,9 +76,9 @@ class Signature:
 
 
 def apply(operator: Operator, *operands: Type) -> OperatorType:
-    """The outcome of an operator; `SIGNATURES` says how many operands it takes.
+    """The outcome of an operator; `SIGNATURES` contains its number of operands.
 
-    `oscillates` takes the value, the window and perhaps the swing; `for` a condition and a
+    `oscillates` takes the value, the window and optionally the swing; `for` takes a condition and a
     duration. Raises `TypeError` if there are too few or too many operands.
     """
     signature = SIGNATURES[operator]
@@ -90,7 +92,9 @@ def apply(operator: Operator, *operands: Type) -> OperatorType:
 
 
 def _absorbed(operator: Operator, operands: tuple[Type, ...]) -> OperatorType:
-    """`and` and `or` do not depend on the unknown operand, so the others are still looked at."""
+    """The outcome of `and` and `or` with an unknown operand: the other operands are still
+    checked.
+    """
     known = [operand for operand in operands if not isinstance(operand, Unknown)]
     if operator in (Operator.AND, Operator.OR):
         return rules.fault(

@@ -1,6 +1,6 @@
-"""Writes `docs/reference/units.md` from the tables: `python -m rossmarie.types.reference FILE`.
+"""Write `docs/reference/units.md` from the tables: `python -m rossmarie.types.reference FILE`.
 
-A test asserts that the page in the repository is what this writes.
+A test compares the page in the repository with the output of this module.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ or lengths.
 
 
 def render() -> str:
-    """The whole page, as Markdown."""
+    """The text of the page, as Markdown."""
     return "\n".join(
         (
             _INTRODUCTION,

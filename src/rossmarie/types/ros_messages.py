@@ -1,6 +1,6 @@
 """The types of ROS messages and of their fields.
 
-Definitions come from `definitions`, units from the overrides given and then from `field_units`.
+Definitions come from `definitions`. Units come from the given overrides, then from `field_units`.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ from rossmarie.units import Unit, parse_unit
 FieldPath = tuple[str, ...]
 UnitOverrides = Mapping[tuple[str, FieldPath], Unit]
 Level = tuple[str, FieldPath]
-"""A message that encloses a field, and the path to the field from there."""
+"""A message that encloses a field, and the path from the message to the field."""
 
 POSITIONS = frozenset(("geometry_msgs/Point", "geometry_msgs/Point32"))
 VECTORS = POSITIONS | {"geometry_msgs/Vector3"}
 _TRANSLATION = ("geometry_msgs/Transform", ("translation",))
-"""A vector that is a position all the same."""
+"""A vector that is a position although its type is not a point."""
 QUATERNION = "geometry_msgs/Quaternion"
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
@@ -55,7 +55,7 @@ _MOST_LEVELS = 32
 _LIMITS = {
     **{f"uint{bits}": (0.0, 2.0**bits - 1.0) for bits in (8, 16, 32, 64)},
     **{f"int{bits}": (-(2.0 ** (bits - 1)), 2.0 ** (bits - 1) - 1.0) for bits in (8, 16, 32, 64)},
-    # The generations of ROS disagree on the sign of these.
+    # ROS 1 and ROS 2 disagree on the sign of these.
     **dict.fromkeys(("byte", "char", "octet"), (-128.0, 255.0)),
 }
 """The limits of fields of whole numbers, as doubles. The greatest 64-bit number is rounded upwards,
@@ -66,7 +66,7 @@ _LISTS_OF_NAMES = ("name", "names", "joint_names")
 
 
 class Leaf(NamedTuple):
-    """A field that is no message: `base` is `float64`, `bool`, `string` or the like."""
+    """A field that is not a message: `base` is `float64`, `bool`, `string` or similar."""
 
     path: FieldPath
     base: str
@@ -74,11 +74,11 @@ class Leaf(NamedTuple):
 
 
 class MessageCatalog:
-    """All messages that are known: those on the search paths, then the common ones of ROS.
+    """All known messages: first those on the search paths, then the common messages of ROS.
 
-    A folder of the search paths has files `PACKAGE/msg/NAME.msg` or `PACKAGE/NAME.msg`. Overrides
-    are keyed by the message, `my_msgs/Wheel`, and the path of the field in it; they take precedence
-    over the built-in table, also if that message is part of another one.
+    A folder of the search paths has files `PACKAGE/msg/NAME.msg` or `PACKAGE/NAME.msg`. The keys of
+    overrides are the message, `my_msgs/Wheel`, and the path of the field in it. Overrides take
+    precedence over the built-in table, also for a message inside another message.
     """
 
     def __init__(
@@ -96,7 +96,7 @@ class MessageCatalog:
 
     @property
     def read_files(self) -> tuple[SourceFile, ...]:
-        """The files that were read so far, each once: what was found rests on them."""
+        """The files that were read so far, each once. All results depend on these files."""
         return tuple(self._read_files)
 
     def find(self, name: str) -> Message | None:
@@ -114,7 +114,8 @@ class MessageCatalog:
 
     def find_sent(self, name: str, kind: Kind) -> Message | None:
         """The message that is sent to a service (its request) or to an action server (its goal);
-        None if it is unknown. The goals of ROS 1 are also known as messages, `PACKAGE/NAMEGoal`.
+        None if the type is unknown. The goals of ROS 1 are also known as messages,
+        `PACKAGE/NAMEGoal`.
 
         Raises `MessageDefinitionError` like `find`.
         """
@@ -131,8 +132,8 @@ class MessageCatalog:
         return self.find(f"{short}Goal") if found is None and is_action else found
 
     def leaves(self, message: Message) -> tuple[Leaf, ...]:
-        """All fields of a message that are no messages themselves, in order; arrays of messages are
-        left out, for their elements cannot be reported in advance.
+        """All fields of a message that are not messages themselves, in order. Arrays of messages
+        are left out, because their elements are not known in advance.
         """
         if message.name not in self._leaves:
             self._leaves[message.name] = tuple(self._find_leaves(message))
@@ -170,7 +171,7 @@ class MessageCatalog:
         return {} if definition is None else definition.constants
 
     def parts(self, name: str) -> tuple[str, ...]:
-        """A message and all that it is made of, elements of arrays included.
+        """A message and all messages that it contains, also as elements of arrays.
 
         Raises `MessageDefinitionError` if a .msg file among them is malformed.
         """
@@ -188,18 +189,20 @@ class MessageCatalog:
         return self._parts[first]
 
     def called(self, name: str) -> Sequence[str]:
-        """All messages of a name without package."""
+        """The full names of all messages with this name, in any package."""
         if not self._called:
             for each in self.known_names():
                 self._called.setdefault(each.rpartition("/")[2], []).append(each)
         return self._called.get(name, ())
 
     def package_of(self, name: str) -> Path | None:
-        """The search path that is the package of a message, where its parent should be given."""
+        """The search path that is the package of a message; the user should give its parent
+        instead.
+        """
         return definitions.package_among(self._search_paths, definitions.normalized(name) or name)
 
     def places_of(self, name: str) -> list[Path]:
-        """The possible paths of the file of a message, in the folders that are searched."""
+        """The possible paths of the file of a message, in the search paths."""
         short = definitions.normalized(name)
         return definitions.places(short, self._search_paths) if short is not None else []
 
@@ -219,7 +222,7 @@ class MessageCatalog:
     def _message(
         self, name: str, levels: tuple[Level, ...], *, is_element: bool = False
     ) -> Message | None:
-        """A message, or an element of a list, in which no lists are looked into."""
+        """A message; with `is_element`, an element of a list, whose own lists are left out."""
         definition = self._definition(name)
         if definition is None:
             return None
@@ -249,7 +252,7 @@ class MessageCatalog:
         return Message(name, fields | named, names)
 
     def _point(self, levels: tuple[Level, ...]) -> Point:
-        """The points of a cloud; `levels` lead to them."""
+        """The points of a cloud; `levels` are the messages around the cloud."""
         known: dict[str, Quantity] = {}
         for outer, path in levels:
             for (name, (*before, field)), unit in self._overrides.items():
@@ -306,7 +309,9 @@ class MessageCatalog:
         return message or Unsupported(f"a {base} message, of which no definition is known")
 
     def _unit(self, levels: tuple[Level, ...]) -> Unit | None:
-        """Any override beats the table; of each, the outermost message that knows the unit."""
+        """The unit of a field. An override takes precedence over the table; in both, the outermost
+        message with a unit counts.
+        """
         keys = [key for level in levels for key in _keys(level)]
         for key in keys:
             if key in self._overrides:
@@ -332,8 +337,8 @@ def _inner_points() -> Unsupported:
 
 
 def _names_among(definition: definitions.Definition) -> str | None:
-    """The field that names the elements of the other arrays: the only list of strings, or the one
-    that is called so.
+    """The field with the names of the elements of the other arrays: the only list of strings, or
+    the list called `name`.
     """
     lists = [
         name for name, each in definition.fields.items() if each.is_array and each.base in _TEXTS
@@ -352,7 +357,9 @@ def message_value(message: Message) -> Type:
 
 
 def std_msgs_data(type_: Type) -> Type | None:
-    """The type of the `data` of a std_msgs message that has no other field; None for the rest."""
+    """The type of the `data` of a std_msgs message without other fields; None for other
+    messages.
+    """
     if not isinstance(type_, Message) or not type_.name.startswith("std_msgs/"):
         return None
     return type_.fields["data"] if tuple(type_.fields) == ("data",) else None
@@ -366,7 +373,9 @@ def _normalized_overrides(overrides: UnitOverrides) -> UnitOverrides:
 
 
 def _keys(level: Level) -> Iterator[Level]:
-    """A vector has one unit: what is stated for one of its axes is stated for all."""
+    """The keys for a field. A vector has one unit: a unit for one of its axes applies to all of
+    them.
+    """
     name, path = level
     if name in VECTORS:
         path = ()

@@ -1,4 +1,4 @@
-"""The types of the operands and results of operators and functions, with one rule for each.
+"""The operand and result types of operators and functions, with a rule for each.
 
 A rule maps the types of the operands to the type of the result and the errors in the operands. No
 operand has the type `Unknown`.
@@ -35,7 +35,7 @@ _SQUARE_SECOND = parse_unit("s^2")
 
 
 class Fault(enum.Enum):
-    """The reasons that keep an operator from its operands."""
+    """The reasons why an operator cannot be applied to its operands."""
 
     OPERANDS = "the operator does not take operands of such types"
     VECTOR = "a vector stands where a single number is needed"
@@ -59,8 +59,8 @@ Rule = Callable[..., OperatorType]
 
 
 def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
-    """The reasons why two numbers may not be compared. A number of unstated unit goes with plain
-    numbers.
+    """The reasons why two numbers may not be compared. A number of unknown unit is comparable with
+    plain numbers.
     """
     if left.unit is None or right.unit is None:
         other = left.unit or right.unit or DIMENSIONLESS
@@ -74,7 +74,7 @@ def fault(*faults: Fault) -> OperatorType:
 
 
 def _unfit(*operands: Type) -> OperatorType:
-    """The error for operands of which at least one is not a number."""
+    """The error if at least one operand is not a number."""
     if any(isinstance(operand, (Interval, Box)) for operand in operands):
         return fault(Fault.RANGE)
     numbers = all(isinstance(operand, (Vector, Quantity)) for operand in operands)
@@ -82,7 +82,7 @@ def _unfit(*operands: Type) -> OperatorType:
 
 
 def elementwise(rule: Rule, *operands: Type) -> OperatorType:
-    """The outcome for arrays that follows from a rule for scalars."""
+    """The outcome for arrays, which follows from a rule for scalars."""
     if not any(isinstance(operand, Array) for operand in operands):
         return rule(*operands)
     elements = (operand.element if isinstance(operand, Array) else operand for operand in operands)
@@ -96,19 +96,19 @@ def elementwise(rule: Rule, *operands: Type) -> OperatorType:
 
 
 def logical(*operands: Type) -> OperatorType:
-    """`and`, `or` and `not`: of booleans."""
+    """The outcome of `and`, `or` and `not` for booleans."""
     fits = all(isinstance(operand, Boolean) for operand in operands)
     return OperatorType(Boolean()) if fits else fault(Fault.OPERANDS)
 
 
 def held(condition: Type, duration: Type) -> OperatorType:
-    """`C for d`."""
+    """The outcome of `C for d`."""
     faults = (*logical(condition).faults, *ordered(duration, _SECONDS).faults)
     return OperatorType(Boolean(), faults)
 
 
 def fold(result: Type, elements: Type) -> OperatorType:
-    """`any`, `all` and `count` of the propositions of an array."""
+    """The outcome of `any`, `all` and `count` for the propositions of an array."""
     fits = isinstance(elements, Array) and isinstance(elements.element, Boolean)
     return OperatorType(result) if fits else fault(Fault.OPERANDS)
 
@@ -117,7 +117,7 @@ def fold(result: Type, elements: Type) -> OperatorType:
 
 
 def ordered(left: Type, right: Type) -> OperatorType:
-    """`a < b` and the like: of numbers whose units fit."""
+    """The outcome of `a < b` and similar, for numbers with matching units."""
     if isinstance(left, Quantity) and isinstance(right, Quantity):
         return OperatorType(Boolean(), unit_faults(left, right))
     if isinstance(left, Vector) and isinstance(right, Quantity):
@@ -128,7 +128,7 @@ def ordered(left: Type, right: Type) -> OperatorType:
 
 
 def equal(left: Type, right: Type) -> OperatorType:
-    """`==` and `!=`: of booleans, of texts, or of numbers."""
+    """The outcome of `==` and `!=`, for booleans, texts, or numbers."""
     for kind in (Boolean, Text):
         if isinstance(left, kind) and isinstance(right, kind):
             return OperatorType(Boolean())
@@ -136,7 +136,7 @@ def equal(left: Type, right: Type) -> OperatorType:
 
 
 def contained(value: Type, container: Type) -> OperatorType:
-    """`in`: a range, or the places of a class."""
+    """The outcome of `in`, for a range or the locations of a class."""
     if isinstance(container, Quantity):
         return fault(Fault.NOT_A_RANGE, *ordered(value, container).faults)
     if isinstance(container, Interval) and isinstance(value, (Quantity, Vector)):
@@ -154,7 +154,9 @@ def contained(value: Type, container: Type) -> OperatorType:
 def additive(
     unit_rule: Callable[[Unit, Unit], Unit | None], left: Type, right: Type
 ) -> OperatorType:
-    """A sum or difference; `unit_rule` gives None where temperatures make no sense."""
+    """The outcome of a sum or difference; `unit_rule` gives None for meaningless uses of
+    temperatures.
+    """
     if isinstance(left, Vector) and isinstance(right, Vector):
         return _as_vector(additive(unit_rule, left.element, right.element))
     if not (isinstance(left, Quantity) and isinstance(right, Quantity)):
@@ -174,7 +176,7 @@ def unit_of_sum(left: Unit, right: Unit) -> Unit | None:
 
 
 def unit_of_difference(left: Unit, right: Unit) -> Unit | None:
-    """The unit of a difference; None if a temperature is taken from none."""
+    """The unit of a difference; None if a temperature is subtracted from another quantity."""
     if right.offset:
         return unit_of_differences(left) if left.offset else None
     return left
@@ -183,7 +185,7 @@ def unit_of_difference(left: Unit, right: Unit) -> Unit | None:
 def _multiplicative(
     unit_rule: Callable[[Unit, Unit], Unit], left: Type, right: Type
 ) -> OperatorType:
-    """A product or quotient; one with a factor of unstated unit is of unstated unit."""
+    """The outcome of a product or quotient; an operand of unknown unit makes the unit unknown."""
     if not (isinstance(left, Quantity) and isinstance(right, Quantity)):
         return _unfit(left, right)
     if left.unit is None or right.unit is None:
@@ -194,7 +196,7 @@ def _multiplicative(
 
 
 def product(left: Type, right: Type) -> OperatorType:
-    """`a * b`; of a vector, each component."""
+    """The outcome of `a * b`; a vector is multiplied by components."""
     if isinstance(left, Vector) and isinstance(right, Quantity):
         return _as_vector(_multiplicative(multiply, left.element, right))
     if isinstance(left, Quantity) and isinstance(right, Vector):
@@ -203,19 +205,19 @@ def product(left: Type, right: Type) -> OperatorType:
 
 
 def quotient(left: Type, right: Type) -> OperatorType:
-    """`a / b`; of a vector, each component."""
+    """The outcome of `a / b`; a vector is divided by components."""
     if isinstance(left, Vector) and isinstance(right, Quantity):
         return _as_vector(_multiplicative(divide, left.element, right))
     return _multiplicative(divide, left, right)
 
 
 def negative(value: Type) -> OperatorType:
-    """`-a`; of a vector, each component."""
+    """The outcome of `-a`; a vector is negated by components."""
     return _as_vector(magnitude(value.element)) if isinstance(value, Vector) else magnitude(value)
 
 
 def magnitude(value: Type) -> OperatorType:
-    """A number with the same unit, which no temperature has."""
+    """A number with the same unit. A temperature is an error."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     return fault(Fault.TEMPERATURE) if value.unit and value.unit.offset else OperatorType(value)
@@ -236,7 +238,7 @@ def norm(value: Type) -> OperatorType:
 
 
 def hypot(left: Type, right: Type) -> OperatorType:
-    """The length of two components."""
+    """The length of a vector with these two components."""
     if isinstance(left, Quantity) and isinstance(right, Quantity):
         return additive(lambda one, other: None if other.offset else one, left, right)
     return _unfit(left, right)
@@ -249,7 +251,7 @@ def wave(angle: Type) -> OperatorType:
 
 
 def distance(left: Type, right: Type) -> OperatorType:
-    """The distance of two points, or of a point from the places of a class."""
+    """The distance of two points, or of a point from the locations of a class."""
     if isinstance(left, Vector) and isinstance(right, Vector):
         return additive(unit_of_difference, left.element, right.element)
     if isinstance(right, Region):
@@ -266,7 +268,7 @@ def stopping(motion: Type, *speed: Type) -> OperatorType:
 
 
 def braking_distance(speed: Type, deceleration: Type, latency: Type) -> OperatorType:
-    """The distance of a speed: in m for a speed in m/s, in rad for a speed in rad/s."""
+    """The braking distance for a speed: in m for a speed in m/s, in rad for a speed in rad/s."""
     if not (
         isinstance(speed, Quantity)
         and isinstance(deceleration, Quantity)
@@ -284,13 +286,13 @@ def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Operator
 
 
 def way_of(speed: Quantity) -> Unit | None:
-    """The unit of the distance of a speed, m or rad; None if it is not a speed."""
+    """The unit of the distance for a speed, m or rad; None if the number is not a speed."""
     ways = (parse_unit("m"), parse_unit("rad"))
     return next((way for way in ways if not unit_faults(speed, Quantity(speed_of(way)))), None)
 
 
 def speed_of(way: Unit) -> Unit:
-    """The unit of a speed along something."""
+    """The unit of a speed whose distance has this unit."""
     return divide(way, parse_unit("s"))
 
 
@@ -306,14 +308,14 @@ def time_to(left: Type, closing_speed: Type) -> OperatorType:
 
 
 def faults_of_position(value: Type) -> tuple[Fault, ...]:
-    """The reasons why something is no point in a plane; a pose is one by its position."""
+    """The reasons why a value is not a point in a plane. A pose is a point by its position."""
     position = value.fields.get("position") if isinstance(value, Message) else value
     is_position = isinstance(position, Vector) and not unit_faults(position.element, _METRES)
     return () if is_position else (Fault.OPERANDS,)
 
 
 def extreme(*values: Type) -> OperatorType:
-    """The least or greatest of one array, or of several scalars."""
+    """The least or greatest element of one array, or of several scalars."""
     if len(values) == 1:
         (array,) = values
         if isinstance(array, Array) and isinstance(array.element, Quantity):
@@ -331,7 +333,7 @@ def angle(value: Type) -> OperatorType:
 
 
 def rate(value: Type) -> OperatorType:
-    """The change of a number in a second."""
+    """The change of a number per second."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     unit = value.unit and divide(unit_of_differences(value.unit), parse_unit("s"))
@@ -339,12 +341,12 @@ def rate(value: Type) -> OperatorType:
 
 
 def previous(value: Type) -> OperatorType:
-    """The number or vector that was there before."""
+    """The previous value of a number or vector."""
     return OperatorType(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
 
 
 def filtered(value: Type, window: Type) -> OperatorType:
-    """A number, smoothed over a time."""
+    """A number, smoothed over a window of time."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     return OperatorType(value, ordered(window, _SECONDS).faults)
@@ -363,7 +365,7 @@ def age(_value: Type) -> OperatorType:
 
 
 def oscillating(value: Type, window: Type, *swing: Type) -> OperatorType:
-    """Say whether a number goes up and down."""
+    """Say whether a number oscillates."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     faults = [fault for width in swing for fault in ordered(value, width).faults]

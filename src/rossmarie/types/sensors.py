@@ -1,4 +1,4 @@
-"""Messages of sensors that have more fields for rules than their definitions: clouds and scans."""
+"""Messages of sensors that offer rules more fields than their definitions: clouds and scans."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.types.model import Array, Beam, List, Quantity, ScanPoint, Type
 
 CLOUD = "sensor_msgs/PointCloud2"
 POINTS = "points"
-"""The name of the points of a cloud, which its definition does not have: there they are bytes."""
+"""The field for the points of a cloud. Its definition has only bytes instead."""
 SCAN = "sensor_msgs/LaserScan"
 RETURNS, INVALID = POINTS, "invalid"
 """The names of the points of a scan, and of the beams without a reading."""
@@ -34,8 +34,8 @@ LAYOUT_OF_BEAMS = {
 
 
 def tells(definition: Definition, layout: Mapping[str, Field]) -> bool:
-    """Say whether a cloud or a scan has all that says where its points are; another definition of
-    it may stand on the search path.
+    """Say whether a cloud or a scan has all fields that determine its points. The search path may
+    contain another definition.
     """
     return all(definition.fields.get(name) == each for name, each in layout.items())
 

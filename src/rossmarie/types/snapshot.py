@@ -1,9 +1,9 @@
-"""Copies the message definitions of ROS out of the rosbags package into `messages.msg`, and our own
-out of `skill_context.msg`.
+"""Copies the message definitions of ROS from the rosbags package into `messages.msg`, together with
+our own definitions from `skill_context.msg`.
 
-Importing the type stores of rosbags takes most of the time that a whole check may take, so they
-are read when this package is made, not when it is used (docs/decisions/0003). To renew the copy:
-`python -m rossmarie.types.snapshot`. A test asserts that it is up to date.
+Importing the type stores of rosbags takes most of the time that a whole check may take. Therefore
+they are read when this package is built, not when it is used (docs/decisions/0003). To renew the
+copy, run `python -m rossmarie.types.snapshot`. A test asserts that it is up to date.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ T = TypeVar("T")
 def render() -> str:
     """All definitions as concatenated .msg text, sorted by name.
 
-    ROS 2 Jazzy comes first; of ROS 1 Noetic, the messages, fields (`Header.seq`) and constants that
-    Jazzy does not have are added.
+    ROS 2 Jazzy takes precedence. Messages, fields (`Header.seq`) and constants that only ROS 1
+    Noetic has are added.
     """
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 

@@ -1,7 +1,7 @@
-"""Text to units, and products of units.
+"""Parses units, and computes products of units.
 
 Every unit is a product of powers of the symbols of `table`. Scales are multiplied as ratios of
-integers and rounded once, so `km/h`, `deg/s` and the like are the nearest doubles to the exact
+integers and rounded once, so `km/h`, `deg/s` and similar units are the nearest doubles to the exact
 values.
 """
 
@@ -31,7 +31,7 @@ _SEPARATOR = re.compile(r"([.*/])")
 _PI_NUMERATOR = 314159265358979323846264338327950288419716939937510
 _PI_DENOMINATOR = 10**50
 
-# Every scale is within 1e-9 .. 1e9, so that many of them still make a normal double.
+# Every scale is within 1e-9 .. 1e9, so that a product of many scales is still a normal double.
 _MOST_FACTORS = 32
 
 
@@ -39,9 +39,9 @@ _MOST_FACTORS = 32
 def parse_unit(text: str) -> Unit:
     """The unit written as `text`: `m/s^2`, `N*m`, `kgm.m`, `m.s^-1`, `rad/sec`, `degC`, `1`.
 
-    Factors are separated by `*`, `.` or `/`, which apply from left to right; a factor is a symbol
-    and perhaps a power. Raises `UnknownUnitError`, also for `degC` inside a product and for powers
-    beyond reason.
+    Factors are separated by `*`, `.` or `/`, which apply from left to right. A factor is a symbol,
+    optionally with a power. Raises `UnknownUnitError`, also for `degC` inside a product and for
+    extreme powers.
     """
     if text == DIMENSIONLESS.symbol:
         return DIMENSIONLESS
@@ -67,7 +67,9 @@ def divide(left: Unit, right: Unit) -> Unit:
 
 
 def unit_of_differences(unit: Unit) -> Unit:
-    """The unit in which two numbers of `unit` differ: kelvin for `degC`, else `unit` itself."""
+    """The unit of the difference of two numbers in `unit`: kelvin for `degC`, else `unit`
+    itself.
+    """
     return si_unit(unit.dimension) if unit.offset else unit
 
 
@@ -100,7 +102,7 @@ def _parse(text: str) -> Factors:
 
 
 def _in_kelvin(unit: str) -> tuple[str, ...]:
-    """The unit, or what it is with temperatures in kelvin where these stand in a product."""
+    """The unit; in a product, temperatures are replaced by kelvin."""
     try:
         parse_unit(unit)
     except UnknownUnitError as error:
@@ -109,7 +111,7 @@ def _in_kelvin(unit: str) -> tuple[str, ...]:
 
 
 def _is_unit(text: str) -> bool:
-    """Say whether all of `text` is made of known symbols; never ask for suggestions."""
+    """Say whether `text` consists of known symbols. The function never searches for suggestions."""
     matches = [_FACTOR.fullmatch(part) for part in _SEPARATOR.split(text)[::2]]
     return all(match is not None and _expand(match["symbol"]) is not None for match in matches)
 
@@ -122,7 +124,7 @@ def _expand(symbol: str) -> Factors | None:
 
 
 def _known(product: str) -> Factors:
-    """The factors of a canonical symbol, of which no part can be unknown."""
+    """The factors of a canonical symbol. All its parts are known."""
     factors: Factors = {}
     for sign, part in re.findall(r"(^|[*/])([^*/]+)", product):
         symbol, _, exponent = part.partition("^")
@@ -183,7 +185,7 @@ def _base_factors(symbol: str) -> Factors:
 
 
 def _scale(factors: Factors) -> float | None:
-    """The nearest double; None if there are too many factors for it to be worth finding."""
+    """The nearest double; None if there are too many factors to compute it."""
     if sum(map(abs, factors.values())) > _MOST_FACTORS:
         return None
     numerator, denominator = 1, 1

@@ -1,4 +1,4 @@
-"""Units as data. Made by `algebra`; read by every later stage."""
+"""Units as data. `algebra` creates them; every later stage reads them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ BASE_DIMENSIONS = ("mass", "length", "angle", "current", "temperature", "luminos
 def format_product(factors: Iterable[tuple[str, int]]) -> str:
     """`kg*m^2/s` for kg to the 1, m to the 2 and s to the -1; powers of 0 are left out.
 
-    With nothing above the line the first factor keeps its sign: `m^-1/s`. No factors: empty.
+    Without positive powers, the first factor keeps its sign: `m^-1/s`. Without factors, the text is
+    empty.
     """
     factors = [factor for factor in factors if factor[1] != 0]
     above = [_power(name, exponent) for name, exponent in factors if exponent > 0]
@@ -42,7 +43,7 @@ class Unit:
     """A unit of measurement; a number x in it is `x * scale + offset` in SI units.
 
     SI here means kg, m, rad, A, K, cd, s and their products. `symbol` is the canonical spelling
-    (`m/s` for `m.sec^-1`), which `parse_unit` reads back; that of plain numbers is `1`. Only
+    (`m/s` for `m.sec^-1`), which `parse_unit` can read; the symbol of plain numbers is `1`. Only
     temperatures have an offset.
     """
 
@@ -69,8 +70,8 @@ DIMENSIONLESS = Unit("1", Dimension((0,) * len(BASE_DIMENSIONS)))
 class UnknownUnitError(ValueError):
     """A unit that the table does not know, or a product that cannot be formed.
 
-    `text` is the whole unit as written, `part` the factor at fault (all of `text` if the product
-    is), `suggestions` are known units to put in place of `text`, best first.
+    `text` is the whole unit as written, `part` the wrong factor (all of `text` if the product is
+    wrong), `suggestions` are known units to write instead of `text`, best first.
     """
 
     def __init__(self, text: str, part: str, suggestions: Sequence[str] = ()) -> None:

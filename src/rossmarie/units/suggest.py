@@ -1,4 +1,4 @@
-"""Suggest the unit that may have been meant."""
+"""Suggests the unit that the user probably meant."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ _LONGEST = 32
 
 
 def suggest(text: str, is_unit: Callable[[str], bool]) -> tuple[str, ...]:
-    """Known units that resemble the unknown `text`, best first; `is_unit` tells what is known."""
+    """Known units that resemble the unknown `text`, best first; `is_unit` says whether a unit is
+    known.
+    """
     if len(text) > _LONGEST or factor_of(text) is not None:
         return ()
     everyday = EVERYDAY.get(text.lower())
@@ -38,7 +40,7 @@ def factor_of(text: str) -> str | None:
 
 
 def _respell(text: str) -> str:
-    """Undo spellings of products and powers from elsewhere: `m²`, `m**2`, `1/s`, `kg·m`."""
+    """Replace other notations of products and powers: `m²`, `m**2`, `1/s`, `kg·m`."""
     text = re.sub(r"([⁻⁰¹²³⁴-⁹]+)", r"^\1", text).translate(_SUPERSCRIPTS)
     text = text.replace("**", "^").replace(" ", "")
     if text == "1/s":
@@ -47,7 +49,7 @@ def _respell(text: str) -> str:
 
 
 def _replacements(part: str, is_unit: Callable[[str], bool]) -> list[str]:
-    """The replacements for one factor; the factor itself if there is nothing wrong with it."""
+    """The replacements for one factor; the factor itself if it is correct."""
     if is_unit(part):
         return [part]
     symbol, caret, exponent = part.partition("^")
@@ -75,14 +77,16 @@ def _symbols_like(symbol: str) -> list[str]:
 
 
 def _split(symbol: str) -> list[str]:
-    """Two symbols written without a sign between them."""
+    """Two symbols that are written without a sign between them."""
     cuts = [(symbol[:cut], symbol[cut:]) for cut in range(1, len(symbol))]
     return [f"{left}*{right}" for left, right in cuts if left in SYMBOLS and right in SYMBOLS]
 
 
 def _close(lowered: str) -> list[str]:
-    """Symbols a slip of the finger away; of one or two letters, every symbol would be."""
-    import difflib  # 15 ms that a file without mistakes need not spend
+    """The symbols that differ by one typing error. Short symbols are left out, because every symbol
+    would be similar.
+    """
+    import difflib  # takes 15 ms, which a file without mistakes need not spend
 
     if len(lowered) < 3:
         return []

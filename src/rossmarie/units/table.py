@@ -1,8 +1,8 @@
-"""The units that rules may use. One row a unit; derived from SI (BIPM brochure, 9th edition).
+"""The units that rules may use, one row for each, derived from SI (BIPM brochure, 9th edition).
 
-A unit is `numerator / denominator * pi**pi_power` times a product of the units above it. Left out
-on purpose: `C` (coulomb), which users write for degrees Celsius, and units that REP 103 advises
-against.
+A unit is `numerator / denominator * pi**pi_power` times a product of the units above it. Two kinds
+are left out on purpose: `C` (coulomb), which users write for degrees Celsius, and units that REP
+103 advises against.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ SYMBOLS: Mapping[str, Definition] = {
     "degC": Definition("degree Celsius", "K", offset=273.15),
     "cd": Definition("candela"),
     "lx": Definition("lux", "cd/m^2"),
-    # shares
+    # ratios
     "%": Definition("percent", "", 1, 100),
 }
 
@@ -116,10 +116,10 @@ ALIASES: Mapping[str, str] = {
     "Ns": "N*s",
     "kgm": "kg*m",
 }
-"""Other spellings, and products that are written without a sign."""
+"""Other notations, and products that are written without a sign."""
 
 PREFERRED = ("Hz", "N", "N*m", "Pa", "W", "V", "ohm", "T", "lx")
-"""The names of SI units whose products of base units are not what people say."""
+"""The names of SI units that people use instead of products of base units."""
 
 SPELLED_OUT: Mapping[str, str] = {
     "C": "degC",
@@ -138,7 +138,7 @@ SPELLED_OUT: Mapping[str, str] = {
     "seconds": "s",
     "secs": "s",
 }
-"""The suggestions for spellings that are not accepted, beside the meanings of `SYMBOLS`."""
+"""The suggestions for notations that are not accepted, in addition to the meanings of `SYMBOLS`."""
 
 EVERYDAY: Mapping[str, str] = {
     "mps": "m/s",
@@ -159,7 +159,7 @@ EVERYDAY: Mapping[str, str] = {
     "rps": "rev/s",
     "revs": "rev",
 }
-"""Spellings of everyday life, in lower case, and what they mean; looked up before all else."""
+"""Everyday notations, in lower case, with their meanings. They take precedence."""
 
 FACTORS: Mapping[str, str] = {
     "mph": "1 mph is 0.44704 m/s, or 1.609344 km/h",
@@ -181,4 +181,4 @@ FACTORS: Mapping[str, str] = {
     "psi": "1 psi is 6.894757 kPa",
     "degf": "X degF are (X - 32) / 1.8 degC",
 }
-"""Units that there are not, in lower case, and what they are in units that there are."""
+"""Units that are not supported, in lower case, with their values in supported units."""

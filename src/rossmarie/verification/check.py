@@ -15,10 +15,10 @@ Passes = tuple[tuple[str, int], ...]
 class Check:
     """A function of the program without parameters, `check_NAME`. `about` describes its obligation.
 
-    `replaced` redirects calls. No loop has more passes than `loops` states for it, or else than the
-    program does. The bounds are proved, too, except for loops in `unwound`, where so many passes
-    stand for all. A check that is `is_arithmetic` is never given to a SAT solver as a whole,
-    because the solver would not finish.
+    `replaced` redirects calls. `loops` limits the passes of the loops that it names; the limit of
+    the program applies to all other loops. CBMC also proves that the limits are enough, except for
+    the loops in `unwound`, where the given number of passes stands for any number. A check with
+    `is_arithmetic` is never given to a SAT solver as a whole, because the solver would not finish.
     """
 
     name: str

@@ -1,7 +1,7 @@
-"""Checks of the bounds that lie on commands (R11, R12).
+"""Checks of the bounds on commands (R11, R12).
 
-Takes the reactions of a machine; gives C functions. The numbers come from the effects as the rules
-state them, not from the tables that the generator makes.
+The input is the reactions of a machine; the result is C functions. The numbers come from the
+effects as the rules state them, not from the tables that the generator makes.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ANY_REACTOR = """\
     const reactor *const r = &s;
     const int64_t t_ns = nondet_instant();
     suppose_fit(r);"""
-"""Any memory that fits, at any instant."""
+"""Any memory that satisfies the invariants, at any instant."""
 
 _IN_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 
@@ -64,7 +64,7 @@ class CommandChecks:
         self._name = name
 
     def written(self) -> Iterator[Written]:
-        """All of them; none without commands."""
+        """All checks; none if the machine has no commands."""
         if not self._found.commands:
             return
         text = _BOUNDED.format(name=self._name)
@@ -108,7 +108,7 @@ class CommandChecks:
                 yield index, task.effect
 
     def _ramps(self) -> set[tuple[int, float]]:
-        """The tasks that bound commands, with how fast that fades."""
+        """The tasks that bound commands, each with the rate at which its bound fades."""
         found: set[tuple[int, float]] = set()
         for command, each in enumerate(self._found.commands):
             for field in range(len(each.fields)):
@@ -158,7 +158,7 @@ class CommandChecks:
             yield obligation(free, "what nothing limits is unlimited")
 
     def _loops(self, command: int) -> Passes:
-        """The loops over fields, limits and scales have as many passes as there are of these."""
+        """The numbers of passes: each loop runs over fields, limits or scales."""
         fields = range(len(self._found.commands[command].fields))
         limits = sum(len(list(self._limits(command, field))) for field in fields)
         scales = len(list(self._scales(command)))

@@ -28,7 +28,7 @@ class Definitions:
         self._beside = supports.beside(layout.machine).arrays
 
     def text(self) -> str:
-        """All of them, each after those that it uses."""
+        """The text of all definitions. Each definition follows the definitions that it uses."""
         applied = supports.functions(self._machine)
         functions = [*map(formulas.definition_of_subfunction, formulas.subfunctions(applied))]
         functions += [formulas.definition(*each) for each in applied]
@@ -45,34 +45,36 @@ class Definitions:
         return "\n".join(parts)
 
     def is_whole(self, proposition: int) -> bool:
-        """Say whether a proposition is about a monitor and not about one element of an array."""
+        """Say whether a proposition is about the monitor, not about one element of an array."""
         return self._layout.elements.propositions[proposition] is None
 
     # --- numbers -----------------------------------------------------------------------------
 
     def number(self, signal: int) -> str:
-        """A signal where it is kept, or a constant."""
+        """The C expression for a signal where the monitor keeps it, or for a constant."""
         node = self._machine.signals[signal].node
         if isinstance(node, ir.Constant):
             return literal(node.value)
         return f"m->value[{self._layout.value_of_signal[signal]}]"
 
     def computed(self) -> Iterator[int]:
-        """The signals that are computed from numbers that the monitor keeps."""
+        """The signals that the monitor computes from numbers that it keeps."""
         for index, signal in enumerate(self._machine.signals):
             is_computed = isinstance(signal.node, ir.Apply | ir.Sampled)
             if is_computed and self._layout.elements.signals[index] is None:
                 yield index
 
     def is_never_infinite(self, signal: int) -> bool:
-        """Say whether a signal is finite or unknown by itself."""
+        """Say whether a signal is finite or unknown even before S4 applies."""
         node = self._machine.signals[signal].node
         if not isinstance(node, ir.Apply):
             return False
         return not may_be_infinite(node.function, len(node.operands), of_infinite=True)
 
     def can_be_infinite(self, signal: int) -> bool:
-        """Say whether a signal keeps infinities: those out of arrays are ordinary numbers (S8)."""
+        """Say whether a signal keeps infinities. Results from arrays do: they are ordinary numbers
+        (S8).
+        """
         match self._machine.signals[signal].node:
             case ir.Fold():
                 return True
@@ -96,7 +98,7 @@ class Definitions:
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self.number(operand) for operand in operands])
             case ir.Sampled() if not self._layout.support_of_signal(index).channels:
-                return "NAN"  # it is never sampled
+                return "NAN"  # such a signal is never sampled
             case ir.Sampled(function=function):
                 declared = sampling_row(function)
                 views = ", ".join(self._view(index, node, view) for view in declared.views)
@@ -106,8 +108,9 @@ class Definitions:
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     def _view(self, index: int, node: ir.Sampled, view: View) -> str:
-        """The result of a search among samples; the order of windows is not proved. A function with
-        feedback stores its results (S50), so its newest sample is the number itself.
+        """The result of a search among samples. The order of samples in windows is not proved. A
+        function that feeds back remembers its results (S50), so its newest sample is the number
+        itself.
         """
         feeds_back = sampling_row(node.function).feeds_back
         match view:
@@ -139,7 +142,7 @@ class Definitions:
     # --- elements of arrays ------------------------------------------------------------------
 
     def _elements(self) -> Iterator[str]:
-        """Compute one element (S22, S52), then all of them (S23 to S25, S53)."""
+        """Compute the signals of one element (S22, S52), then of all elements (S23 to S25, S53)."""
         for index, array in enumerate(self._layout.elements.signals):
             if array is not None:
                 head = f"static double spec_element_{index}({self._parameters(array)})"
@@ -179,11 +182,13 @@ class Definitions:
         return ", ".join([*self._memory(array, "const monitor *m"), *columns])
 
     def _memory(self, array: int, name: str) -> list[str]:
-        """The monitor, where numbers of it stand beside the elements (S74)."""
+        """The monitor as a parameter, if numbers of the monitor are used beside the elements
+        (S74).
+        """
         return [name] if array in self._beside else []
 
     def _unused(self, array: int) -> str:
-        """Not every field matters to every query."""
+        """The casts that mark parameters as used: not every query uses every field."""
         columns = (f"e{each}" for each in supports.columns(self._machine, array))
         return "".join(f"(void){each}; " for each in (*self._memory(array, "m"), *columns))
 
@@ -273,18 +278,20 @@ class Definitions:
                 raise AssertionError(f"{type(node).__name__} does not compare")
 
     def proposition(self, index: int) -> str:
-        """A proposition where it is kept."""
+        """A proposition where the monitor keeps it."""
         return f"m->truth_value[{self._layout.node_of_proposition[index]}]"
 
     def _held(self, index: int, node: ir.Held) -> str:
-        """S33: the operand has been what it is since `since_ns` (S34)."""
+        """S33: whether the operand has kept its value, since `since_ns` (S34), for the duration."""
         k = self._layout.held.index(index)
         operand, start = self.proposition(node.operand), self.since(node.operand)
         matured = f"t_ns - {start} >= INT64_C({node.duration_ns}) ? TRUE : m->held_before[{k}]"
         return f"{operand} != TRUE ? {operand} : {matured}"
 
     def since_then(self, k: int, memory: str) -> str:
-        """S44: the k-th `since` by what it was in a memory, and its operands now."""
+        """S44: the k-th `since`, from its value in a memory and the present values of its
+        operands.
+        """
         node = self._machine.propositions[self._layout.sinces[k]].node
         assert isinstance(node, ir.Since), "the layout lists them"
         held, begun = self.proposition(node.held), self.proposition(node.begun)
@@ -292,7 +299,7 @@ class Definitions:
         return f"spec_or({begun}, spec_and({held}, {before}))"
 
     def since(self, proposition: int) -> str:
-        """The instant from which a proposition has had its value."""
+        """The instant since which a proposition has had its value."""
         return f"m->since_ns[{self._layout.node_of_proposition[proposition]}]"
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> Iterator[str]:
@@ -342,7 +349,7 @@ class Definitions:
 
 
 def converted(raw: str, scale: float, offset: float) -> str:
-    """S7: a number as it arrives, in SI."""
+    """S7: a received number, converted to SI."""
     is_plain = scale == 1.0 and offset == 0.0
     return raw if is_plain else f"(({raw} * {literal(scale)}) + {literal(offset)})"
 
@@ -355,7 +362,7 @@ def applied(function: AnyFunction, operands: Sequence[str]) -> str:
 def compared(
     node: ir.Compare | ir.Between | ir.Flag, write: Callable[[int], str], unknown: str
 ) -> str:
-    """S27 to S29: a comparison of numbers, `unknown` if any of them is."""
+    """S27 to S29: a comparison of numbers; `unknown` if an operand is unknown."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
             operands = [write(left), write(right)]

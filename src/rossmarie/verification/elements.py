@@ -1,5 +1,5 @@
-"""The semantics of what is asked of all elements of an array (S23 to S25), or of a list (S51 to
-S53), beside numbers that a monitor keeps (S74), as C.
+"""The semantics, as C, of results over all elements of an array (S23 to S25) or of a list (S51 to
+S53), also together with numbers that the monitor keeps (S74).
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from rossmarie.verification import formulas
 
 @dataclass(frozen=True)
 class AllOf:
-    """The elements of an array, or of the list of up to `most` that has these columns; with
-    `is_beside`, numbers stand beside them.
+    """The elements of an array, or of a list of up to `most` elements with these columns. With
+    `is_beside`, the results also use numbers of the monitor.
     """
 
     columns: tuple[int, ...]
@@ -22,12 +22,12 @@ class AllOf:
 
     @property
     def parameters(self) -> str:
-        """The parameters of a function of all of them."""
+        """The parameters of a function over all elements."""
         columns = (f"const double *a{each}" for each in self.columns)
         return ", ".join([*self._memory("const monitor *m"), *columns, "size_t n"])
 
     def element(self, place: str) -> str:
-        """The arguments that one of them is."""
+        """The arguments that stand for one element."""
         columns = (f"a{each}[{place}]" for each in self.columns)
         return ", ".join([*self._memory("m"), *columns])
 
@@ -35,18 +35,22 @@ class AllOf:
         return [name] if self.is_beside else []
 
     def first(self, value: str) -> str:
-        """The result before any element: a value, or unknown if nothing is known of them."""
+        """The result before the first element: a value, or unknown if the elements give no
+        result.
+        """
         is_unknown = "n == 0" if self.most is None else f"n > {self.most}"
         return f"{is_unknown} ? NAN : {value}"
 
     def loop(self, start: int = 0) -> str:
-        """The head of a loop over all of them, `i`; it is not entered if there are too many."""
+        """The head of a loop over all elements, with index `i`. The loop is empty if there are too
+        many.
+        """
         end = "n" if self.most is None else f"(n > {self.most} ? 0 : n)"
         return f"for (size_t i = {start}; i < {end}; i++)"
 
 
 def folded(index: int, folding: ir.Folding, element: int, all_of: AllOf) -> str:
-    """The function that means the least or greatest of a number."""
+    """The C function that defines the least or greatest value of a number."""
     combine = formulas.name(folding.function, 2)
     number = f"spec_element_{element}({all_of.element('i')})"
     start = f"spec_element_{element}({all_of.element('0')})"
@@ -62,7 +66,7 @@ def folded(index: int, folding: ir.Folding, element: int, all_of: AllOf) -> str:
 
 
 def counted(index: int, element: int, all_of: AllOf) -> str:
-    """The function that means for how many a proposition holds."""
+    """The C function that defines the number of elements for which a proposition holds."""
     value = f"spec_element_is_{element}({all_of.element('i')})"
     return (
         f"static double spec_fold_{index}({all_of.parameters})\n{{\n"
@@ -74,7 +78,9 @@ def counted(index: int, element: int, all_of: AllOf) -> str:
 
 
 def quantified(index: int, node: ir.Quantified, all_of: AllOf) -> str:
-    """The function that means whether a proposition holds for some, or for all, as a number."""
+    """The C function that defines whether a proposition holds for some, or for all, elements. Its
+    result is a number: 1, 0 or NAN.
+    """
     word, start = ("or", "FALSE") if node.quantifier is ir.Quantifier.ANY else ("and", "TRUE")
     is_unknown = "n == 0" if all_of.most is None else f"n > {all_of.most}"
     proposition = f"spec_element_is_{node.element}({all_of.element('i')})"

@@ -1,6 +1,7 @@
-"""Checks of evaluation, of rules, and of the functions that no message is in.
+"""Checks of evaluation, of rules, and of the functions that process no message.
 
-Takes the invariants of a machine; gives C functions that begin in any state that fits them.
+The input is the invariants of a machine; the result is C functions that begin in any state that
+satisfies them.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ class EngineChecks:
         self._definitions = definitions
 
     def written(self) -> Iterator[Written]:
-        """All of them."""
+        """All checks of evaluation, rules and the interface."""
         yield from self._visits()
         parts = (("visit", "contract_visit"),)
         about = "everything that is marked is evaluated, in order, and that ends"
@@ -92,7 +93,7 @@ class EngineChecks:
 {chr(10).join(obligations)}"""
 
     def _rule(self, index: int, node: int) -> str:
-        """S35 to S37, and that no other rule changes."""
+        """S35 to S37: the rule changes as defined, and no other rule changes."""
         rule = self._machine.rules[index]
         condition = self._definitions.proposition(rule.condition)
         was, now = (f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->"))
@@ -107,7 +108,7 @@ class EngineChecks:
         return obligation(f"{now} == {becomes if mine else was}", about)
 
     def _before(self, k: int, node: int) -> str:
-        """S33: what the operand of a duration was before it was true."""
+        """S33: the value of a duration's operand before the operand became true."""
         proposition = self._layout.held[k]
         declared = self._machine.propositions[proposition]
         assert isinstance(declared.node, ir.Held), "the layout lists durations"
@@ -118,7 +119,7 @@ class EngineChecks:
         return obligation(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
 
     def _remembered(self, k: int, node: int) -> str:
-        """S44: what a `since` was when it was last evaluated."""
+        """S44: the value of a `since` at the last evaluation."""
         proposition = self._layout.sinces[k]
         was = f"old.since_before[{k}]"
         if node == self._layout.node_of_proposition[proposition]:
@@ -180,7 +181,7 @@ class EngineChecks:
         __CPROVER_assert(!{name}_is_active(m, rule), "no rule is active");"""
 
     def _nothing_was(self) -> str:
-        """S44: before the first evaluation each `since` is false."""
+        """S44: each `since` is false before the first evaluation."""
         obligations = (
             obligation(f"m->since_before[{k}] == FALSE", "nothing has held before the start")
             for k in range(len(self._layout.sinces))

@@ -23,8 +23,8 @@ class Events:
         self._rules = layout.machine.rules
 
     def text(self) -> str:
-        """A function for each rule: if the rule changed since `old` and there is a listener, it is
-        reported once, with the content of S41.
+        """For each rule, a function that asserts one report, with the content of S41, if the rule
+        has changed since `old` and there is a listener.
         """
         return "\n".join(map(self._reported, range(len(self._rules))))
 
@@ -62,8 +62,8 @@ class Events:
         return f"({_bit('m->', rule)} != {_bit('old.', rule)})"
 
     def reported(self, rules: set[int]) -> Iterator[str]:
-        """The obligations that changes of some rules are reported, and that nothing is reported of
-        the others.
+        """The obligations that changes of these rules are reported, and no changes of other
+        rules.
         """
         for rule in range(len(self._rules)):
             if rule in rules:

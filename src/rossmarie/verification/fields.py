@@ -1,6 +1,5 @@
-"""The fields that the messages of a channel carry, in the order in which C takes them: the slots of
-the machine in their order, then its arrays, then the columns of each list with one count behind
-them.
+"""The fields in the messages of a channel, in the order in which C takes them: the slots of the
+machine in their order, then its arrays, then the columns of each list, followed by one count.
 """
 
 from __future__ import annotations
@@ -15,13 +14,13 @@ from rossmarie.naming.identifiers import c_identifier
 from rossmarie.verification.layout import Layout, MisplacedError
 
 SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
-"""The types of slots in public functions."""
+"""The C types of slots in public functions."""
 
 
 @dataclass(frozen=True)
 class Field:
-    """A slot or an array of a message, under the name that it has in C. `count` is the name of how
-    many elements there are, where that stands behind it.
+    """A slot or an array of a message, under its name in C. If a count of elements follows it,
+    `count` is the name of the count.
     """
 
     name: str
@@ -31,7 +30,7 @@ class Field:
 
 
 def fields_of(layout: Layout, channel: int) -> tuple[Field, ...]:
-    """The fields of a channel. Raises `MisplacedError` if one is called after another."""
+    """The fields of a channel. Raises `MisplacedError` if a field has the name of another field."""
     lists = enumerate(layout.machine.lists)
     own = [index for index, each in lists if layout.machine.inputs[each.input].channel == channel]
     columns = [field for index in own for field in _columns(layout, index)]
@@ -52,7 +51,7 @@ def _arrays(layout: Layout, channel: int) -> Iterator[Field]:
 
 
 def _columns(layout: Layout, its_list: int) -> Iterator[Field]:
-    """S51: a list arrives as columns of one length."""
+    """S51: the columns of a list, which all have one length."""
     arrays = enumerate(layout.machine.arrays)
     columns = [index for index, array in arrays if array.list == its_list]
     for column in columns:
@@ -67,7 +66,7 @@ def _count(layout: Layout, its_list: int) -> str:
 
 
 def _named(names: Mapping[int, str], index: int, path: Path) -> str:
-    """A field is called after its path, with a number behind it where that is taken."""
+    """The name of a field: its path, followed by a number if the path's name is taken."""
     steps = [str(step) for step in path if step != EACH]
     word, name = c_identifier("_".join(steps) or "value"), names.get(index, "")
     if not re.fullmatch(rf"{re.escape(word)}(_\d+)?", name):
@@ -76,7 +75,7 @@ def _named(names: Mapping[int, str], index: int, path: Path) -> str:
 
 
 def plain_parameters(field: Field) -> list[str]:
-    """The parameters of a field where every scalar is a double."""
+    """The parameters of a field if every scalar is a double."""
     if field.slot is None:
         counts = [] if field.count is None else [f"size_t {field.count}"]
         return [f"const double *{field.name}", *counts]
@@ -84,5 +83,5 @@ def plain_parameters(field: Field) -> list[str]:
 
 
 def arguments(field: Field) -> list[str]:
-    """The field handed on as plain parameters."""
+    """The arguments that pass on a field as plain parameters."""
     return [field.name] if field.count is None else [field.name, field.count]

@@ -1,5 +1,5 @@
-"""Expressions of the core as C, written to be read beside the semantics: each operation in its own
-parentheses, each number to the last bit.
+"""Expressions of the core as C, written for comparison with the semantics: each operation in its
+own parentheses, each number exact to the last bit.
 
 The generator of the proved C has its own writer and shares no code with this module.
 """
@@ -31,41 +31,43 @@ from rossmarie.core.expressions import (
 
 
 def name(function: AnyFunction, count: int) -> str:
-    """The C function that means a function of `count` operands."""
+    """The C function that defines a function of `count` operands."""
     return f"spec_{function.value}_{count}"
 
 
 def definition(function: AnyFunction, count: int) -> str:
-    """The definition in C of a function of `count` operands, before S4."""
+    """The C definition of a function of `count` operands, before S4 applies."""
     names = parameters(count)
     remark = f"{row(function).rule}: {row(function).worded(names)}"
     return _definition(name(function, count), names, defined(function, count), remark)
 
 
 def subfunctions(applied: Iterable[tuple[AnyFunction, int]]) -> tuple[Subfunction, ...]:
-    """The functions that functions of so many operands apply, each after those that it applies."""
+    """The subfunctions that these functions apply. Each follows the subfunctions that it
+    applies.
+    """
     return tuple(dict.fromkeys(each for one in applied for each in subfunctions_of(defined(*one))))
 
 
 def name_of_subfunction(function: Subfunction) -> str:
-    """The C function that means a function that others apply."""
+    """The C function that defines a subfunction."""
     return f"spec_{function.name}"
 
 
 def definition_of_subfunction(function: Subfunction) -> str:
-    """The definition in C of a function that others apply."""
+    """The C definition of a subfunction."""
     remark = f"S5: {function.phrase.format(*function.parameters)}"
     name = name_of_subfunction(function)
     return _definition(name, function.parameters, function.expression, remark)
 
 
 def name_of_samples(function: Sampling) -> str:
-    """The C function that means a function of samples."""
+    """The C function that defines a function of samples."""
     return f"spec_{function.value}"
 
 
 def definition_of_samples(function: Sampling) -> str:
-    """The definition in C of a function of samples, before S4."""
+    """The C definition of a function of samples, before S4 applies."""
     declared = sampling_row(function)
     names = [view.value for view in declared.views]
     time = "a window" if declared.has_window else "a time"

@@ -40,7 +40,7 @@ class Frames:
             assert found is not None, f"{member} is no member"
             name, count = found["name"], found["count"]
             if name.startswith("window_"):
-                continue  # looked at by `window_middle` alone, of which nothing has to be proved
+                continue  # only `window_middle` reads these; nothing about them is proved
             places = [f"{name}[{place}]" for place in range(int(count))] if count else [name]
             self._places[name] = places
             if found["kind"] == "double":
@@ -64,7 +64,7 @@ class Frames:
     # --- messages ----------------------------------------------------------------------------
 
     def _reported(self) -> str:
-        """S7, S9: a message makes its inputs fresh, and nothing else."""
+        """S7, S9: a message makes its inputs fresh and changes no other input."""
         lines = []
         for index, used in enumerate(self._machine.inputs):
             is_reported = f"is_reported[{used.channel}]"
@@ -88,23 +88,25 @@ class Frames:
         return _REPORTED.format(channels=channels, lines="\n".join(lines))
 
     def _is_stamped(self, index: int) -> bool:
-        """Say whether somebody looks at the age of an input."""
+        """Say whether a timeout or a proposition uses the age of an input."""
         has_timeout = self._machine.inputs[index].timeout_ns is not None
         return has_timeout or index in self._layout.aged_inputs()
 
     # --- functions ---------------------------------------------------------------------------
 
     def kept(self, lines: Iterable[str] = ()) -> str:
-        """Nothing has changed since `old`, except as the lines change `expected`."""
+        """The obligation that nothing has changed since `old`, except as the lines change
+        `expected`.
+        """
         inside = ["monitor expected = old;", *lines, "must_be_same(m, &expected);"]
         return "\n".join(["    {", *(f"        {line}" for line in inside), "    }"])
 
     def any_marks(self) -> Iterator[str]:
-        """Any marks."""
+        """Take over any marks into `expected`."""
         yield from self._any(*_MARKS)
 
     def _any(self, *names: str) -> Iterator[str]:
-        """Any values of these members, if they exist."""
+        """Take over any values of these members, if the members exist, into `expected`."""
         for name in names:
             yield from (f"expected.{place} = m->{place};" for place in self._places.get(name, ()))
 
@@ -112,25 +114,27 @@ class Frames:
         yield from (f"expected.{name}[{place}] = m->{name}[{place}];" for place in places)
 
     def _propositions(self, nodes: Iterable[int]) -> Iterator[str]:
-        """Propositions with any values, known since they changed."""
+        """Take over any values of propositions; `since_ns` changes with the value."""
         for node in nodes:
             yield f"if (m->truth_value[{node}] != old.truth_value[{node}])"
             yield f"    expected.since_ns[{node}] = t_ns;"
             yield f"expected.truth_value[{node}] = m->truth_value[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
-        """Numbers that change under some conditions."""
+        """Take over numbers that may change under some conditions."""
         for value, where in changed:
             yield f"if (({where}) || spec_same({self._seen(value, 'old.')}, m->value[{value}]))"
             yield f"    expected.value[{value}] = m->value[{value}];"
 
     def _seen(self, value: int, memory: str) -> str:
-        """A number as a reader sees it: some are stored as they arrive until they are read (S4)."""
+        """A number as a reader gets it: the monitor stores some numbers as received until they are
+        read (S4).
+        """
         kept = f"{memory}value[{value}]"
         return f"spec_finite({kept})" if value in self._covered else kept
 
     def evaluated(self) -> str:
-        """The frame of `evaluate`, in which visits only mark."""
+        """The frame of `evaluate`, with calls of `visit` that only mark."""
         return self.kept(["expected.now_ns = t_ns;", *self.any_marks()])
 
     def visited(self, node: int) -> str:
@@ -160,7 +164,7 @@ class Frames:
         return self.kept(lines)
 
     def _edge(self, k: int) -> Iterator[str]:
-        """S48: an edge is kept where a condition is true that was false."""
+        """S48: an edge is kept if a condition is now true and was false."""
         node, first = recent(self._layout, k), first_recent(self._layout, k)
         if not isinstance(node, ir.Recurs):
             return
@@ -198,8 +202,8 @@ class Frames:
         return "\n".join([*self._forgotten(expired), self.kept(lines)])
 
     def _forgotten(self, expired: Mapping[int, str]) -> Iterator[str]:
-        """S74: what is asked of elements is forgotten with a number beside them. The invariants say
-        the same of all other inputs.
+        """S74: a result over elements is forgotten together with the numbers that it uses beside
+        them. The invariants state the same for all other inputs.
         """
         for value, found in enumerate(self._layout.values):
             for used in sorted(found.support.inputs - found.support.needed):
@@ -208,7 +212,9 @@ class Frames:
                     yield obligation(f"!({expired[used]}) || isnan(m->value[{value}])", about)
 
     def restarted(self) -> str:
-        """The frame of `restart`: inputs keep their ages, the past is forgotten (S17)."""
+        """The frame of `restart`: inputs keep their ages; samples, durations and edges are
+        forgotten (S17).
+        """
         lines: list[str] = []
         for index in range(len(self._machine.inputs)):
             age = f"old.now_ns - old.stamp_ns[{index}]"
@@ -240,7 +246,7 @@ class Frames:
         return self.kept(lines)
 
     def _is_sampled(self, value: int) -> bool:
-        """Say whether a number rests on what another one was before."""
+        """Say whether a number depends on earlier samples."""
         return bool(self._layout.values[value].support.sampled)
 
     def received(self, channel: int) -> str:
@@ -267,7 +273,7 @@ class Frames:
         )
 
     def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
-        """Any changes of turning points, which have a separate proof."""
+        """Take over any changes of turning points, which have a separate proof."""
         for k in oscillations:
             first = first_recent(self._layout, k)
             instants = range(first, first + recent(self._layout, k).count)
@@ -282,8 +288,9 @@ class Frames:
     # --- rules that are latched --------------------------------------------------------------
 
     def latched(self, which: str, becomes: str) -> str:
-        """The frame of latching or resetting the rules for which `which` is -1 or their number.
-        `becomes` gives the new state of a rule from its old state `was` and its `condition`.
+        """The frame of latching or resetting rules. `which` is -1 for all rules, or the number of
+        one rule. `becomes` gives the new state of a rule from its old state `was` and its
+        `condition`.
         """
         lines = []
         for index, rule in enumerate(self._machine.rules):

@@ -1,9 +1,9 @@
 """Checks of tests of guarded numbers, and the contract that replaces such a test elsewhere.
 
-The input is the invariants of a machine. The result is, for each guard, a check of `cross` and one
-of `is_inside`, and the contract that all other checks call instead, which covers both. The values
-that a guard and its propositions keep of an earlier number are called *kept*: they belong to some
-number, not necessarily to the present one.
+The input is the invariants of a machine. The result is, for each guard, a check of `cross`, a check
+of `is_inside`, and a contract. All other checks call the contract, which covers both. The values
+that a guard and its propositions keep from an earlier number are called *kept*: they belong to some
+number, not necessarily to the present number.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from rossmarie.verification.program import ANY, assertions, assumptions, obligat
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
 _LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
-"""The functions that stand in for a look at a guard."""
+"""The functions that replace a test of a guard."""
 
 
 def unlooked(parts: Parts) -> Parts:
-    """The same parts for queries that do not depend on the guards."""
+    """The replaced parts for checks to which the state of guards does not matter."""
     kept = tuple(pair for pair in parts if pair not in _LOOKS)
     return (*kept, ("cross", "ignore_cross")) if kept != parts else parts
 
@@ -38,11 +38,11 @@ class GuardChecks:
         self._invariants = invariants
 
     def parts(self) -> Parts:
-        """The parts that other checks call instead."""
+        """The replaced parts in the checks of other functions."""
         return _LOOKS if self._layout.guards else ()
 
     def written(self) -> Iterator[Written]:
-        """Two checks for each guard."""
+        """Two checks for each guard, and one check of `set_truth_value`."""
         for number, guard in enumerate(self._layout.guards):
             remark = remark_of(self._layout.values[guard.value])
             about = f"a new `{remark}` is compared with its limits"
@@ -58,7 +58,7 @@ class GuardChecks:
             yield Written(Check("set_truth_value", about), self._check_set_proposition())
 
     def text(self) -> str:
-        """The predicates, the contract, and what the checks compare."""
+        """The predicates, the contract, and the functions that the checks compare with."""
         if not self._layout.guards:
             return ""
         finite = list(self._finite())
@@ -85,7 +85,7 @@ class GuardChecks:
         return "\n".join(parts)
 
     def _cases(self, text: str) -> str:
-        """The same for each guard."""
+        """The same text for each guard."""
         return "".join(
             f"    case {number}: {text.format(number=number, value=guard.value)}\n"
             for number, guard in enumerate(self._layout.guards)
@@ -94,7 +94,9 @@ class GuardChecks:
     # --- what is kept ------------------------------------------------------------------------
 
     def _finite(self) -> Iterator[Sentence]:
-        """Numbers without a guard are stored as finite or unknown, except numbers of arrays."""
+        """Numbers that have no guard are kept as finite or unknown, except the numbers from
+        arrays.
+        """
         watched = [guard.value for guard in self._layout.guards]
         others = self._layout.places.kept_raw | {
             value
@@ -107,7 +109,7 @@ class GuardChecks:
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
     def _probe(self, number: int, guard: Watched) -> str:
-        """State that propositions are right for the largest number that a guard lets pass."""
+        """State that propositions are right for the largest number inside a guard."""
         right = " && ".join(
             f"{self._definitions.proposition(proposition)} == "
             + (
@@ -149,9 +151,9 @@ class GuardChecks:
     # --- what changes ------------------------------------------------------------------------
 
     def _change(self, number: int, guard: Watched) -> str:
-        """Looking at a number that may have left its guard: propositions change, and what depends
-        on them is marked; nothing else. A number inside it changes nothing, which is one case of
-        that.
+        """The contract of a test of a number that may have left its guard. The guard's propositions
+        change, and the nodes that depend on them are marked. Nothing else changes. A number inside
+        its guard changes nothing; the contract includes this case.
         """
         nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         return "\n".join(
@@ -175,7 +177,9 @@ class GuardChecks:
         )
 
     def _numbers(self) -> str:
-        """Numbers that are kept as they arrive until somebody looks (S4): one is not finite."""
+        """Numbers that are kept as received until they are read (S4): the test makes one finite or
+        unknown.
+        """
         lines = [
             f"        m->value[{value}] = spec_finite(m->value[{value}]);"
             for value in self._layout.places.kept_raw
@@ -195,7 +199,7 @@ class GuardChecks:
     # ------------------------------------------------------------------------------
 
     def _set(self, name: str, propositions: Sequence[int]) -> str:
-        """The function that gives one of some propositions a value."""
+        """The function that sets one of these propositions to a value."""
         cases = []
         for proposition in propositions:
             node = self._layout.node_of_proposition[proposition]
@@ -223,7 +227,7 @@ class GuardChecks:
     # --- the check ---------------------------------------------------------------------------
 
     def _check(self, number: int, guard: Watched) -> str:
-        """The check that a look leaves behind what the contract makes of the memory before."""
+        """The check that a test leaves the result that the contract makes of the memory before."""
         nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
         copied += [f"truth_value[{node}]" for node in nodes]
@@ -251,7 +255,9 @@ class GuardChecks:
         )
 
     def _inside(self, number: int, guard: Watched) -> str:
-        """Memory as it is fits what `look` leaves behind."""
+        """The check that memory already satisfies the result of `look` if the number is inside its
+        guard.
+        """
         return "\n".join(
             [
                 ANY,
@@ -266,7 +272,7 @@ class GuardChecks:
         )
 
     def _each_place(self, number: int) -> Iterator[str]:
-        """Each place that a guard can have is looked at on its own."""
+        """Treat each place that a guard can have as a case of its own."""
         first, last = self._invariants.places(number)
         yield f"    switch (m->place[{number}]) {{"
         for place in (*range(-4, -1), *range(first, last + 1)):

@@ -1,10 +1,10 @@
-"""The program for CBMC: the unchanged generated C, its meaning, and the checks.
+"""The program for CBMC: the unchanged generated C, its definitions, and the checks.
 
 The input is a machine; the result is C text and the list of its checks. Each check begins in any
-state that fits the invariants, calls one part of the generated code, and has the obligations that
-the invariants are true again: one inductive step, so the proofs are unbounded. If a part calls
-another part with its own check, the called part is replaced by its contract, the facts that its
-check has proved.
+state that satisfies the invariants and calls one part of the generated code. Its obligations are
+that the invariants are true again. This is one inductive step, so the proofs are unbounded. If a
+part calls another part with its own check, the contract of the called part replaces it. The
+contract states the facts that the check of the called part has proved.
 """
 
 from __future__ import annotations
@@ -57,8 +57,8 @@ _MOMENTS = {
 
 @dataclass(frozen=True)
 class Harness:
-    """The text of the program beside the generated C, and its checks. No loop has more passes than
-    `passes`. `name` is the name of its file.
+    """The text of the program beside the generated C, and its checks. `passes` is the most passes
+    of any loop. `name` is the name of the file.
     """
 
     text: str
@@ -128,7 +128,9 @@ class _Writer:
         return obligation("m->pending", "where something is evaluated, something is pending") + "\n"
 
     def _passes(self) -> int:
-        """Loops run over the parts of a machine, or over what is marked."""
+        """The most passes of any loop. Loops run over the parts of a machine, or over marked
+        nodes.
+        """
         layout = self._layout
         limits = sum(guard.limit_count + 2 for guard in layout.guards)
         nodes = layout.proposition_count + len(self._machine.rules)
@@ -151,8 +153,8 @@ class _Writer:
         return {"leaves": (*self._invariants.guards(), "literals"), **_MOMENTS}
 
     def _unlooked(self, word: str, write: Callable[[Sequence[Sentence]], str]) -> str:
-        """The sentences that hold before timers are looked at: what was right at the last
-        evaluation still is, and no timer was due since.
+        """The sentences that hold before timers are handled: propositions are still as right as at
+        the last evaluation, and no timer has been due since.
         """
         groups = ("clock", "marks", "just_in_time", "leaves", "recent", "rules", "ahead", "woken")
         lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
@@ -160,7 +162,9 @@ class _Writer:
         return "\n".join([*lines, write(_reported(self._invariants, self._layout))])
 
     def _restarted(self) -> list[Sentence]:
-        """Everything that is computed is to be evaluated; the inputs are as they were."""
+        """The sentences after a restart: all computed propositions and rules are marked; inputs are
+        kept.
+        """
         marked = range(
             self._layout.leaf_count, self._layout.proposition_count + len(self._machine.rules)
         )
@@ -177,7 +181,9 @@ class _Writer:
 
 
 def _reported(invariants: Invariants, layout: Layout) -> list[Sentence]:
-    """Each proposition told of an oscillation was right at the last evaluation, or it is marked."""
+    """Each reported proposition about an oscillation was right at the last evaluation, or it is
+    marked.
+    """
     found = []
     for k, proposition in enumerate(layout.oscillations):
         reported = invariants.reported(k).replace("t_ns -", "m->now_ns -")

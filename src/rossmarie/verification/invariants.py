@@ -1,9 +1,9 @@
 """Invariants of the memory of a monitor between its functions, as C.
 
-The input is a layout and its definitions; the result is predicates. Three moments matter: a monitor
-is *at rest* between two calls; it has *caught up* with an instant if no timer is due before it; and
-it has *looked* at its numbers and timers at that instant if every wrong proposition is marked. Each
-predicate is a list of sentences, so that a proof can name the failing one.
+The input is a layout and its definitions; the result is predicates. Three moments matter. A monitor
+is *at rest* between two calls. It has *caught up* with an instant if no timer is due before the
+instant. It has *looked* at its numbers and timers at an instant if every wrong proposition is
+marked. Each predicate is a list of sentences, so that a proof can name the failing sentence.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _OLDEST = "(-LATEST)"
 
 @dataclass(frozen=True)
 class Sentence:
-    """A true statement, as C over `m` and `t_ns`. `about` is its name for readers."""
+    """A true statement, as C over `m` and `t_ns`. `about` describes it to readers."""
 
     about: str
     holds: str
 
 
 def users_of(layout: Layout, proposition: int) -> list[int]:
-    """The nodes that a proposition is an operand of: propositions, then rules."""
+    """The nodes that have a proposition as an operand: propositions, then rules."""
     machine = layout.machine
     found = [
         layout.node_of_proposition[index]
@@ -44,7 +44,7 @@ def users_of(layout: Layout, proposition: int) -> list[int]:
 
 
 def remark_of(value: Value) -> str:
-    """The words for a value, without the place that says so."""
+    """The description of a value, without the remark about its place."""
     return value.remark.split("  ", 1)[-1]
 
 
@@ -84,7 +84,7 @@ class Invariants:
         return " && ".join([*(f"m->dirty[{word}] == 0" for word in range(words)), "!m->pending"])
 
     def marks_are_in_range(self) -> str:
-        """State that only propositions that are evaluated when marked, and rules, are marked."""
+        """State that only rules, and propositions that are evaluated when marked, are marked."""
         first = self._layout.leaf_count
         last = self._layout.proposition_count + len(self._machine.rules)
         if self._layout.is_small:
@@ -100,7 +100,7 @@ class Invariants:
     # --- sentences ---------------------------------------------------------------------------
 
     def clock(self) -> Iterator[Sentence]:
-        """Instants from which differences fit into 64 bits."""
+        """Instants lie in a range in which differences fit into 64 bits."""
         yield Sentence("it has started", "m->started")
         yield Sentence("its clock is in range", "m->now_ns > EARLIEST && m->now_ns < LATEST")
         yield Sentence("its clock is not ahead", "m->now_ns <= t_ns && t_ns < LATEST")
@@ -120,7 +120,7 @@ class Invariants:
                 yield Sentence("instants of samples are in range", held)
 
     def inputs(self, slack: str) -> Iterator[Sentence]:
-        """S9 and S10; `slack` is `<` if what reached its timeout has expired, else `<=`."""
+        """S9 and S10. `slack` is `<` if an input at its timeout has expired, else `<=`."""
         for index, used in enumerate(self._machine.inputs):
             state, about = f"m->state[{index}]", f"the state of {used.name}"
             in_time = f"t_ns - m->stamp_ns[{index}] {slack} INT64_C({used.timeout_ns})"
@@ -137,8 +137,9 @@ class Invariants:
         yield from self._computed()
 
     def _computed(self) -> Iterator[Sentence]:
-        """S9: a number that is computed is unknown without what it is computed from. An answer
-        about elements may be known without a number beside them: that of no elements is (S74).
+        """S9: a computed number is unknown if an input that it needs is not fresh. A result over
+        elements may be known although a number beside the elements is unknown: the result over no
+        elements is (S74).
         """
         for index, value in enumerate(self._layout.values):
             used = sorted(value.support.needed)
@@ -148,7 +149,7 @@ class Invariants:
                 yield Sentence(about, f"isnan(m->value[{index}]) || ({fresh})")
 
     def quiet(self) -> Iterator[Sentence]:
-        """A message on a quiet channel changes no age that somebody looks at."""
+        """A message on a quiet channel changes no age that a proposition uses."""
         for proposition in self._layout.ages:
             node = self._machine.propositions[proposition].node
             assert isinstance(node, ir.AgeReaches), "the layout lists ages"
@@ -158,12 +159,12 @@ class Invariants:
             yield Sentence(f"on a quiet channel `{text}` is false", held)
 
     def literals(self) -> Iterator[Sentence]:
-        """Propositions that never change are what they are."""
+        """Propositions that never change have their values."""
         for proposition in self._layout.literals:
             yield self._is_right(proposition)
 
     def guard(self, number: int, guard: Watched) -> Iterator[Sentence]:
-        """A guard lies around its number, and its propositions are what that is now."""
+        """A guard encloses its number, and its propositions have the values for this number."""
         for proposition in guard.leaves:
             yield self._is_right(proposition)
         yield from self.tests(guard)
@@ -202,7 +203,7 @@ class Invariants:
             yield Sentence(f"`{self._machine.propositions[proposition].text}` as a number", holds)
 
     def is_test(self, proposition: int) -> bool:
-        """Say whether the number from which a proposition is reported is only 0, 1 or unknown."""
+        """Say whether the number behind a proposition can only be 0, 1 or unknown."""
         is_flag = isinstance(self._machine.propositions[proposition].node, ir.Flag)
         return is_flag or proposition in self._layout.places.value_of_test
 
@@ -218,12 +219,14 @@ class Invariants:
         return Sentence(f"`{text}` has its defined value", is_right)
 
     def ages(self) -> Iterator[Sentence]:
-        """S31."""
+        """S31: propositions about ages have their values."""
         for proposition in self._layout.ages:
             yield self._is_right(proposition)
 
     def derived(self) -> Iterator[Sentence]:
-        """Propositions made of others are what these make of them, unless they are marked."""
+        """Compound propositions have the values that follow from their operands, unless they are
+        marked.
+        """
         for proposition in self._layout.derived:
             node = self._layout.node_of_proposition[proposition]
             sentence = self._is_right(proposition)
@@ -245,8 +248,8 @@ class Invariants:
             yield Sentence(f"`{text}` is remembered", f"{marked} || {reported}")
 
     def _timer(self, proposition: int) -> Iterator[str]:
-        """S33: the instant at which a duration is over, NEVER if it has not begun. S48: what is
-        remembered of a condition whose edges are counted is what that is now.
+        """S33: the due instant of a duration is its end, or NEVER if the duration has not begun.
+        S48: the remembered value of a condition with counted edges is its present value.
         """
         node = self._machine.propositions[proposition].node
         if isinstance(node, ir.Held):
@@ -264,7 +267,7 @@ class Invariants:
             yield f"({operand} < UNKNOWN ? {end} != NEVER : {end} == NEVER && {gap} == {operand})"
 
     def rules(self) -> Iterator[Sentence]:
-        """S35 to S38: what is certain of a rule whatever it was before."""
+        """S35 to S38: the facts about a rule that hold whatever its state was before."""
         for index, rule in enumerate(self._machine.rules):
             condition = self._definitions.proposition(rule.condition)
             active = f"(m->active[{index // 8}] >> {index % 8} & 1) != 0"
@@ -301,7 +304,7 @@ class Invariants:
     # --- turning points and edges ------------------------------------------------------------
 
     def recent(self) -> Iterator[Sentence]:
-        """S32, S48: turning points and edges that can be looked at."""
+        """S32, S48: the stored turning points and edges are consistent."""
         for k, proposition in enumerate(self._layout.recent):
             count, first = recent(self._layout, k).count, first_recent(self._layout, k)
             about = f"what is kept of `{self._machine.propositions[proposition].text}`"
@@ -318,7 +321,9 @@ class Invariants:
             yield Sentence("a number goes up or down, or nothing is known of it", heading)
 
     def swinging(self) -> Iterator[Sentence]:
-        """Each oscillation was seen as it is now, and its proposition is that, or it is marked."""
+        """The seen state of each oscillation is up to date. Its proposition agrees, or it is
+        marked.
+        """
         for k, proposition in enumerate(self._layout.oscillations):
             text = self._machine.propositions[proposition].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
@@ -329,14 +334,16 @@ class Invariants:
             yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.reported(k)}")
 
     def seen(self, k: int) -> str:
-        """The proposition that enough turning points lie within the window now."""
+        """The value for the present window: whether enough turning points lie in it."""
         proposition = self._layout.oscillations[k]
         x = self._definitions.number(oscillation(self._layout, k).signal)
         is_enough = enough(self._layout, k)
         return f"(!isfinite({x}) ? spec_unknown_{proposition}(m) : {is_enough} ? TRUE : FALSE)"
 
     def reported(self, k: int) -> str:
-        """State that a monitor tells what is seen: nothing until a gap is a window ago."""
+        """State that the monitor reports the seen value. After a gap it reports the seen value once
+        the gap is older than the window.
+        """
         proposition, node = self._layout.oscillations[k], oscillation(self._layout, k)
         value, seen = self._definitions.proposition(proposition), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
@@ -363,7 +370,7 @@ class Invariants:
     # --- moments -----------------------------------------------------------------------------
 
     def groups(self) -> dict[str, list[Sentence]]:
-        """All sentences, by the name of the predicate that they make together."""
+        """All sentences, grouped by the name of their predicate."""
         return {
             "clock": list(self.clock()),
             "marks": [Sentence("what is marked can be evaluated", self.marks_are_in_range())],

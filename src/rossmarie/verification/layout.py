@@ -1,8 +1,8 @@
 """The parts of a monitor, sorted by their meaning, each with its place in the generated C.
 
 The input is a machine, which determines the parts and their operands. The generator (`places.py`)
-determines the places. Each part needs its own place, so that no part is missing in the queries;
-otherwise there are no queries, and nothing is proved.
+determines the places. Each part needs a place of its own, so that the queries cover every part. If
+a part has none, there are no queries, and nothing is proved.
 """
 
 from __future__ import annotations
@@ -21,14 +21,16 @@ _WORD = 64
 
 
 class MisplacedError(Exception):
-    """The generator has no place for a part, or one place for two parts: a defect of this
+    """The generator has no place for a part, or one place for two parts. This is a defect of this
     program.
     """
 
 
 @dataclass(frozen=True)
 class Value:
-    """A number that a monitor keeps: of a slot, of a signal, or of a comparison (`test`)."""
+    """A number that a monitor keeps: the value of a slot, of a signal, or of a comparison
+    (`test`).
+    """
 
     remark: str
     support: Support
@@ -39,11 +41,11 @@ class Value:
 
 @dataclass(frozen=True)
 class Layout:
-    """The layout of one machine. Lists of propositions are in the order in which a monitor has
-    them.
+    """The layout of one machine. Lists of propositions have the monitor's own order.
 
-    `held`, `sinces`, `oscillations`, `recurring`, `sampled` and `windows` (signals, each with how
-    long its samples are remembered) are in the order of what is remembered of them.
+    `held`, `sinces`, `oscillations`, `recurring`, `sampled` and `windows` have the order of the
+    memory that belongs to them. `windows` are signals, each with the time in ns for which its
+    samples are kept.
     """
 
     machine: ir.Machine
@@ -70,15 +72,15 @@ class Layout:
 
     @property
     def recent(self) -> tuple[int, ...]:
-        """The propositions that count turning points or edges, in the order in which these are
-        kept.
+        """The propositions that count turning points or edges, in the order in which the monitor
+        stores these.
         """
         return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
-        """The number of propositions that are set where a number or an age is looked at, without
-        being marked.
+        """The number of propositions that are set directly when a number or an age is tested. They
+        are never marked.
         """
         return self.proposition_count - len(self.oscillations) - len(self.derived)
 
@@ -107,12 +109,12 @@ class Layout:
         return self.machine.inputs[used].timeout_ns is not None
 
     def aged_inputs(self) -> set[int]:
-        """The inputs whose age a proposition asks."""
+        """The inputs whose age a proposition uses."""
         nodes = (self.machine.propositions[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
     def guards_of(self, channel: int) -> list[Watched]:
-        """The guards that a message on a channel can leave."""
+        """The guards that a message on a channel can make a number leave."""
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
 
@@ -122,7 +124,7 @@ def layout_of(machine: ir.Machine) -> Layout:
 
 
 class _Sorted:
-    """The parts of a machine, by what they are."""
+    """The parts of a machine, sorted by their kind."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
@@ -164,15 +166,15 @@ class _Sorted:
         ]
 
     def _channels(self, proposition: int) -> frozenset[int]:
-        """The channels of which a proposition hears; an oscillation that rests on no input never
-        swings (S32).
+        """The channels on which a proposition depends. An oscillation that depends on no input
+        never swings (S32).
         """
         return supports.support(self._machine, (), (proposition,)).channels
 
     # --- numbers -----------------------------------------------------------------------------
 
     def _value_of_signal(self) -> dict[int, int]:
-        """A signal that reads a slot is kept where the slot is."""
+        """The place of each signal. A signal that reads a slot has the place of the slot."""
         found = {}
         for index in self._signals:
             match self._machine.signals[index].node:
@@ -207,7 +209,7 @@ class _Sorted:
     # --- what has to have a place ------------------------------------------------------------
 
     def _check(self, moving: list[int]) -> None:
-        """Check that no part is missing, and that no two parts share a place."""
+        """Raise `MisplacedError` if a part is missing, or if two parts share a place."""
         places, machine = self._places, self._machine
         nodes = places.node_of_proposition
         _same(nodes, self._propositions, "propositions")
@@ -225,8 +227,8 @@ class _Sorted:
         _must(len(set(places.channel_names)) == len(names), "two channels have the same name")
 
     def _remembered(self) -> tuple[set[int], set[tuple[int, int]]]:
-        """The signals whose last two samples are remembered, of what feeds back its own results
-        (S50); and the windows.
+        """The signals whose last two samples are remembered, including functions that feed back
+        their own results (S50); and the windows.
         """
         last: set[int] = set()
         windows: set[tuple[int, int]] = set()
@@ -254,7 +256,7 @@ def _place(places: Mapping[int, int], index: int, what: str) -> int:
 
 
 def _same(found: Iterable[Hashable], wanted: Collection[Hashable], what: str) -> None:
-    """The same things, each once."""
+    """Raise `MisplacedError` unless both collections contain the same things, each once."""
     listed = list(found)
     _must(len(listed) == len(wanted) and set(listed) == set(wanted), f"{what} are misplaced")
 

@@ -76,8 +76,8 @@ class MessageChecks:
         self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
 
     def text(self) -> str:
-        """The contracts of what takes in a message, where it matters only that it is handed on as
-        it is.
+        """The contracts of the functions that receive a message, for checks of how a message is
+        passed on.
         """
         channels = range(len(self._layout.places.channel_names))
         received = [*map(self._received, channels), *map(self._asked, channels)]
@@ -88,7 +88,7 @@ class MessageChecks:
         return "\n".join([*contracts, STAGES, *prepared, *received, COMPUTED])
 
     def written(self) -> Iterator[Written]:
-        """All of them."""
+        """All checks of messages."""
         for function, count in self._opaque:
             about = f"{function.value} is unknown of what is not known"
             check = Check(opaque.name(function, count), about, self._same)
@@ -160,7 +160,9 @@ class MessageChecks:
     def _calm(
         self, name: str, about: str, body: str, parts: Parts, guards: Sequence[int]
     ) -> Iterator[Written]:
-        """One check for each guard that may be left first, and one where all are kept."""
+        """One check for each guard that a number may leave first, and one check where no number
+        leaves any.
+        """
         kept = tuple(pair for pair in parts if pair[0] != "is_inside")
         parts = (*kept, ("is_inside", "inside_until_left"))
         here = "\n".join(f"    is_here[{number}] = true;" for number in guards)
@@ -174,7 +176,7 @@ class MessageChecks:
     # --- any message -------------------------------------------------------------------------
 
     def _message(self, channel: int) -> tuple[list[str], str]:
-        """Declarations of any message, and the arguments that hand it over."""
+        """The declarations of an arbitrary message, and the arguments that pass it on."""
         lines, arguments = [], ["m", "t_ns"]
         for number, field in enumerate(self._fields(channel)):
             if field.slot is not None:
@@ -191,7 +193,7 @@ class MessageChecks:
         return lines, ", ".join(arguments)
 
     def _values(self) -> Iterator[str]:
-        """Declares any messages on some topics."""
+        """The declarations of arbitrary messages on some topics."""
         yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.places.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
@@ -207,7 +209,9 @@ class MessageChecks:
                     yield f"    v.{topic}.{field.count} = {self._any_count(field)};"
 
     def _any_count(self, field: fields.Field) -> str:
-        """Any number of elements that are looked at; of a list also too many."""
+        """An arbitrary number of elements up to the limit of a check; for a list also too many
+        elements.
+        """
         assert field.array is not None, "only arrays have elements"
         count = f"nondet_number() % {ELEMENTS + 1}"
         its_list = self._machine.arrays[field.array].list
@@ -219,7 +223,7 @@ class MessageChecks:
         return _ANY_OF_KIND[self._machine.slots[slot].kind]
 
     def _received(self, channel: int) -> str:
-        """It remembers how often it was called, and is given what it is to be called with."""
+        """The contract of a receiving function: it counts its calls and asserts its arguments."""
         name = self._layout.places.channel_names[channel]
         parameters = ["monitor *m", "int64_t t_ns"]
         given, obligations = [], []
@@ -242,7 +246,7 @@ class MessageChecks:
         )
 
     def _looked_at(self, channel: int) -> list[tuple[int, fields.Field]]:
-        """The arrays of a channel of which something is asked beside numbers, with their places."""
+        """The arrays of a channel whose elements are used beside numbers, with their places."""
         return [
             (number, field)
             for number, field in enumerate(self._fields(channel))
@@ -251,7 +255,9 @@ class MessageChecks:
         ]
 
     def _asked(self, channel: int) -> str:
-        """The contract of what asks elements beside numbers: they are handed on as they are."""
+        """The contract of the function that computes over elements beside numbers: it asserts its
+        arguments.
+        """
         if not self._looked_at(channel):
             return ""
         parameters, obligations = ["monitor *m"], list[str]()
@@ -272,7 +278,7 @@ class MessageChecks:
         )
 
     def _given(self, channel: int) -> Iterator[str]:
-        """A message is to be handed on as it is."""
+        """The arguments that the message must be passed on with."""
         for number, field in enumerate(self._fields(channel)):
             yield f"    given_{channel}_{number} = field_{number};"
             if field.count is not None:

@@ -1,5 +1,5 @@
-"""Contracts of the steps that a message goes through, where it matters only that they come in their
-order and are given what the message brings.
+"""Contracts of the steps that a message goes through, for checks of two things: the order of the
+steps, and their arguments.
 """
 
 RECEIVED = """\
@@ -50,8 +50,8 @@ void prepared(monitor *m, const bool arrived[])
     stage = PREPARED;
 }
 """
-"""The contracts of a computation of what stands beside elements: where that does not matter, and
-where it has to come in time.
+"""The contracts of the computation of numbers that are used beside elements. One is for checks to
+which this computation does not matter; the other asserts that it comes in time.
 """
 
 COMPUTED = """\
@@ -69,8 +69,8 @@ void computed(monitor *m, const bool arrived[], int64_t t_ns)
     ignore_compute(m, arrived, t_ns);
 }
 """
-"""The contracts of a computation from messages: where its results do not matter, and where it has
-to come last.
+"""The contracts of a computation from messages. One is for checks to which its results do not
+matter; the other asserts that the computation comes last.
 """
 
 HANDED = """\

@@ -25,8 +25,8 @@ class MessageNumbers:
         self._beside = supports.beside(layout.machine)
 
     def meant(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> list[str]:
-        """The obligations about the numbers that a message on a channel makes; its fields have
-        these names.
+        """The obligations about the numbers that a message on a channel determines. `names` are the
+        names of its fields.
         """
         return [
             *self._arrived(channel, names, counts),
@@ -40,7 +40,7 @@ class MessageNumbers:
         return fields.fields_of(self._layout, channel)
 
     def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:
-        """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
+        """S7; watched numbers may be kept as received until they are read (S4)."""
         named = {
             field.array: name
             for field, name in zip(self._fields(channel), names, strict=True)
@@ -102,7 +102,7 @@ class MessageNumbers:
                 yield obligation(f"spec_same({kept}, spec_signal_{index}(m))", about)
 
     def _tests(self, channel: int) -> Iterator[str]:
-        """Comparisons that are kept as numbers: 0, 1 or unknown."""
+        """Comparisons are kept as numbers: 0, 1 or unknown."""
         for proposition, value in self._layout.places.value_of_test.items():
             is_here = channel in self._layout.support_of_proposition(proposition).channels
             if is_here and not isinstance(
@@ -115,7 +115,7 @@ class MessageNumbers:
                 yield obligation(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
 
     def _samples(self, channel: int) -> Iterator[str]:
-        """S18."""
+        """S18: the samples that the message adds."""
         for k, signal in enumerate(self._layout.sampled):
             if channel in self._layout.support_of_signal(signal).channels:
                 text = self._machine.signals[signal].text

@@ -31,7 +31,7 @@ _NOTHING = "nothing is known of what is not"
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[AnyFunction, int], ...]:
-    """The functions with roots and angles: their values matter to no query but their own."""
+    """The functions with roots and angles. Only the queries about them need their values."""
     applied = {
         (node.function, len(node.operands)): None
         for node in nodes
@@ -46,7 +46,7 @@ def name(function: AnyFunction, count: int) -> str:
 
 
 def _is_possible(function: AnyFunction, count: int) -> str:
-    """The known facts about a result: none for an unknown function; some results are never
+    """The known facts about a result. An unknown function has none; some results are never
     infinite.
     """
     known = _known(parameters(count))
@@ -59,7 +59,7 @@ def _known(names: Iterable[str]) -> str:
 
 
 def contract(function: AnyFunction, count: int) -> str:
-    """The contract of a function, for checks in which its value does not matter."""
+    """The contract of a function, for checks to which its value does not matter."""
     names = parameters(count)
     head = ", ".join(f"double {each}" for each in names)
     return (
@@ -83,8 +83,8 @@ def kept(function: AnyFunction, count: int) -> str:
 
 
 class Subfunctions:
-    """The functions that some functions apply: arc sine and arc tangent. To proofs they are any
-    function that tells nothing of what is not known, and nothing infinite.
+    """The functions that other functions apply: arc sine and arc tangent. In proofs, each is an
+    arbitrary function. Its result is unknown if an operand is unknown, and never infinite.
     """
 
     def __init__(self, functions: Iterable[tuple[AnyFunction, int]]) -> None:
@@ -92,7 +92,9 @@ class Subfunctions:
         self._functions = tuple(dict.fromkeys(applied))
 
     def parts(self) -> Parts:
-        """Any functions instead of them, but the same in the C and in what it means."""
+        """The replacements of subfunctions: the same arbitrary functions in the generated C and in
+        the definitions.
+        """
         return tuple(
             (name, f"same_{each.name}")
             for each in self._functions
@@ -100,11 +102,11 @@ class Subfunctions:
         )
 
     def text(self) -> str:
-        """The functions that are called instead of them."""
+        """The arbitrary functions that replace the subfunctions."""
         return "\n".join(map(_any_function, self._functions))
 
     def written(self) -> Iterator[Written]:
-        """The checks of what the C makes of them."""
+        """The checks of the generated C of the subfunctions."""
         for each in self._functions:
             name, about = function_of_subfunction(each), each.phrase.format(*each.parameters)
             operands = ", ".join(each.parameters)
@@ -141,7 +143,7 @@ _FOUND = {
     View.UPPER: ("window_middle", "some_middle"),
     View.TOTAL: ("window_total", "some_total"),
 }
-"""The functions that look through the samples of windows."""
+"""The functions that search the samples of windows."""
 
 _WINDOWS = """\
 double some_middle(const monitor *m, unsigned k, unsigned is_upper)
@@ -167,9 +169,9 @@ void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
 
 
 def parts_of_windows(layout: Layout) -> Parts:
-    """The functions that keep the samples of windows, put them in order and add them. No query
-    proves these: they are the same in all machines, and take some thousand comparisons of numbers
-    each time.
+    """The functions that store, sort and add the samples of windows. No query proves these
+    functions: they are the same for all machines, and a proof compares some thousand numbers each
+    time.
     """
     if not layout.windows:
         return ()
@@ -179,18 +181,18 @@ def parts_of_windows(layout: Layout) -> Parts:
 
 
 def parts_of_samples(machine: ir.Machine) -> Parts:
-    """The functions of samples, where it does not matter which number they give."""
+    """The functions of samples, for checks to which their results do not matter."""
     return tuple((name, f"any_{name}") for name in _functions_of_samples(machine).values())
 
 
 def _functions_of_samples(machine: ir.Machine) -> dict[Sampling, str]:
-    """Their names in C, of those that have one."""
+    """The C names of the functions of samples that have a C function."""
     named = {each: function_of_samples(each) for each in samplings(machine)}
     return {each: name for each, name in named.items() if name is not None}
 
 
 def contracts_of_samples(layout: Layout) -> Iterator[str]:
-    """The contracts of these functions, and of windows."""
+    """The contracts of the functions of samples, and of windows."""
     for function, name in _functions_of_samples(layout.machine).items():
         views = [view.value for view in sampling_row(function).views]
         head = ", ".join(f"double {each}" for each in views)

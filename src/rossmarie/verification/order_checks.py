@@ -1,9 +1,9 @@
-"""Checks of the orders of a reactor, and of its state after them.
+"""Checks of the task commands of a reactor, and of its state after them.
 
 The input is the reactions of a machine; the result is C functions. Each part of a call has its own
-check, and is replaced in other checks by its contract, the facts that its check has proved. The
-decisions of a call are counted beside it, task by task. The check of `decide` proves that the list
-has enough space for them.
+check. In other checks a contract replaces the part; the contract states the facts that the check
+has proved. The program counts the decisions of a call task by task. The check of `decide` proves
+that the list has enough space for them.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class OrderChecks:
     # --- what checks refer to ----------------------------------------------------------------
 
     def text(self) -> str:
-        """Predicates and contracts."""
+        """The predicates and contracts that the checks use."""
         orders = self._orders
         within = [*self._invariants.always(), *orders.reported()]
         return "\n".join(
@@ -97,7 +97,7 @@ class OrderChecks:
     # --- the checks --------------------------------------------------------------------------
 
     def written(self) -> Iterator[Written]:
-        """All of them."""
+        """All checks of task commands."""
         about = "an order is kept until the end of a call"
         yield self._check("decide", about, (), self._decide())
         about = "orders are given once each, as they were decided on"
@@ -140,7 +140,9 @@ class OrderChecks:
         return Written(Check(name, about, parts, self._loops()), body)
 
     def _loops(self) -> Passes:
-        """No rule has more tasks, stages, or others that claim what it needs."""
+        """The limits of loops: a rule's tasks, its stages, and the rules that claim the same
+        resource.
+        """
         plans, tasks = self._found.plans, self._found.tasks
         longest = max(len(plan.tasks) for plan in plans)
         started = [len(stage) for plan in plans for stage in plan.stages]
@@ -205,7 +207,7 @@ _BEFORE = "const reactor *r, const reactor *old, const orders *was"
 
 
 def _both(name: str, parameters: str, sentences: Iterable[Sentence]) -> Iterator[str]:
-    """A predicate as what is supposed, and as what has to be shown."""
+    """A predicate as an assumption and as an obligation."""
     found = list(sentences)
     unused = "".join(
         f"    (void){each.split()[-1].lstrip('*')};\n" for each in parameters.split(",")
@@ -220,7 +222,7 @@ _WITHIN = """\
     reported = any_orders();
     suppose_within(r);"""
 
-# The stage is set and not supposed: so it is known which tasks start.
+# The stage is set rather than assumed, so that the solver knows which tasks start.
 _AT_STAGE = """\
     const unsigned rule = {rule};
     reactor s = any();

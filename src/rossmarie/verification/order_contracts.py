@@ -1,4 +1,4 @@
-"""Contracts that stand for the parts of a call of a reactor, as C text."""
+"""Contracts that replace the parts of a call of a reactor, as C text."""
 
 from __future__ import annotations
 

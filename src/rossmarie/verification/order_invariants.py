@@ -1,8 +1,8 @@
-"""Invariants of the orders of one call of a reactor, as sentences.
+"""Invariants of the task commands of one call of a reactor, as sentences.
 
 The input is the reactions of a machine. `r` is the memory of the reactor. `reported` counts the
-orders that the call has decided on so far, and stores the tasks in force at its beginning. `old`
-and `was` are both in the state before a part of the call.
+task commands that the call has decided on so far, and stores the tasks in force at its beginning.
+`old` and `was` are the two states before a part of the call.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ class OrderInvariants:
     # --- what holds within a call ------------------------------------------------------------
 
     def reported(self) -> Iterator[Sentence]:
-        """The decisions so far fit the states of the tasks."""
+        """The decisions so far agree with the states of the tasks."""
         for task in self._tasks:
             yield from self._counted(task)
             yield from self._silent(task)
 
     def _counted(self, task: int) -> Iterator[Sentence]:
-        """Limits: no task gets more than two orders, OVERRULED and FAILED."""
+        """Limits: no task gets more than two task commands, OVERRULED and FAILED."""
         state, count = f"r->state[{task}]", f"reported.count[{task}]"
         yield Sentence("no task gets more than two orders", f"{count} <= 2")
         stops = (
@@ -65,7 +65,7 @@ class OrderInvariants:
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
 
     def _silent(self, task: int) -> Iterator[Sentence]:
-        """Nothing comes into force, or ends, without an order."""
+        """No task comes into force, or ends, without a task command."""
         last = f"reported.last[{task}]"
         yield Sentence(
             "orders are counted", f"({last} == NO_ORDER) == (reported.count[{task}] == 0)"
@@ -101,7 +101,7 @@ class OrderInvariants:
     # --- what parts of a call leave as it was ------------------------------------------------
 
     def kept(self) -> Iterator[Sentence]:
-        """The sentences that each part after releases keeps."""
+        """The sentences that are true after each part that follows the releases."""
         for rule in range(len(self._found.plans)):
             same = f"r->engaged[{rule}] == old->engaged[{rule}]"
             yield Sentence("which rules are engaged is known",
@@ -149,7 +149,9 @@ class OrderInvariants:
             yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks) or '0'})"
 
     def escalated(self) -> Iterator[Sentence]:
-        """The sentences that escalations keep, except for the started tasks and their reports."""
+        """The sentences that are true after escalations: only the started tasks and the reports
+        about them change.
+        """
         for task in self._tasks:
             begins = f"(old->state[{task}] == IDLE && r->state[{task}] != IDLE)"
             may_begin = begins if task in self._follows else "false"
@@ -168,9 +170,7 @@ class OrderInvariants:
                                f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
 
     def passed_on(self) -> Iterator[Sentence]:
-        """The sentences that the passing of resources keeps: a rule that has not started does not
-        start.
-        """
+        """The sentences that are true after resources are passed on: no rule starts by this."""
         for plan in self._found.plans:
             idle = " && ".join(f"old->state[{task}] == IDLE" for task in plan.tasks)
             for task in plan.tasks:
@@ -190,9 +190,7 @@ class OrderInvariants:
                            f"rule != {self._rules[task]} || r->state[{task}] == IDLE")  # fmt: skip
 
     def stage_started(self) -> Iterator[Sentence]:
-        """The sentences that the start of a stage of `rule` keeps, except for the tasks that
-        start.
-        """
+        """The sentences that are true after a stage of `rule` starts: only its tasks change."""
         for task in self._tasks:
             begins = f"(rule == {self._rules[task]} && old->state[{task}] == IDLE)"
             same = f"{_same(task)} && {_untold(task)}"
@@ -224,7 +222,7 @@ class OrderInvariants:
     # --- what a call has to reach ------------------------------------------------------------
 
     def ended(self) -> Iterator[Sentence]:
-        """R4, R15: the sentences after the ends of tasks."""
+        """R4, R15: the sentences after tasks have ended."""
         for task, declared in enumerate(self._found.tasks):
             timeout = reactions.timeout_ns(declared.effect)
             if timeout:
@@ -247,9 +245,7 @@ class OrderInvariants:
                        f"{idle} || {succeeds} || {is_over} || {state} == RUNNING")  # fmt: skip
 
     def _waited(self, task: int, timeout: int | None) -> Iterator[Sentence]:
-        """A task that waits fails when its time is up, unless what it is there for is so without
-        it.
-        """
+        """A waiting task fails at its timeout, unless its purpose is fulfilled without it."""
         state, due = f"r->state[{task}]", f"(old->since_ns[{task}] + INT64_C({timeout}))"
         fails = f"(old->now_ns >= {due} && !{self._answered(task)})" if timeout else "false"
         waits = f"(old->state[{task}] == WAITING)"
@@ -268,7 +264,9 @@ class OrderInvariants:
         return f"({' || '.join(others) or 'false'})"
 
     def _answering(self, task: int) -> Iterator[int]:
-        """The tasks of rules that do the same and nothing else: only an owner's hold (R8)."""
+        """The tasks of rules with the same effect and no other effect on the resource. Only an
+        owner's hold counts (R8).
+        """
         resource = self._found.tasks[task].resource
         for rule, plan in enumerate(self._found.plans):
             rivals = [each for each in plan.tasks if self._found.tasks[each].resource == resource]

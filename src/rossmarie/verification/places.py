@@ -1,8 +1,8 @@
 """The places of the parts of a machine in the generated C: names and numbers, without meanings.
 
 The input is a machine. The proofs read nothing else from the generator. This module states which
-member of memory belongs to which part; the required content of that member comes from the machine,
-elsewhere. `layout.py` rejects places if a part has none, or if two parts share one.
+member of memory belongs to which part. The required content of the member follows from the machine,
+in other modules. `layout.py` rejects places if a part has none, or if two parts share one.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class Watched:
 class Places:
     """The places of one machine.
 
-    `remarks` tell people what each number is. `kept_raw` are the numbers that may be kept as they
-    arrive until a guard looks at them. Names of fields are by slot and by array.
+    `remarks` describe each number to readers. `kept_raw` are the numbers that may be kept as
+    received until a guard reads them. Names of fields are listed by slot and by array.
     """
 
     name: str
@@ -106,11 +106,11 @@ def function_of(function: AnyFunction, count: int) -> str:
 
 
 def function_of_subfunction(function: Subfunction) -> str:
-    """The C function that computes a function that others apply."""
+    """The C function that computes a subfunction."""
     return formulas.definition_of_subfunction(function).name
 
 
 def function_of_samples(function: Sampling) -> str | None:
-    """The C function that computes a function of samples; none if it stands where it is used."""
+    """The C function that computes a function of samples; None if the C computes it in place."""
     found = formulas.definition_of_samples(function)
     return None if found.is_inline else found.name

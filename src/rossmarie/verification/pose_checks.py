@@ -1,8 +1,9 @@
-"""Checks of the memories of poses (R16, R17), and the contracts that stand for them elsewhere.
+"""Checks of the memories of poses (R16, R17), and the contracts that replace them elsewhere.
 
-Takes a machine; gives C functions. The numbers come from the reactions, not from the tables that
-the generator makes. Elsewhere memories do nothing: they change only their own members, of which all
-other queries take any, and the one order that each retracing task gets is shown to have room.
+The input is a machine; the result is C functions. The numbers come from the reactions, not from the
+tables that the generator makes. In other queries, memories of poses do nothing: they change only
+their own members, and the queries allow any values of these members. The check proves that the list
+has space for the one task command that each retracing task gets.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _TIMES = ("pose_sent_ns", "pose_recorded_ns")
 
 @dataclass(frozen=True)
 class _Memory:
-    """A memory, where its numbers begin, and the rules that retrace it."""
+    """A memory of poses, the index at which its numbers begin, and the rules that retrace it."""
 
     index: int
     first: int
@@ -77,7 +78,7 @@ class PoseChecks:
             first = placed.end
 
     def parts(self) -> Parts:
-        """The contracts that stand for the memories where something else is asked."""
+        """The contracts that replace the memories in checks of other functions."""
         return PARTS if self._memories else ()
 
     def text(self) -> str:
@@ -118,7 +119,7 @@ class PoseChecks:
     # --- the checks --------------------------------------------------------------------------
 
     def written(self) -> Iterator[Written]:
-        """All of them; none without memories."""
+        """All checks of memories; none if the machine has no memories."""
         if not self._memories:
             return
         for each in self._memories:
@@ -148,7 +149,9 @@ class PoseChecks:
         return Written(Check(f"poses_{name}", about, parts, self._loops()), body)
 
     def _loops(self) -> Passes:
-        """No loop has more passes than memories, users, numbers of a pose or tasks that retrace."""
+        """The limits of loops: memories, their users, the numbers of a pose, and tasks that
+        retrace.
+        """
         most = max(len(each.numbers) for each in self._memories)
         memories, tasks = len(self._memories), len(self._retraces)
         used = max(len(each.rules) for each in self._memories)
@@ -171,7 +174,7 @@ class PoseChecks:
         )
 
     def _apart(self, each: _Memory) -> str:
-        """R16: the required distance of a pose from the one before it."""
+        """R16: the required distance of a pose from the pose before it."""
         any_pose = ", ".join("nondet_double()" for _ in each.numbers)
         differs = " || ".join(f"pose[{n}] != last[{n}]" for n in each.numbers)
         square = " + ".join(f"(pose[{n}] - last[{n}]) * (pose[{n}] - last[{n}])" for n in range(3))
@@ -189,7 +192,7 @@ class PoseChecks:
         )
 
     def _new(self, each: _Memory) -> str:
-        """R16: a pose is compared with the newest that is kept."""
+        """R16: a pose is compared with the newest stored pose."""
         index = each.index
         newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
         lines = [_ANY_POSES, f"    const double pose[{len(each.numbers)}];"]
@@ -246,7 +249,9 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
-        """R17: the instant at which a task sends, if its memory has so many poses."""
+        """R17: the instant at which a task may send its next pose; NEVER if it cannot send.
+        `kept` is the number of poses in its memory.
+        """
         task, effect = self._retraces[index]
         kept = kept or f"{reactor}poses_kept[{effect.memory}]"
         holds = f"{reactor}state[{task}] == HOLDING"

@@ -1,4 +1,4 @@
-"""Contracts that stand for memories of poses, and for parts of them, as C text."""
+"""Contracts that replace memories of poses, and parts of them, as C text."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PARTS: Parts = (
     ("pose_set_back", "ignore_pose_set_back"),
     ("pose_forget", "ignore_pose_forget"),
 )
-"""The contracts that stand for the memories where something else is asked."""
+"""The contracts that replace the memories in checks of other functions."""
 
 CONTRACTS = """\
 static bool is_new[MEMORIES];

@@ -17,7 +17,7 @@ PRELUDE = """\
 #define isfinite(x) __CPROVER_isfinited(x)
 #define signbit(x) __CPROVER_signd(x)
 """
-"""The functions of CBMC on numbers, by the names that C has for them."""
+"""CBMC's functions on numbers, under their C names."""
 
 ANY = """\
     monitor s = any();
@@ -25,7 +25,7 @@ ANY = """\
     const int64_t t_ns = nondet_instant();
     asked_ns = t_ns;
     base = s;"""
-"""Any memory, at any instant."""
+"""An arbitrary memory, at an arbitrary instant."""
 
 
 def predicate(head: str, body: str) -> str:
@@ -36,12 +36,12 @@ def predicate(head: str, body: str) -> str:
 
 
 def assumptions(sentences: Sequence[Sentence]) -> str:
-    """Statements by which only states remain in which the sentences are true."""
+    """Statements that restrict the states to those in which the sentences are true."""
     return "\n".join(f"    __CPROVER_assume({sentence.holds});" for sentence in sentences)
 
 
 def assertions(sentences: Sequence[Sentence]) -> str:
-    """Assertions of the sentences, each under its name."""
+    """Assertions of the sentences, each with its name."""
     return "\n".join(obligation(sentence.holds, sentence.about) for sentence in sentences)
 
 

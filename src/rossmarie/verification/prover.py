@@ -1,8 +1,8 @@
 """CBMC, as a separate program: its path, and its answer to one check.
 
-CBMC 6 and its solvers are searched on the PATH; they are packages of Debian 13. A z3 that the
-Python package `z3-solver` has installed comes first: it also answers the queries about rules, and
-is often newer, which halves the time of some proofs.
+The PATH must contain CBMC 6 and its solvers, which are packages of Debian 13. A z3 from the Python
+package `z3-solver` takes precedence: it also answers the queries about rules, and is often newer,
+which halves the time of some proofs.
 """
 
 from __future__ import annotations
@@ -28,25 +28,25 @@ from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
 
 PROGRAMS = ("cbmc", "cadical", "z3")
-"""The programs that have to be there: CBMC and the solvers that it asks."""
+"""The required programs: CBMC and the solvers that it calls."""
 
 _SCRIPTS = sysconfig.get_path("scripts")
-"""The folder of the programs that Python packages bring."""
+"""The folder of the programs that Python packages install."""
 
 _SAT = ("--external-sat-solver", "cadical")
 """A SAT solver, which decides hundreds of obligations about states and instants at once."""
 
 _OWN_SAT: tuple[str, ...] = ()
-"""CBMC's own SAT solver, which goes on from one obligation that does not hold to the next."""
+"""CBMC's own SAT solver, which continues after an obligation that does not hold."""
 
 _SMT = ("--smt2", "--fpa")
-"""z3, which understands floating-point arithmetic: two sums of the same numbers are equal to it
-without a comparison of their bits.
+"""z3, which supports floating-point arithmetic. It finds two sums of the same numbers equal without
+a comparison of their bits.
 """
 
 _ENDING = (*_SMT, "--no-unwinding-assertions")
-"""The same for queries without loops' ends, on which z3 would spend too much time: they are queried
-separately.
+"""The same for queries without the ends of loops. z3 would need too much time for these ends, so
+separate queries cover them.
 """
 
 _ANY_ARITHMETIC = ("--smt2", "--no-unwinding-assertions")
@@ -62,7 +62,7 @@ _MOST = 600
 
 
 class _Step(NamedTuple):
-    """Solvers for so many obligations at a time, each with a time limit in seconds."""
+    """Solvers for groups of `size` obligations, each with a time limit in seconds."""
 
     size: int
     seconds: int
@@ -99,7 +99,7 @@ class ProofOutcome:
 
 
 _Answer = tuple[Verdict, tuple[str, ...]]
-"""A verdict, and the sentences that do not hold or have not been decided."""
+"""A verdict, and the sentences that do not hold or are undecided."""
 
 
 class ProverError(Exception):
@@ -130,7 +130,7 @@ class Prover:
 
     @contextmanager
     def workshop(self) -> Iterator[Path]:
-        """A folder for programs and queries, for as long as it is needed."""
+        """A temporary folder for programs and queries."""
         with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
             for name, text in SCRIPTS.items():
                 script = Path(folder) / name
@@ -139,16 +139,15 @@ class Prover:
             yield Path(folder)
 
     def compile(self, folder: Path, harness: Harness) -> None:
-        """Write the program of a harness, beside the sources that it includes, and translate it
-        once.
+        """Write the program of a harness, beside the sources that it includes, and compile it once.
+
+        Raises `ProverError` if CBMC rejects the program.
         """
         (folder / f"{harness.name}.c").write_text(harness.text, encoding="utf-8")
         self._must(["goto-cc", "-c", "-o", f"{harness.name}.goto", f"{harness.name}.c"], folder)
 
     def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> ProofOutcome:
-        """Ask about a check in a folder with its program. Each query has a limit of CPU time, in
-        seconds.
-        """
+        """Run a check in the folder of its program. Each query has a CPU-time limit, in seconds."""
         command = ["cbmc", self._compile(harness, check, folder), "--json-ui"]
         command += ["--unwind", str(harness.passes), *_unwound(check)]
         listed = _messages(self._must([*command, "--show-properties"], folder))
@@ -159,7 +158,7 @@ class Prover:
         return ProofOutcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
     def _compile(self, harness: Harness, check: Check, folder: Path) -> str:
-        """Translate the functions that a check calls. Returns the name of the file."""
+        """Compile the functions that a check calls. Returns the name of the file."""
         program = f"{check.name}.goto"
         function = f"check_{check.name}"
         whole = f"{harness.name}.goto"
@@ -175,8 +174,8 @@ class Prover:
     def _answers(
         self, query: _Query, names: Sequence[str], *, is_arithmetic: bool
     ) -> Sequence[_Answer]:
-        """Ask about everything at once; if that is too hard, about fewer and fewer obligations, and
-        once about the ends of loops.
+        """Query all obligations at once. If this is too hard, query smaller and smaller groups, and
+        once the ends of loops.
         """
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
@@ -196,13 +195,13 @@ class Prover:
     def _narrowed(
         self, query: _Query, names: Sequence[str], steps: Sequence[_Step]
     ) -> Iterator[_Answer]:
-        """Ask about some obligations at a time. Those that are too hard are left to finer steps."""
+        """Query groups of obligations. Finer steps get the groups that are too hard."""
         step, *finer = steps
         for first in range(0, max(len(names), 1), step.size):
             group = names[first : first + step.size]
             answer = self._ask(query.within(step.seconds), group, step.solvers)
             if answer[0] is Verdict.REFUTED and not answer[1]:
-                yield answer  # whatever other solvers answer: if they disagree, nothing is proved
+                yield answer  # if solvers disagree, nothing is proved
                 answer = self._ask(query.within(_LISTING), group, [_OWN_SAT])
             others = [each for each in finer if each.size < len(group) or each[1:] != step[1:]]
             if answer[0] is Verdict.UNDECIDED and others:
@@ -216,7 +215,7 @@ class Prover:
         names: Sequence[str],
         solvers: Sequence[Sequence[str]],
     ) -> _Answer:
-        """Ask for some obligations, or for all if none is named, all solvers at once; the first
+        """Query some obligations, or all if no name is given, with all solvers at once. The first
         answer counts.
         """
         with ExitStack() as stack:
@@ -252,20 +251,20 @@ class Prover:
 
 @dataclass(frozen=True)
 class _Query:
-    """The call of CBMC: its arguments, the place, and the time that it may take."""
+    """A call of CBMC: its arguments, its folder and its time limit in seconds."""
 
     command: Sequence[str]
     folder: Path
     seconds: int
 
     def within(self, seconds: int) -> _Query:
-        """The same for no longer than this."""
+        """The same call with at most this time limit."""
         return replace(self, seconds=min(self.seconds, seconds))
 
 
 class _Started:
-    """A running program, and its output so far. On exit, the program and all its children are
-    ended.
+    """A running program and its output so far. The context manager's exit ends the program and all
+    its children.
     """
 
     def __init__(self, command: Sequence[str], folder: Path) -> None:
@@ -293,7 +292,7 @@ class _Started:
         self._said.close()
 
     def has_ended(self) -> bool:
-        """Say whether it ends within a moment."""
+        """Wait a moment, and say whether the program has ended."""
         try:
             self.process.wait(0.02)
         except subprocess.TimeoutExpired:
@@ -301,13 +300,13 @@ class _Started:
         return True
 
     def text(self) -> str:
-        """The text that it has written so far."""
+        """The program's output so far."""
         self._said.seek(0)
         return self._said.read()
 
 
 def _path() -> str:
-    """The places where programs are looked for."""
+    """The folders in which programs are searched for."""
     return os.pathsep.join([_SCRIPTS, os.environ.get("PATH", "")])
 
 
@@ -330,7 +329,7 @@ def _weight(verdict: Verdict) -> int:
 
 
 def _first(started: Sequence[_Started]) -> _Answer | None:
-    """The first answer of several; those that give none are passed over."""
+    """The first answer of several programs; programs without an answer are skipped."""
     running = list(started)
     while running:
         for each in [each for each in running if each.has_ended()]:
@@ -342,7 +341,7 @@ def _first(started: Sequence[_Started]) -> _Answer | None:
 
 
 def _messages(text: str) -> list[Any]:
-    """The messages of CBMC, as data; nothing if it was cut off."""
+    """The messages of CBMC, as data; empty if the output was cut off."""
     try:
         messages = json.loads(text)
     except ValueError:

@@ -1,8 +1,8 @@
-"""The meaning of reactions, as C: the owner of a task's resource, the effects of releases, the end
-of a stage.
+"""The definitions of reactions, as C: the owner of a task's resource, the effects of releases, the
+end of a stage.
 
 The input is the reactions of a machine. The definitions follow the rules of
-`docs/explanation/reactions.md`, and not the tables that the generator makes.
+`docs/explanation/reactions.md`, not the tables that the generator makes.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from rossmarie.verification.reactor_invariants import in_force, lacks
 
 
 def overruler(found: reactions.Reactions) -> str:
-    """R2, for any task: the rule that has what it needs, -1 if that is its own, or none."""
+    """R2, for any task: the rule that owns the task's resource; -1 for its own rule or no rule."""
     rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
     cases = []
     for index, task in enumerate(found.tasks):

@@ -75,7 +75,7 @@ class _Writer:
         )
 
     def _calls(self) -> Iterator[Written]:
-        """The functions that do nothing but to set or to tell."""
+        """The checks of functions that only set or report a value."""
         for name, about, lines in (
             ("init", "a reactor begins", _INIT),
             ("open", "a reactor is opened", _OPEN),
@@ -104,7 +104,7 @@ class _Writer:
         yield Written(Check("engaged", about, _ENGAGING), self._engaged())
 
     def _engaged(self) -> str:
-        """R1. The check does not include the tasks, which only `release` changes."""
+        """R1. Tasks are not part of this check: only `release` writes them."""
         lines = [ANY_REACTOR, _REACT.format(name=self._name)]
         for rule, plan in enumerate(self._found.plans):
             goes_on = " && ".join([_is_on(rule), *(f"!({_is_on(other)})" for other in plan.unless)])
@@ -143,7 +143,7 @@ class _Writer:
 
 
 def _prefixed(written: Written) -> Written:
-    """Distinguished from what is asked about the monitor."""
+    """The check with a prefix that distinguishes it from the checks of the monitor."""
     return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
 
 

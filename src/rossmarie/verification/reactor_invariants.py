@@ -1,7 +1,7 @@
 """Invariants of a reactor, between two calls and within one, as sentences over its memory.
 
 The input is the reactions of a machine. The obligations follow the rules of
-`docs/explanation/reactions.md`, and not the tables that the generator makes.
+`docs/explanation/reactions.md`, not the tables that the generator makes.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ def in_force(task: int) -> str:
 
 
 def lacks(task: int) -> str:
-    """State that a task waits for what another rule has (R7, R8, R15)."""
+    """State that a task waits for a resource that another rule owns (R7, R8, R15)."""
     return f"(r->state[{task}] == WAITING || r->state[{task}] == OVERDUE)"
 
 
@@ -29,7 +29,7 @@ def has_failed(task: int) -> str:
 
 
 class ReactorInvariants:
-    """Writes the invariants of one reactor, of which `r` is the memory."""
+    """Writes the invariants of one reactor. `r` is the reactor's memory."""
 
     def __init__(self, found: reactions.Reactions) -> None:
         self._found = found
@@ -38,7 +38,7 @@ class ReactorInvariants:
         """The tasks that can fail."""
 
     def is_listed(self, task: int) -> str:
-        """State that nothing has followed yet from the failure of a task."""
+        """State that a failure of a task is listed and its escalations have not started yet."""
         listed = [
             f"({place} < r->failed_count && r->failed[{place}] == {task})"
             for place in range(len(self.can_fail))
@@ -46,7 +46,7 @@ class ReactorInvariants:
         return f"({' || '.join(listed)})" if task in self.can_fail else "false"
 
     def is_noted(self, task: int, memory: str = "r") -> str:
-        """State that a task is among those that its rule has started."""
+        """State that a task is in the list of started tasks of its rule."""
         rule = self._rules[task]
         first, count = self.first_started(rule), f"{memory}->started_count[{rule}]"
         noted = [
@@ -79,7 +79,7 @@ class ReactorInvariants:
         ]
 
     def clock(self) -> Iterator[Sentence]:
-        """The sentences that hold of instants."""
+        """The sentences about instants."""
         yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
         for task in range(len(self._found.tasks)):
             since = f"r->since_ns[{task}]"
@@ -87,7 +87,7 @@ class ReactorInvariants:
             yield Sentence("what has begun began in the past", f"{since} == NEVER || {past}")
 
     def owned(self) -> Iterator[Sentence]:
-        """R7, R8: the owners of the resources of tasks that are in force, or wait."""
+        """R7, R8: the owners of the resources of tasks that are in force or wait."""
         for task, declared in enumerate(self._found.tasks):
             if declared.resource is None:
                 continue
@@ -103,7 +103,7 @@ class ReactorInvariants:
                 )
 
     def in_time(self) -> Iterator[Sentence]:
-        """A task that runs has not run out of time."""
+        """A running task has not reached its timeout."""
         for task, declared in enumerate(self._found.tasks):
             if timeout := reactions.timeout_ns(declared.effect):
                 in_time = f"r->since_ns[{task}] > r->now_ns - INT64_C({timeout})"
@@ -111,7 +111,7 @@ class ReactorInvariants:
                 yield Sentence("what runs has time left", f"!({runs}) || {in_time}")
 
     def started(self) -> Iterator[Sentence]:
-        """A rule remembers the tasks that it has started, each once, each of its own."""
+        """A rule remembers the tasks that it has started: each only once, and only its own."""
         for rule in range(len(self._found.plans)):
             yield from self._started(rule)
 
@@ -133,7 +133,7 @@ class ReactorInvariants:
             )
 
     def noted_once(self, rule: int) -> Iterator[Sentence]:
-        """A rule notes what it has started once."""
+        """The list of a rule's started tasks contains each task once."""
         first, count = self.first_started(rule), f"r->started_count[{rule}]"
         most = len(self._found.plans[rule].tasks)
         yield Sentence("no more tasks have started than there are", f"{count} <= {most}")
@@ -168,7 +168,7 @@ class ReactorInvariants:
                        f"!{open_or_waits} || r->since_ns[{task}] != NEVER")  # fmt: skip
 
     def _escalations(self, task: int) -> Iterator[Sentence]:
-        """A task that is overdue may start again: what has followed from that goes on."""
+        """An OVERDUE task may start again; the escalations of its failure continue."""
         declared = self._found.tasks[task]
         for other in declared.otherwise:
             is_known = f"({has_failed(task)} && !{self.is_listed(task)})"

@@ -1,6 +1,6 @@
 """Recent instants: the turning points and edges that a monitor keeps, as C over its memory `m`.
 
-Takes a layout; `k` counts the propositions that rest on them, as it lists these.
+The input is a layout. `k` numbers the propositions that use these instants, in the layout's order.
 """
 
 from __future__ import annotations
@@ -17,23 +17,25 @@ def recent(layout: Layout, k: int) -> ir.Oscillates | ir.Recurs:
 
 
 def first_recent(layout: Layout, k: int) -> int:
-    """The place of the first instant that is kept for it."""
+    """The place of the first instant that is kept for the k-th proposition."""
     return sum(recent(layout, before).count for before in range(k))
 
 
 def window_end(layout: Layout, k: int) -> str:
-    """The instant at which the oldest of them leaves the window."""
+    """The instant at which the oldest stored turning point or edge leaves the window."""
     oldest = f"m->recent_ns[{first_recent(layout, k)} + m->recent_next[{k}]]"
     return f"{oldest} + INT64_C({recent(layout, k).window_ns})"
 
 
 def enough(layout: Layout, k: int) -> str:
-    """State that so many lie in the window as the proposition asks for (S32, S48)."""
+    """State that the window contains at least the number that the proposition asks for (S32,
+    S48).
+    """
     return f"(m->recent_count[{k}] == {recent(layout, k).count} && t_ns < {window_end(layout, k)})"
 
 
 def recurs(layout: Layout, proposition: int, operand: str) -> str:
-    """S48: known edges are facts; where these are too few, what was not seen counts."""
+    """S48: known edges are certain. If they are too few, edges that may have been missed count."""
     k = layout.recent.index(proposition)
     end = f"m->gap_end_ns[{k}]"
     near = f"{end} != NEVER && t_ns - {end} < INT64_C({recent(layout, k).window_ns})"

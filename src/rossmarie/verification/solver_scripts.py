@@ -1,4 +1,6 @@
-"""Programs that CBMC calls as solvers: those of a workshop come before those of the system."""
+"""Programs that CBMC calls as solvers. The programs of a workshop take precedence over the
+system's.
+"""
 
 _CADICAL = """\
 #!/bin/sh

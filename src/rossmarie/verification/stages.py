@@ -1,6 +1,7 @@
-"""A function with an instant, checked in stages, each with only its own dependencies.
+"""The checks of a function with an instant, in stages. Each stage has only its own dependencies.
 
-The input is a call of it; the result is the checks of its stages. Contracts replace its parts.
+The input is a call of the function; the result is the checks of its stages. Contracts replace the
+function's parts.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ COUNTED_PARTS = (
     ("arrive", "ignore_arrive"),
     ("set_wake", "ignore_wake"),
 )
-"""The contracts for the parts of a function that takes an instant, where only what it returns
-matters.
+"""The contracts for the parts of a function that takes an instant, for checks of its result
+only.
 """
 
 
 def begin(layout: Layout) -> str:
-    """A monitor that has not started, or one at rest."""
+    """A monitor that has not started, or that is at rest."""
     return f"""\
 {ANY}
     if (nondet_number() % 2) {{
@@ -41,7 +42,7 @@ def begin(layout: Layout) -> str:
 
 RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
-"""The instants of any monitor at rest lie in this range."""
+"""The instants of a monitor at rest lie in this range."""
 
 _CLOCK = '    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");'
 RESTS = f"{_CLOCK}\n    must_be_at_rest(m, t_ns);"
@@ -63,8 +64,8 @@ WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
 def stages(
     name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
 ) -> Iterator[Written]:
-    """A call at an instant in range leaves a monitor at rest behind; `idle` replaces what matters
-    only until propositions are evaluated.
+    """The checks that a call at an instant in range leaves a monitor at rest. `idle` replaces parts
+    that matter only until propositions are evaluated.
     """
     body = f"{ANY}\n{lines}\n{RANGE}\n    (void){call};"
     replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
@@ -76,7 +77,9 @@ def stages(
 
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, until propositions are evaluated: of inputs it is known what the message says."""
+    """The check of a call until propositions are evaluated. The program knows about inputs only
+    what the message reports.
+    """
     replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
     return Written(
         Check(f"{name}_between", f"{about}, until propositions are evaluated", replaced),
@@ -85,8 +88,8 @@ def between(name: str, about: str, body: str, parts: Parts) -> Written:
 
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, from then on. The parts that did not change during the evaluation of propositions,
-    or when the next timer was set, still have the same values.
+    """The check of a call after propositions are evaluated. Facts that held when propositions were
+    evaluated, or when the next timer was set, still hold, because nothing has changed them.
     """
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
@@ -102,7 +105,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
 
 
 def counts(call: str) -> str:
-    """A call tells how much has changed, and refuses an instant out of range."""
+    """The check that a call returns the number of changes, and refuses an instant out of range."""
     return f"""\
 {ANY}
 {IN_RANGE}

@@ -1,7 +1,7 @@
 """The support of a number, a proposition or a rule, computed from the nodes of a machine.
 
-`docs/explanation/semantics.md` uses it: a message computes it anew (S7), a missing input makes it
-unknown (S9), it makes a proposition stale (S30), and a verdict reports it (S41).
+`docs/explanation/semantics.md` uses the support: a message in it recomputes a value (S7), a missing
+input in it makes the value unknown (S9) or stale (S30), and a verdict reports it (S41).
 """
 
 from __future__ import annotations
@@ -58,14 +58,14 @@ def propositions_of(node: Node) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Below:
-    """Signals and propositions, and all that they are made from, elements of arrays as well."""
+    """Signals and propositions with all their operands, including those of elements of arrays."""
 
     signals: tuple[int, ...]
     propositions: tuple[int, ...]
 
 
 def below(machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]) -> Below:
-    """These, and all that they are made of, in order."""
+    """These signals and propositions, and all their operands, each in order of index."""
     return _below(machine, signals, propositions, ends=())
 
 
@@ -75,7 +75,7 @@ def _below(
     propositions: tuple[int, ...],
     ends: tuple[type[Node], ...],
 ) -> Below:
-    """Likewise, but not what nodes of the kinds `ends` are made of."""
+    """The same, without the operands of nodes of the kinds `ends`."""
     found_signals, found_propositions = set(signals), set(propositions)
     waiting: list[Node] = [machine.signals[index].node for index in signals]
     waiting += [machine.propositions[index].node for index in propositions]
@@ -95,10 +95,10 @@ def _below(
 @dataclass(frozen=True)
 class Support:
     """The things on which a value can depend, as indexes into the machine. `folds` are signals over
-    arrays, `sampled` those of samples, of which `waiting` are unknown until there are enough.
-    `needed` are the inputs without which it is unknown: all `inputs` but those of numbers beside
-    elements (S74), which are looked at once, when the elements arrive; so no slots or channels of
-    these are reported.
+    arrays; `sampled` are signals of samples; `waiting` are unknown until there are enough samples.
+    A value is unknown without its `needed` inputs. These are all `inputs` except those of numbers
+    beside elements (S74): such numbers are read only when the elements arrive, so their slots and
+    channels are left out.
     """
 
     slots: frozenset[int]
@@ -149,7 +149,7 @@ def support(machine: ir.Machine, signals: Indexes, propositions: Indexes) -> Sup
 
 
 def _of_elements(machine: ir.Machine, made_of: Below) -> Iterator[int]:
-    """The inputs of the elements that are looked at."""
+    """The inputs of the arrays that signals read."""
     for index in made_of.signals:
         node = machine.signals[index].node
         if isinstance(node, ir.Element):
@@ -157,7 +157,7 @@ def _of_elements(machine: ir.Machine, made_of: Below) -> Iterator[int]:
 
 
 def _of_slots(machine: ir.Machine, made_of: Below) -> Iterator[int]:
-    """The inputs of the slots that are looked at."""
+    """The inputs of the slots that signals read."""
     for index in made_of.signals:
         node = machine.signals[index].node
         if isinstance(node, ir.Read):
@@ -165,12 +165,12 @@ def _of_slots(machine: ir.Machine, made_of: Below) -> Iterator[int]:
 
 
 def _outside_elements(machine: ir.Machine, signals: Indexes, propositions: Indexes) -> Below:
-    """These, and all that they are made of, up to what is asked of elements."""
+    """The operands of these, without the operands of results over elements."""
     return _below(machine, signals, propositions, ends=(ir.Fold, ir.Count, ir.Quantified))
 
 
 def _inside_elements(machine: ir.Machine, made_of: Below) -> Iterator[Below]:
-    """All that is looked at of each element, and beside it."""
+    """All operands of each result over elements, including numbers beside the elements."""
     nodes: list[Node] = [machine.signals[index].node for index in made_of.signals]
     nodes += [machine.propositions[index].node for index in made_of.propositions]
     for node in nodes:
@@ -179,12 +179,12 @@ def _inside_elements(machine: ir.Machine, made_of: Below) -> Iterator[Below]:
                 yield below(machine, (element,), ())
             case ir.Count(element=element) | ir.Quantified(element=element):
                 yield below(machine, (), (element,))
-            case _:  # open: no other node is about all elements
+            case _:  # open: no other node is a result over all elements
                 pass
 
 
 def is_of_list(machine: ir.Machine, signal: int) -> bool:
-    """Say whether a signal rests on the elements of a list."""
+    """Say whether a signal depends on the elements of a list."""
     nodes = (machine.signals[each].node for each in below(machine, (signal,), ()).signals)
     return any(
         isinstance(node, ir.Element) and machine.arrays[node.array].list is not None
@@ -210,8 +210,8 @@ def _waits(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Elements:
-    """The array of which each signal and proposition uses one element; None if it has one value for
-    the whole machine (S22). For a list (S52), the array is its first column.
+    """For each signal and proposition, the array of its element; None if it has one value for the
+    whole machine (S22). For a list (S52), the array is its first column.
     """
 
     signals: tuple[int | None, ...]
@@ -219,7 +219,7 @@ class Elements:
 
 
 def elements(machine: ir.Machine) -> Elements:
-    """The array of each."""
+    """The array of each signal and proposition."""
     signals: list[int | None] = []
     propositions: list[int | None] = []
     for signal in machine.signals:
@@ -230,7 +230,7 @@ def elements(machine: ir.Machine) -> Elements:
 
 
 def columns(machine: ir.Machine, array: int) -> tuple[int, ...]:
-    """An array that stands alone, or all columns of the list that one belongs to."""
+    """An array that belongs to no list, or all columns of the list that the array belongs to."""
     its_list = machine.arrays[array].list
     if its_list is None:
         return (array,)
@@ -259,8 +259,8 @@ def _array(
 
 @dataclass(frozen=True)
 class Beside:
-    """The numbers beside elements (S74): the first columns of the `arrays` whose elements stand
-    beside any, constants left out, and the `signals` that are computed before.
+    """The numbers beside elements (S74). `arrays` are the first columns of the arrays whose
+    elements are used with such numbers (not constants); `signals` are computed before.
     """
 
     arrays: frozenset[int]
@@ -268,7 +268,7 @@ class Beside:
 
 
 def beside(machine: ir.Machine) -> Beside:
-    """All of them."""
+    """The numbers beside elements of a machine."""
     its = elements(machine)
     arrays, found = set[int](), set[int]()
     nodes: list[tuple[int | None, Node]] = [
@@ -292,7 +292,7 @@ def beside(machine: ir.Machine) -> Beside:
 
 @dataclass(frozen=True)
 class Reported:
-    """The propositions, the signals that leaves look at, and the inputs in a verdict of a rule."""
+    """The propositions, signals of leaves, and inputs in a verdict of a rule."""
 
     terms: tuple[int, ...]
     signals: tuple[int, ...]
@@ -300,7 +300,7 @@ class Reported:
 
 
 def reported(machine: ir.Machine, condition: int) -> Reported:
-    """S41: the named conditions, the leaves and what rests on time; the signals and the inputs."""
+    """S41: the named, leaf and timed conditions of a rule, its signals and its inputs."""
     whole = _whole(machine, condition)
     leaves = [index for index in whole if is_leaf(machine.propositions[index].node)]
     over_time = [index for index in whole if _is_over_time(machine, index)]
@@ -321,8 +321,8 @@ def reported(machine: ir.Machine, condition: int) -> Reported:
 
 
 def _whole(machine: ir.Machine, condition: int) -> list[int]:
-    """A proposition and its parts, without conditions on elements of arrays. Of propositions that
-    are defined by others (S45, S46), only the parts with a name in the rules are included.
+    """A proposition and its operands, without results over elements of arrays. Of a condition that
+    is defined by other conditions (S45, S46), it includes only those that the user names.
     """
     found, waiting = {condition}, [condition]
     while waiting:
@@ -343,12 +343,12 @@ def _is_over_time(machine: ir.Machine, proposition: int) -> bool:
 
 
 def _named_by(machine: ir.Machine, proposition: int) -> tuple[int, ...] | None:
-    """The conditions that `once` (S45) and `after` (S46) name, from what they stand for."""
+    """The conditions that the user names in a `once` (S45) or `after` (S46)."""
     nodes = [each.node for each in machine.propositions]
     match nodes[proposition]:
         case ir.Not(operand=held) if isinstance(lasting := nodes[held], ir.Held):
             inner = nodes[lasting.operand]
-        case _:  # open: no `not` of a `for`
+        case _:  # open: not the `not` of a `for`
             return None
     if isinstance(inner, ir.Not) and lasting.initially:
         return (inner.operand,)
@@ -364,7 +364,7 @@ def _named_by(machine: ir.Machine, proposition: int) -> tuple[int, ...] | None:
 
 
 def is_leaf(node: ir.PropositionNode) -> bool:
-    """Say whether a proposition looks at numbers, arrays or ages itself (S30)."""
+    """Say whether a proposition reads numbers, arrays or ages directly (S30)."""
     match node:
         case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs():
             return False
@@ -379,7 +379,7 @@ def is_leaf(node: ir.PropositionNode) -> bool:
 
 
 def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
-    """The functions that signals apply, each with how many operands."""
+    """The functions that signals apply, each with its number of operands."""
     found: dict[tuple[AnyFunction, int], None] = {}
     for signal in machine.signals:
         match signal.node:
@@ -395,6 +395,6 @@ def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
 
 
 def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:
-    """The functions of samples that signals are."""
+    """The functions of samples among the signals."""
     nodes = (signal.node for signal in machine.signals)
     return tuple(dict.fromkeys(node.function for node in nodes if isinstance(node, ir.Sampled)))

@@ -1,6 +1,7 @@
-"""Checks of time: of timers, and of where it begins.
+"""Checks of time: of timers, and of the first instant.
 
-Takes the invariants of a machine; gives C functions that begin in any state that fits them.
+The input is the invariants of a machine; the result is C functions that begin in any state that
+satisfies them.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ class TimeChecks:
         self._parts = parts
 
     def written(self) -> Iterator[Written]:
-        """All of them."""
+        """All checks of time."""
         tick = Check("tick", "timers are looked at", self._parts)
         yield Written(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
         restart = Check("restart", "time begins, or begins again", self._parts)
@@ -64,9 +65,7 @@ class TimeChecks:
         yield Written(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
 
     def _catch_up(self) -> Iterator[Written]:
-        """One pass of its loop stands for all: it begins with a monitor at rest, and leaves one
-        behind.
-        """
+        """One pass of the loop stands for all passes: it begins and ends with a monitor at rest."""
         about = "an instant out of range is refused"
         refused = REFUSED.format(call="catch_up(m, t_ns)")
         yield Written(Check("catch_up_refused", about, _NOTHING), f"{ANY}\n{refused}")

@@ -1,5 +1,5 @@
 """The turning points of a number after a sample (S32), as C obligations about a monitor `m` that
-was `old` before it.
+was `old` before the sample.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from rossmarie.verification.recent import first_recent
 
 
 def followed_on(layout: Layout, channel: int) -> list[int]:
-    """The oscillations that a message on a channel brings a sample of."""
+    """The oscillations that get a sample from a message on a channel."""
     signals = [oscillation(layout, k).signal for k in range(len(layout.oscillations))]
     supports = map(layout.support_of_signal, signals)
     return [k for k, support in enumerate(supports) if channel in support.channels]
 
 
 def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
-    """Make `expected` forget all turning points of numbers that get unknown."""
+    """Make `expected` forget all turning points of numbers that become unknown."""
     for k in range(len(layout.oscillations)):
         x = definitions.number(oscillation(layout, k).signal)
         yield f"if (!isfinite({x})) {{"
@@ -33,7 +33,7 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
 
 
 def followed(layout: Layout, definitions: Definitions, channel: int) -> Iterator[str]:
-    """The obligations about all oscillations that a message on a channel brings a sample of."""
+    """The obligations about all oscillations that get a sample from a message on a channel."""
     for k in followed_on(layout, channel):
         yield from _followed(layout, definitions, k)
 

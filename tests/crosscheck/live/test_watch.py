@@ -111,9 +111,9 @@ def test_what_is_taken_is_reported_anew_after_a_silence(watch: Watch, silent: Me
 
 def test_operators_are_reported(watch: Watch) -> None:
     exempted = NodeState((), ("contact",))
-    assert said(watch.take(100.1, exempted)) == ["an operator exempts contact"]
+    assert said(watch.take(100.1, exempted)) == ["the operator exempts contact"]
     assert said(watch.take(100.2, exempted)) == []
-    assert said(watch.take(100.3, NodeState())) == ["no operator exempts contact any more"]
+    assert said(watch.take(100.3, NodeState())) == ["the operator no longer exempts contact"]
 
 
 def test_silence_of_the_context_is_reported_once_and_when_it_is_over(watch: Watch) -> None:
@@ -121,7 +121,7 @@ def test_silence_of_the_context_is_reported_once_and_when_it_is_over(watch: Watc
     watch.take(100.2, NodeState())
     assert said(watch.pass_time(100.1 + TIMEOUT)) == []
     silent = watch.pass_time(100.2 + TIMEOUT)
-    assert said(silent) == ["CHK403", "nobody knows any more whether Wipe runs"]
+    assert said(silent) == ["CHK403", "it is unknown whether Wipe still runs"]
     assert isinstance(silent[0], Diagnostic)
     assert "on /robot1/skill_context" in silent[0].title
     assert silent[0].primary.span.text.startswith('skills "skills.json"')
@@ -150,11 +150,11 @@ def test_a_node_lives_by_its_diagnostics_and_is_silent_without(watch: Watch) -> 
         for tenth in range(10):
             assert "CHK404" not in tick(100.0 + second + tenth / 10)
     reported = [line for tenth in range(40) for line in tick(110.0 + tenth / 10)]
-    assert reported == ["CHK404", "nobody knows any more whether contact is active"]
+    assert reported == ["CHK404", "it is unknown whether contact is still active"]
     assert watch.count("contact").seconds == pytest.approx(9.0)
     assert said(watch.take(115.0, Alive()))[:1] == ["CHK403"]
     (again, *_) = said(watch.take(115.0, NodeState(("contact",))))
-    assert again == "/robot1/whiteboard_safety is heard again"
+    assert again == "/robot1/whiteboard_safety reports again"
 
 
 def test_a_node_of_which_no_state_comes_is_silent_though_it_lives() -> None:
@@ -183,7 +183,7 @@ def test_another_export_is_reported_once_until_it_is_over(watch: Watch) -> None:
     assert "5b5b5b5b5b5b..." in reported.title
     assert DIGEST[:12] in reported.primary.text
     assert said(watch.take(100.2, foreign)) == []
-    assert said(watch.take(100.3, context())) == ["/robot1/skill_context is from this export"]
+    assert said(watch.take(100.3, context())) == ["/robot1/skill_context is of this export"]
     assert said(watch.take(100.4, foreign)) == ["CHK401"]
     assert watch.findings == 2
 
@@ -191,17 +191,17 @@ def test_another_export_is_reported_once_until_it_is_over(watch: Watch) -> None:
 def test_a_message_that_the_rules_do_not_read_says_nothing_of_what_runs(watch: Watch) -> None:
     watch.take(100.1, context(WIPE))
     reported = said(watch.take(100.2, Context(DIGEST, problem="more than 64 skills run")))
-    assert reported == ["CHK401", "nobody knows any more whether Wipe runs"]
+    assert reported == ["CHK401", "it is unknown whether Wipe still runs"]
 
 
 def test_what_is_not_known_is_reported(watch: Watch) -> None:
     other = Running("Dance", "1")
     assert said(watch.take(100.1, context(other))) == ["Dance starts", "CHK402"]
     assert said(watch.take(100.2, context(other, WIPE)))[1:] == []
-    assert said(watch.take(100.3, context()))[-1] == "the rules know all that runs"
+    assert said(watch.take(100.3, context()))[-1] == "the rules know all running skills"
     assert said(watch.take(100.4, NodeState(("old", "contact")))) == ["CHK405", "contact is active"]
     assert (
-        said(watch.take(100.5, NodeState()))[0] == "/robot1/whiteboard_safety tells of these rules"
+        said(watch.take(100.5, NodeState()))[0] == "/robot1/whiteboard_safety reports these rules"
     )
 
 

@@ -68,7 +68,7 @@ def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
     path.write_text(lines, encoding="utf-8")
     found, shown = campaign(path, ["a:", "b:", "c:"])
     assert [row["number"] for row in found.values.values()] == [7, 7, 2]
-    assert "2 of 3 are done already" in shown
+    assert "2 of 3 are already done" in shown
 
 
 def started(path: Path, *keys: str) -> subprocess.Popen[str]:
@@ -120,7 +120,7 @@ def test_a_campaign_that_was_ended_goes_on(tmp_path: Path, how: signal.Signals) 
     assert 3 <= len(done) < 30
     found, shown = campaign(path, SLOW)
     assert len(found.values) == 30
-    assert f"{len(done)} of 30 are done already" in shown
+    assert f"{len(done)} of 30 are already done" in shown
     assert sorted(keys_in(path)) == sorted(SLOW)
 
 
@@ -164,12 +164,12 @@ def test_two_runs_do_not_write_into_one_journal(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ('{"journal_of": "another one"}\n', "of another one, and this is test"),
-        ("a;b;c\n", "no journal"),
-        ('{"journal_of": "test"}\n[1]\n', "no journal"),
-        ("[]\n", "no journal"),
-        ("no end", "no journal"),
-        ('{"journal_of": "test"}\n\xff\n', "no journal"),
+        ('{"journal_of": "another one"}\n', "the journal of another one, not of test"),
+        ("a;b;c\n", "not a campaign journal"),
+        ('{"journal_of": "test"}\n[1]\n', "not a campaign journal"),
+        ("[]\n", "not a campaign journal"),
+        ("no end", "not a campaign journal"),
+        ('{"journal_of": "test"}\n\xff\n', "not a campaign journal"),
     ],
 )
 def test_a_file_of_somebody_else_is_left_alone(tmp_path: Path, text: str, reason: str) -> None:

@@ -138,7 +138,7 @@ def test_no_episode_is_lost_or_counted_twice_when_a_node_dies(tmp_path: Path) ->
         with Journal(path, "test") as journal, Bar(Console(file=shown, width=99), "test") as bar:
             failed = run([*keys, "raise:no"], work, journal, RayCluster(address), bar)
         assert [failure.reason for failure in failed.failures] == ["ValueError: no"]
-        assert "24 of 25 are done already" in shown.getvalue()
+        assert "24 of 25 are already done" in shown.getvalue()
 
 
 def test_a_head_that_dies_is_reported_before_ray_ends_this_process(

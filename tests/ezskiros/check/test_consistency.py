@@ -186,7 +186,8 @@ def test_the_parameter_is_shown_whose_class_says_so() -> None:
     result = checked("pre of_type(Tool, test.Box)")
     found = next(each for each in result.diagnostics if each.code == "EZS319")
     assert (
-        found.title == "`of_type(Tool, test.Box)` would make a thing a member of disjoint classes"
+        found.title
+        == "`of_type(Tool, test.Box)` would make an individual a member of disjoint classes"
     )
     assert found.notes == (
         "`Tool` would be a test.Tool and a test.Box, and these classes are disjoint",

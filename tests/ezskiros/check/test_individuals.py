@@ -58,7 +58,7 @@ def things(name: str, *numbers: int) -> list[str]:
     return [f":{kind}-{number} a owl:NamedIndividual , <{start}{kind}> ." for number in numbers]
 
 
-PLACES = ("Place", "SkiROS2 would choose any skiros.Location of the world")
+PLACES = ("Place", "SkiROS2 would choose any skiros.Location in the world")
 
 
 def test_where_nothing_is_known_there_is_one_robot_and_there_are_many_places(

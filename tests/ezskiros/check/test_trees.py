@@ -101,7 +101,7 @@ MISWRITTEN = [
     ("self.skill('Grip', 'grip')", "EZS519", "`Drive(Target=params.Place)`"),
     ("Grip(Force=params['Force'])", "EZS220", "write `params.Force`"),
     ("params.Force = 1.0\nGrip()", "EZS220", "pass the value to the child, `Skill(Force=...)`"),
-    ("Drive(Target=params.Place())", "EZS220", "`params.Place` is a thing"),
+    ("Drive(Target=params.Place())", "EZS220", "`params.Place` is an individual"),
     ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`, without quotes"),
     ("self.serialstar(Grip)", "EZS502", "write `Grip(...)`"),
     ("self.serialstar([Grip(Force=1.0)])", "EZS502", "write `*[...]`"),
@@ -136,7 +136,7 @@ MISCALLED = [
     ("timeout(Grip(), child=Grip())", "`self.timeout` gets `child` twice"),
     ("retry(Grip())", "`self.retry` needs `count`"),
     ("retry(count=3)", "`self.retry` needs `child`"),
-    ("inverter(Grip(), Grip())", "`self.inverter` gets 2 arguments, and takes 1"),
+    ("inverter(Grip(), Grip())", "`self.inverter` gets 2 arguments but takes 1"),
 ]
 
 

@@ -59,7 +59,7 @@ def test_how_inferred_parameters_get_their_values() -> None:
     assert done.returncode == 0
     lines = done.stdout.splitlines()
     assert "Robot: cora.Robot  from Workstation, by Robot.at(Workstation)" in lines[0]
-    assert lines[1].endswith("any of its class: no pre-condition leads to it")
+    assert lines[1].endswith("any individual of this class: no pre-condition restricts the choice")
     assert lines[7] == "Object: skiros.Product  given"
 
 
@@ -80,7 +80,7 @@ def test_keys_and_outputs_are_explained(tmp_path: Path) -> None:
     done = run("explain", "Look", "skills.py", "--ontology", str(HALL), folder=tmp_path)
     assert done.stdout.splitlines() == [
         "Place ('Start place'): skiros.Location  given",
-        "Found: skiros.Product  from the skill itself",
+        "Found: skiros.Product  set by the skill",
         "Limit ('Time limit (s)')  given, or 2.0",
     ]
 

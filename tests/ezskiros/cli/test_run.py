@@ -106,7 +106,7 @@ def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
     done = run("work", folder=tmp_path)
     assert done.returncode == 2
     assert "error[EZS" in done.stdout
-    assert done.stderr == "ezskiros: nothing is run: there are errors\n"
+    assert done.stderr == "ezskiros: nothing was run, because there are errors\n"
 
 
 @pytest.mark.parametrize(
@@ -231,7 +231,7 @@ def test_a_module_that_was_not_run_whole_is_only_simulated(tmp_path: Path) -> No
     done = run("Work", folder=tmp_path)
     assert done.returncode == 2
     assert "EZS231" in done.stderr + done.stdout
-    assert "nothing is run" in done.stderr
+    assert "nothing was run" in done.stderr
     assert run("Work", "--simulate", folder=tmp_path).returncode == 0
 
 
@@ -252,5 +252,5 @@ def test_primitives_on_stand_ins_are_only_simulated(tmp_path: Path, module: str,
     assert code in done.stdout
     assert f"import {module}" in done.stdout
     assert "has succeeded" not in done.stdout
-    assert "import it in the methods that use it; `--simulate` runs without" in done.stderr
+    assert "import them in the methods that use them" in done.stderr
     assert run("Work", "skills.py", "--simulate", folder=tmp_path).returncode == 0

@@ -23,8 +23,9 @@ class grip(Grip.SkillBase):
         return self.success("held")
 """
 REFUSED = (
-    "ezskiros: nothing is run: primitives need what is missing here, or not done; install it, or "
-    "import it in the methods that use it; `--simulate` runs without"
+    "ezskiros: nothing was run: modules above were missing or not fully executed, so primitives "
+    "would have no effect; install them, import them in the methods that use them, or add "
+    "`--simulate`"
 )
 
 

@@ -38,7 +38,7 @@ RIGHT: dict[str, Any] = {
     "rules": ["stop", "slow", "other"],
     "guards": {"Drive": ["stop", "slow"], "Wait": [], "Push": ["slow"]},
 }
-UNKNOWN = "nobody knows which rules are active"
+UNKNOWN = "the active rules are unknown"
 SKILLS = """
 from ezskiros import SkillDescription
 
@@ -78,13 +78,13 @@ def state(*active: str, exempted: tuple[str, ...] = (), is_open: bool = True) ->
         ({"topic": "/absolute"}, "its `topic`"),
         ({"type": "os.path"}, "its `type`"),
         ({"type": None}, "its `type`"),
-        ({"rules": "stop"}, "its `rules` are not names"),
-        ({"rules": [1]}, "its `rules` are not names"),
+        ({"rules": "stop"}, "its `rules` are not a list of names"),
+        ({"rules": [1]}, "its `rules` are not a list of names"),
         ({"guards": []}, "its `guards` is not an object"),
         ({"guards": {"Drive": "stop"}}, "the rules of `Drive` are not names"),
         (
             {"guards": {"Drive": ["stop", "nothing"]}},
-            "`Drive` waits for `nothing`, which is none of the `rules`",
+            "`Drive` waits for `nothing`, which is not in `rules`",
         ),
         ({"guards": {"Drive": [[]]}}, "the rules of `Drive` are not names"),
     ],
@@ -153,7 +153,7 @@ def test_a_skill_waits_for_its_own_rules_only(tmp_path: Path) -> None:
     assert waits("slow") == [slow, slow, None, None]
     assert waits("slow", "stop") == ["rules `stop` and `slow` are active", slow, None, None]
     assert waits("slow", "stop", exempted=("stop",)) == [slow, slow, None, None]
-    closed = "`robot_safety` lets no command pass yet"
+    closed = "`robot_safety` does not pass commands yet"
     assert waits(is_open=False) == [closed, closed, None, None]
 
 
@@ -247,7 +247,7 @@ def ran(folder: Path, *words: str) -> tuple[int, str]:
 def test_nothing_runs_that_could_not_wait(folder: Path) -> None:
     code, text = ran(folder, "--guards", "guards.json")
     assert code == 2
-    assert "nothing is run: no rule can be heard: " in text
+    assert "nothing was run, because no rule can be received: " in text
     code, text = ran(folder, "--guards", "missing.json")
     assert (code, text) == (2, "ezskiros: cannot read missing.json: no such file or directory\n")
     code, text = ran(folder, "--guards", "guards.json", "--simulate")
@@ -267,7 +267,7 @@ def test_nothing_runs_with_the_guards_of_other_skills(folder: Path) -> None:
     (folder / "guards.json").write_text(json.dumps({**RIGHT, "digest": digest}))
     code, text = ran(folder, "--guards", "guards.json", "--context", "skills.json")
     assert code == 2
-    assert "nothing is run: no rule can be heard: " in text
+    assert "nothing was run, because no rule can be received: " in text
 
 
 # --- pages ----------------------------------------------------------------------------------------

@@ -193,7 +193,7 @@ def test_the_message_of_ros_2(modules: Any) -> None:
 
 def test_what_is_missing_is_reported(modules: Any) -> None:
     modules()
-    with pytest.raises(NoRosError, match="`skill_context_msgs` are not installed"):
+    with pytest.raises(NoRosError, match="the package `skill_context_msgs` is not installed"):
         connect()
     known = ros1([], is_online=False)
     modules(**{**known, "rospy": None})

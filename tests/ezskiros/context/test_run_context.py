@@ -182,7 +182,7 @@ def test_nothing_runs_with_a_stale_export(whiteboard: Path, source: str, code: s
     assert done.returncode == 2
     assert f"error[{code}]" in done.stdout
     assert source in done.stdout
-    assert "nothing is run" in done.stderr
+    assert "nothing was run" in done.stderr
 
 
 def test_nothing_runs_with_the_export_of_others(whiteboard: Path, tmp_path: Path) -> None:
@@ -214,7 +214,7 @@ def test_without_ros_that_is_reported_and_skills_run(hanging: Path) -> None:
         "ezskiros", "run", "Hang", "skills.py", "--context", "skills.json", folder=hanging
     )
     assert done.returncode == 0
-    assert "the context is not published: the messages `skill_context_msgs`" in done.stderr
+    assert "the context is not published: the package `skill_context_msgs`" in done.stderr
 
 
 def test_it_is_published_from_start_to_end(hanging: Path, ros: Path) -> None:

@@ -116,7 +116,7 @@ def test_what_would_exclude_what_is_asked_for_is_not_added(folder: Path) -> None
 def test_fix_and_watch_are_two_things(folder: Path) -> None:
     done = run(folder, "--fix", "--watch", "skills.py")
     assert done.returncode == 2
-    assert "name one of them" in done.stderr
+    assert "not both" in done.stderr
 
 
 LINE = "self.pre_conditions += A.at(B)"

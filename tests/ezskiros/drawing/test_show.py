@@ -56,7 +56,7 @@ def test_skills_with_errors_are_drawn_and_not_exported(lab: Path) -> None:
     done = show("fetch", folder=lab)
     assert done.returncode == 1
     assert "Approach.go_to_linear  Target = ?" in done.stdout
-    assert "there are errors in these files" in done.stderr
+    assert "these files have errors" in done.stderr
     done = show("fetch", "--format", "btcpp", "--out", "a.xml", folder=lab)
     assert done.returncode == 1
     assert not (lab / "a.xml").exists()

@@ -121,6 +121,9 @@ def test_reasons_say_what_the_world_says(world: World) -> None:
         "A is test:Box-1; A test:size: 4.0"
     )
     assert reason(Relation("A", AT, "X"), BOUND, world) == (
-        "A is test:Box-1; X is nothing; A test:at nothing"
+        "A is test:Box-1; X has no value; A test:at nothing"
     )
-    assert reason(OfType("A", START + "Red"), BOUND, world) == "A is test:Box-1; A is of test:Box"
+    assert (
+        reason(OfType("A", START + "Red"), BOUND, world)
+        == "A is test:Box-1; A has the classes test:Box"
+    )

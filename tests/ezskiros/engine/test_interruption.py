@@ -323,7 +323,7 @@ def test_a_tree_gives_way_to_another(begin: Begin) -> None:
     scene.ticks(1)
     scene.ask("Patient")
     scene.ticks(1)
-    assert scene.reported == [(False, "another tree is asked for")]
+    assert scene.reported == [(False, "another tree was requested")]
     assert scene.lives()[-4:] == ["+aside", "!aside", "+left", "+right"]
 
 

@@ -76,7 +76,7 @@ def test_a_pre_condition_that_does_not_hold(tmp_path: Path) -> None:
     assert ran.reason.startswith("pre-condition does not hold: Gripper.at(Start) (")
     assert "/skills.py:15:32): " in ran.reason
     assert ran.reason.endswith(
-        "Gripper is rparts:GripperEffector-1; Start is nothing; Gripper skiros:at nothing"
+        "Gripper is rparts:GripperEffector-1; Start has no value; Gripper skiros:at nothing"
     )
 
 
@@ -130,17 +130,17 @@ def test_a_post_condition_that_does_not_hold(tmp_path: Path) -> None:
          "    os._exit(1)\n    return self.success()",
          "`execute` raised ProcessEndError: os._exit(0) (skills.py:"),
         ("def execute(self):\n    return bool([1])",
-         "`execute` returned True, not what self.success, self.step or self.fail give ("),
+         "`execute` returned True, not a result of self.success, self.step or self.fail ("),
         ("def execute(self):\n    x = []\n    return x.append(1)", "`execute` returned nothing"),
         ("def execute(self):\n    return getattr(self.params, 'Speed')",
          "`Act` has no parameter `Speed`"),
         ("def onStart(self):\n    return bool([])\ndef execute(self):\n    return self.success()",
-         "`onStart` says that it has not succeeded (skills.py:"),
+         "`onStart` reported a failure (skills.py:"),
         ("def onStart(self):\n    raise KeyError('arm')\n"
          "def execute(self):\n    return self.success()",
          "`onStart` raised KeyError: there is no 'arm'"),
         ("def onEnd(self):\n    return bool([])\ndef execute(self):\n    return self.success()",
-         "`onEnd` says that it has not succeeded"),
+         "`onEnd` reported a failure"),
         ("def execute(self):\n    return self.fail('no arm', 7)", "no arm"),
         ("def __init__(self):\n    raise OSError('no bus')\n"
          "def execute(self):\n    return self.success()", "`__init__` raised OSError: no bus"),
@@ -347,7 +347,7 @@ def test_a_limit_that_turns_out_to_be_none_is_a_failure_to_start(tmp_path: Path)
 def test_an_inverter_turns_results(tmp_path: Path) -> None:
     assert skills(tmp_path, FLAKY, "").run("Not").outcome.is_success
     ran = skills(tmp_path, FLAKY.replace("== 3", "== 1"), "").run("Not")
-    assert ran.reason.startswith("what is inverted has succeeded (")
+    assert ran.reason.startswith("the inverted child has succeeded (")
 
 
 def test_a_tree_that_runs_forever_is_stopped(tmp_path: Path) -> None:

@@ -134,7 +134,7 @@ def test_values_are_those_of_the_skill_that_another_tree_interrupts(robot: Robot
     robot.task.tick()
     assert str(robot.started("Reroute").values["Target"]) == "skiros:Location-1"
     assert robot.ends() is Status.SUCCESS
-    assert robot.reported == [(False, "another tree is asked for"), (True, "")]
+    assert robot.reported == [(False, "another tree was requested"), (True, "")]
 
 
 def test_a_skill_that_runs_again_has_its_new_values(robot: Robot) -> None:
@@ -152,8 +152,16 @@ GIVEN = ("Speed=1", "Quietly=true", "Gear=SLOW")
     ("arguments", "skill", "reason"),
     [
         (("Target=cellar", *GIVEN), "Reroute", "`Target`: there is no 'cellar' in the world"),
-        (("Target=@Lift.Target", *GIVEN), "Reroute", "`Target` is that of `Lift`, which does not"),
-        (("Target=@Drive.Goal", *GIVEN), "Reroute", "`Target` is that of `Drive`, which does not"),
+        (
+            ("Target=@Lift.Target", *GIVEN),
+            "Reroute",
+            "`Target` takes its value from `Lift`, which does not",
+        ),
+        (
+            ("Target=@Drive.Goal", *GIVEN),
+            "Reroute",
+            "`Target` takes its value from `Drive`, which does not",
+        ),
         (GIVEN, "Reroute", "`Target`, a skiros.Location, is not given"),
         ((), "Fly", "there is no skill `Fly`"),
     ],
@@ -181,7 +189,7 @@ def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
 
 
 def test_a_task_goes_on_in_a_way_that_is_known(robot: Robot) -> None:
-    with pytest.raises(RefusedError, match="cannot go on by `dance`"):
+    with pytest.raises(RefusedError, match="cannot continue with `dance`"):
         robot.begin("Target=store", *GIVEN, afterwards="dance")
 
 
@@ -209,14 +217,17 @@ def test_what_rules_stop_goes_along(robot: Robot) -> None:
     ("without", "reason"),
     [
         ("Fly", "there is no skill `Fly`"),
-        ("Drive(Goal=skiros.Location)", "`Drive` has no parameter `Goal` that is a thing"),
-        ("Drive(Speed=skiros.Location)", "`Drive` has no parameter `Speed` that is a thing"),
+        ("Drive(Goal=skiros.Location)", "`Drive` has no parameter `Goal` for an individual"),
+        ("Drive(Speed=skiros.Location)", "`Drive` has no parameter `Speed` for an individual"),
         ("Drive(Target=skiros.Corridor)", "the ontology has no class `skiros.Corridor`"),
         ("Drive(Target=skiros.at)", "the ontology has no class `skiros.at`"),
         ("Drive(Target)", "the ontology has no class ``"),
-        ("Drive()", "`Drive()` is no skill with classes of its things"),
-        ("Drive(Target=skiros.Location) or Fly", "is no skill with classes of its things"),
-        ("", "`` is no skill with classes of its things"),
+        ("Drive()", "`Drive()` is not a skill, or a skill with the classes of its individuals"),
+        (
+            "Drive(Target=skiros.Location) or Fly",
+            "is not a skill, or a skill with the classes of its individuals",
+        ),
+        ("", "`` is not a skill, or a skill with the classes of its individuals"),
     ],
 )
 def test_a_goal_that_is_not_understood_whole_is_refused(
@@ -224,6 +235,6 @@ def test_a_goal_that_is_not_understood_whole_is_refused(
 ) -> None:
     with pytest.raises(RefusedError) as problem:
         robot.begin("Target=store", *GIVEN, afterwards="replan", without=["Drive", without])
-    assert str(problem.value).startswith("a skill that rules forbid is not known: ")
+    assert str(problem.value).startswith("the list of forbidden skills is wrong: ")
     assert reason in str(problem.value)
     assert robot.reported == []

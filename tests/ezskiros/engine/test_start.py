@@ -24,7 +24,7 @@ def primitive(body: str) -> str:
         ("def onStart(self):\n    self.fail('no bus', 3)\n    return False\n"
          "def execute(self):\n    return self.success()", "no bus"),
         ("def onInit(self):\n    return False\ndef execute(self):\n    return self.success()",
-         "`onInit` says that it has not succeeded"),
+         "`onInit` reported a failure"),
         ("def onInit(self):\n    self.fail('no bus', 3)\n    return False\n"
          "def execute(self):\n    return self.success()", "no bus"),
         ("def onInit(self):\n    raise KeyError('arm')\n"

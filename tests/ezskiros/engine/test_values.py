@@ -156,7 +156,9 @@ def test_what_cannot_be_inferred_is_reported_with_the_condition(skills: Skills) 
     assert reason.startswith("pre-condition does not hold: Place.contain(Object) (")
     assert reason.endswith("skiros:contain skiros:Location-3")
     skills.scene = "skiros:Location-2 a skiros:Location ."
-    assert skills.run("find").reason.startswith("the world has nothing for `Robot`, a cora.Robot (")
+    assert skills.run("find").reason.startswith(
+        "the world has no individual for `Robot`, a cora.Robot ("
+    )
 
 
 def test_a_second_child_infers_again_what_does_not_hold_any_more(skills: Skills) -> None:
@@ -188,7 +190,7 @@ def test_what_is_simulated_makes_post_conditions_hold_and_values_up(skills: Skil
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("self.params.Weight = 3", "`Weight` has no value, and the skill is to give it one ("),
+        ("self.params.Weight = 3", "the skill has not set `Weight` ("),
         (
             "self.params.Box = self.world.new(skiros.Container)",
             "'NoneType' object has no attribute",
@@ -211,17 +213,17 @@ def test_an_output_of_before_is_none_of_now(skills: Skills) -> None:
     )
     ran = skills.run("pack", "Object=nut")
     assert ran.ends() == ["Weigh succeeded", "Weigh#2 failed", "pack failed"]
-    assert ran.reason.startswith("`Weight` has no value")
+    assert ran.reason.startswith("the skill has not set `Weight`")
 
 
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("self.params.Weight = 'much'", "`Weight` is a float, and 'much' is not"),
+        ("self.params.Weight = 'much'", "`Weight` must be a float, but the value is 'much'"),
         ("setattr(self.params, 'Wight', 3)",
          "`Weigh` has no parameter `Wight`; did you mean `Weight`?"),
-        ("self.params.Box = self.params.Object", "`Box` is a skiros.Container, and "
-         "skiros:Product-4 is not"),
+        ("self.params.Box = self.params.Object", "`Box` must be a skiros.Container, but "
+         "the value is skiros:Product-4"),
         ("self.world.relate(self.params.Object, 'skiros:contian', self.params.Object)",
          "the ontology has no relation 'skiros:contian'; did you mean skiros:contain?"),
         ("self.world.set_value(self.params.Object, skiros.at, 2.0)",
@@ -238,15 +240,15 @@ def test_wrong_names_and_values_are_reported(skills: Skills, line: str, said: st
     ("skill", "texts", "said"),
     [
         ("Drive", ["Robot=heron", "Goal=nut"], "`Goal`: skiros:Product-4 is of skiros:Product, not "
-         "a skiros.Location; there is skiros:Location-2 (bench), skiros:Location-3 (shelf)"),
+         "a skiros.Location; choose from skiros:Location-2 (bench), skiros:Location-3 (shelf)"),
         ("Drive", ["Robot=hero", "Goal=shelf"],
-         "`Robot`: there is no 'hero' in the world; there is cora:Robot-1 (heron)"),
-        ("Drive", ["Robot=heron"], "`Goal`, a skiros.Location, is not given: Goal=...; there is "
+         "`Robot`: there is no 'hero' in the world; choose from cora:Robot-1 (heron)"),
+        ("Drive", ["Robot=heron"], "`Goal`, a skiros.Location, is not given: Goal=...; choose from "
          "skiros:Location-2 (bench), skiros:Location-3 (shelf)"),
         ("Drive", ["Robot=heron", "Gaol=shelf"],
          "`Drive` has no parameter `Gaol`; did you mean `Goal`?"),
         ("Drive", ["Goal=shelf", "Goal=bench"], "`Goal` is given twice"),
-        ("Weigh", ["Weight=3"], "`Weight` cannot be given: `Weigh` finds it out"),
+        ("Weigh", ["Weight=3"], "`Weight` cannot be given, because `Weigh` sets this output"),
         ("find", ["Speed=fast"], "`Speed`: 'fast' is not a float"),
         ("find", ["Careful=yes"], "`Careful`: 'yes' is not a bool (true or false)"),
         ("find", ["Count=1.5"], "`Count`: '1.5' is not an int"),
@@ -263,7 +265,7 @@ def test_wrong_arguments_say_what_would_do(
 
 def test_a_label_that_several_things_have_is_no_name(skills: Skills) -> None:
     skills.scene = SCENE.replace("shelf", "bench")
-    with pytest.raises(WrongArgumentError, match="several things are called 'bench'"):
+    with pytest.raises(WrongArgumentError, match="several individuals are called 'bench'"):
         skills.run("Drive", "Robot=heron", "Goal=bench")
 
 

@@ -132,10 +132,10 @@ def test_a_primitive_waits_and_starts_in_the_tick_in_which_it_may(tmp_path: Path
 def test_another_reason_is_reported_too(tmp_path: Path) -> None:
     rules = Rules()
     task, events, _ = begun(tmp_path, 'self.serialstar(Go(Name="a"))', rules)
-    for rules.reason in (STOP, STOP, "nobody knows which rules are active", STOP):
+    for rules.reason in (STOP, STOP, "the active rules are unknown", STOP):
         task.tick()
     assert [each.partition("waits: ")[2] for each in reported(events)] == [
-        STOP, "nobody knows which rules are active", STOP,
+        STOP, "the active rules are unknown", STOP,
     ]  # fmt: skip
 
 
@@ -182,7 +182,7 @@ def test_a_skill_that_is_stopped_while_it_waits_was_never_there(
     task.tick()
     task.preempt()
     assert noted(task) == []
-    assert reported(events)[-1] == "preempted: stopped before its start"
+    assert reported(events)[-1] == "preempted: stopped before it started"
     assert list(task.execution.running) == []
 
 
@@ -193,7 +193,7 @@ def test_it_waits_anew_after_it_was_stopped(tmp_path: Path) -> None:
     assert task.tick() is Status.RUNNING
     assert reported(events) == [
         f"running: waits: {STOP}",
-        "preempted: stopped before its start",
+        "preempted: stopped before it started",
         f"running: waits: {STOP}",
     ]
     rules.reason = None
@@ -207,7 +207,7 @@ def test_the_wait_counts_for_a_time_limit(tmp_path: Path) -> None:
     outcome = run(task, wait=clock.wait)
     assert outcome.is_success
     assert outcome.seconds == pytest.approx(1.0, abs=2 * PERIOD)
-    assert reported(events)[-1] == "preempted: stopped before its start"
+    assert reported(events)[-1] == "preempted: stopped before it started"
     assert reported(events, "Look") == ["started: Start", "succeeded: seen"]
     assert noted(task) == []
 
@@ -235,7 +235,7 @@ def test_a_tree_of_a_rule_takes_the_place_of_a_skill_that_waits(tmp_path: Path) 
     task.tick()
     assert reported(events) == [
         f"running: waits: {STOP}",
-        "preempted: stopped before its start",
+        "preempted: stopped before it started",
         f"running: waits: {STOP}",
     ]
     assert noted(plain) == []

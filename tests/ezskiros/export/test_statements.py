@@ -61,20 +61,23 @@ def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
 @pytest.mark.parametrize(
     ("found", "reported"),
     [
-        (None, "it is no object"),
-        ([], "it is no object"),
-        ({}, "its `kind` is none of"),
-        ({"kind": ["relation"]}, "its `kind` is none of"),
-        ({**RELATION, "kind": "relative"}, "its `kind` is none of"),
-        ({**RELATION, "subject": 1}, "its `subject` is missing, or of another type"),
-        ({**RELATION, "is_true": 1}, "its `is_true` is missing, or of another type"),
+        (None, "it is not an object"),
+        ([], "it is not an object"),
+        ({}, "its `kind` is not one of"),
+        ({"kind": ["relation"]}, "its `kind` is not one of"),
+        ({**RELATION, "kind": "relative"}, "its `kind` is not one of"),
+        ({**RELATION, "subject": 1}, "its `subject` is missing or has the wrong type"),
+        ({**RELATION, "is_true": 1}, "its `is_true` is missing or has the wrong type"),
         (
             {k: v for k, v in RELATION.items() if k != "object"},
-            "its `object` is missing, or of another type",
+            "its `object` is missing or has the wrong type",
         ),
-        ({**written(Comparison("A", "b", "=", 1)), "operator": "=="}, "its `operator` is none of"),
+        (
+            {**written(Comparison("A", "b", "=", 1)), "operator": "=="},
+            "its `operator` is not one of",
+        ),
         ({**written(Comparison("A", "b", "=", 1)), "value": None}, "its `value` is missing"),
-        ({"kind": "any", "parts": [], "is_true": True}, "its `parts` are no list"),
+        ({"kind": "any", "parts": [], "is_true": True}, "its `parts` are not a list"),
         ({"kind": "any", "parts": [RELATION]}, "its `is_true` is missing"),
         (
             {"kind": "any", "parts": [RELATION] * (MOST_PARTS + 1), "is_true": True},

@@ -115,7 +115,7 @@ def test_a_fault_silences_it_and_no_skill(monkeypatch: pytest.MonkeyPatch) -> No
 
     context.start(1, SKILL, values)
     assert reported.running() is None
-    assert logged == ["the context is not known: RuntimeError('the world model is gone')"]
+    assert logged == ["the context is unknown: RuntimeError('the world model is gone')"]
     reported.clock.wait(PERIOD)
     context.end(1)
     assert reported.running() == []
@@ -255,7 +255,9 @@ def test_another_export_silences_all(tmp_path: Path) -> None:
     context.begin(path, [source], quiet)
     (only,) = context._contexts
     problem = context.begin(other, [], quiet)
-    assert problem == f"{other} is not the export of another library: make one of both"
+    assert (
+        problem == f"{other} is the export of another library: export both libraries into one file"
+    )
     assert not only.voice._thread.is_alive()
     assert context.begin(path, [source], quiet) == problem, "it stays so"
 

@@ -222,7 +222,7 @@ def test_the_newest_tree_is_run(robot: Robot) -> None:
     robot.ask("Stuck")
     robot.ticks(1)
     assert robot.reported == [
-        (False, "another tree is asked for"),
+        (False, "another tree was requested"),
         (False, "the recovery has failed"),
     ]
 

@@ -282,7 +282,7 @@ def test_things_can_be_changed_and_found_out(package: Any, name: str, reported: 
     ("name", "problem"),
     [
         ("broken", "`execute` raised ZeroDivisionError: division by zero"),
-        ("odd", "`execute` returned True, not what self.success, self.step and self.fail give"),
+        ("odd", "`execute` returned True, not a result of self.success, self.step or self.fail"),
     ],
 )
 def test_what_goes_wrong_in_a_primitive_is_reported_in_one_line(

@@ -12,7 +12,7 @@ from ezskiros.hosts.skiros2_versions import unfit
 @pytest.mark.parametrize(
     ("version", "fault"),
     [
-        ("6.1.1", "finds no relations of things"),
+        ("6.1.1", "finds no relations of individuals"),
         ("6.2.0", None),
         ("6.3.2", None),
         ("7.0.0", "cannot load its ontologies"),

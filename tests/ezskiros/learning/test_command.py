@@ -89,7 +89,7 @@ def test_the_same_is_printed_as_json(runs: Path, said: str) -> None:
 
 def test_the_next_check_tells_it_at_the_skill(runs: Path, said: str) -> None:
     text = asked(runs, "check", "charging.py", "--knowledge", "knowledge.json")
-    assert "warning[EZS870]: `Drive` tripped `tilting` in 2 of 3 runs" in text
+    assert "warning[EZS870]: `tilting` became active during `Drive` in 2 of 3 runs" in text
     assert "--> charging.py:13:7" in text
     assert "= note: with Start = skiros:Location-2, Target = depot:Station-3 in 2 of 2 runs" in text
     assert "= note: its description has no hold-condition" in text

@@ -51,7 +51,7 @@ def test_a_finding_says_how_it_is_with_hold_conditions(
     kind: str, said: str, tmp_path: Path
 ) -> None:
     (wrong,) = found(tmp_path, kind, trip("Drive", {}))
-    assert wrong.title == "`Drive` tripped `tilting` in 4 of 9 runs"
+    assert wrong.title == "`tilting` became active during `Drive` in 4 of 9 runs"
     assert wrong.primary.span.text == "Drive"
     assert wrong.notes == ("the first evidence of the rule: tilt = 9 deg", said)
 

@@ -74,11 +74,14 @@ def test_the_records_are_named_from_the_folder_of_the_file(tmp_path: Path) -> No
     ("change", "expected"),
     [
         (lambda it: it.update(format="other"), "2: its `format` is not `ezskiros/knowledge`"),
-        (lambda it: it.update(version=2), "3: its `version` is not 1, which this EzSkiROS reads"),
+        (
+            lambda it: it.update(version=2),
+            "3: its `version` is not 1, the only version that this EzSkiROS reads",
+        ),
         (lambda it: it.update(version=True), "3: `version` is not an integer"),
-        (lambda it: it.update(digest="0" * 64), "4: its `digest` is not that of its `sources`"),
-        (lambda it: it["sources"].pop(), "4: its `digest` is not that of its `sources`"),
-        (lambda it: it.pop("costs"), "1: `costs` is not there"),
+        (lambda it: it.update(digest="0" * 64), "4: its `digest` does not match its `sources`"),
+        (lambda it: it["sources"].pop(), "4: its `digest` does not match its `sources`"),
+        (lambda it: it.pop("costs"), "1: `costs` is missing"),
         (lambda it: it["costs"][1].update(lost_s=-1), "23: `lost_s` is not a duration in seconds"),
         (
             lambda it: it["costs"][1].update(lost_s=None),

@@ -91,13 +91,13 @@ def test_the_class_is_one_that_only_the_tripped_places_have(tmp_path: Path) -> N
     same = Map({iri: location(iri, "t:A") for iri in (RAMP, SHELF)})
     rule, _ = proposals(found, same)
     assert "distance(POSE, CLASS)" in rule
-    assert f"CLASS is to be a class of its own of `{RAMP}`" in rule
+    assert f"Declare a new CLASS in the ontology, and give it to `{RAMP}`" in rule
 
 
 def test_a_place_that_is_nowhere_is_reported(tmp_path: Path) -> None:
     found = lessons(tmp_path, (RAMP, True), (RAMP, True), (SHELF, False))
     rule, _ = proposals(found, Map())
-    assert f"// The scene has to say where `{RAMP}` lies." in rule.splitlines()
+    assert f"// Add the location of `{RAMP}` to the scene." in rule.splitlines()
 
 
 def test_evidence_stays_in_its_comment(tmp_path: Path) -> None:

@@ -75,9 +75,9 @@ def test_a_file_that_is_too_large_is_not_read(
         (
             1,
             lambda it: it.update(schema=2),
-            '1 "schema": its `schema` is 2, and this EzSkiROS reads 1',
+            '1 "schema": its `schema` is 2, but this EzSkiROS reads 1',
         ),
-        (1, lambda it: it.pop("rules"), "1 all: `rules` is not there"),
+        (1, lambda it: it.pop("rules"), "1 all: `rules` is missing"),
         (1, lambda it: it.update(rules=[1]), '1 "rules": `rules` is not a list of strings'),
         (1, lambda it: it.update(end_ns=0), '1 "end_ns": it ends before it starts'),
         (

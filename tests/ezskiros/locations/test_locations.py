@@ -185,7 +185,7 @@ def test_too_many_corners_are_refused_at_once() -> None:
             f"{FRAME} ; {SIZED} ; skiros:OrientationX 0.0 ; skiros:OrientationY 0.0 ;"
             " skiros:OrientationZ 0.0 ; skiros:OrientationW 0.0",
             "EZS612",
-            "does not belong to a quaternion of length 1",
+            "is not part of a quaternion of length 1",
         ),
     ],
 )

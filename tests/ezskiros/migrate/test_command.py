@@ -146,7 +146,7 @@ def test_a_world_that_is_no_module_is_refused(world: str, tmp_path: Path) -> Non
         assert result.exit_code == 0  # the package that the skills are in
         return
     assert result.exit_code == 2
-    assert "is no module of Python" in result.stderr
+    assert "is not the name of a Python module" in result.stderr
     assert path.read_text() == GOOD
 
 

@@ -149,11 +149,11 @@ def test_what_is_consumed_cannot_be_used_again(tmp_path: Path) -> None:
     ("goal", "code", "said"),
     [
         ("", "EZS850", "it is empty"),
-        ("(contain shelf)", "EZS850", "a relation takes two things"),
+        ("(contain shelf)", "EZS850", "a relation needs two individuals"),
         ("(contain shelf starter", "EZS850", "`)` is missing here"),
         ("contain shelf starter", "EZS850", "`(` is missing here"),
         ("(not contain shelf starter)", "EZS850", "`(` is missing here"),
-        ("(contain shelf starter bench)", "EZS850", "brackets contain a relation and two things"),
+        ("(contain shelf starter bench)", "EZS850", "a relation and two individuals"),
         ("(contain shelf stater)", "EZS851", "the scene has no `stater`"),
         ("(contains shelf starter)", "EZS852", "no relation or data property `contains`"),
         ("(contain gripper bench)", "EZS853", "no skill achieves"),
@@ -358,13 +358,13 @@ def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
     (lab / "other").mkdir()
     done = run("plan", *GOAL, "--out", "other/tidy_up.py", folder=lab)
     assert done.returncode == 2
-    assert f"the skills cannot be imported: write to {lab}" in done.stderr
+    assert f"cannot import the skills: write it to {lab}" in done.stderr
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--out", "tidy-up.py"), "is no file for a module of Python"),
+        (("--out", "tidy-up.py"), "is not the file name of a Python module"),
         (("--scene", "nowhere.turtle"), "there is no file nowhere.turtle"),
     ],
 )

@@ -22,7 +22,7 @@ VALUES = "Object: skiros.Product, Place: skiros.Container, Speed: float = 1.0, F
         ("import os; os.remove('x')", "changes files or processes"),
         ("import subprocess; subprocess.run(['true'])", "starts a program"),
         ("import socket; socket.create_connection(('localhost', 1))", "uses the network"),
-        ("input()", "asks for input"),
+        ("input()", "waits for input"),
         ("import threading; threading.Thread(target=print).start()", "starts a thread"),
         ("try:\n    open('x')\nexcept Exception:\n    pass", "opens a file"),
     ],

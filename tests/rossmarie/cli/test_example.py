@@ -78,7 +78,7 @@ def test_nothing_is_written_if_a_file_is_there(tmp_path: Path) -> None:
 def test_an_unknown_robot(name: str, hint: str, tmp_path: Path) -> None:
     done = run(tmp_path, name)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"rossmarie: there is no robot `{name}` in the box; {hint}\n"
+    assert done.stderr == f"rossmarie: there is no robot `{name}`; {hint}\n"
 
 
 def test_a_folder_that_cannot_be_written_to(tmp_path: Path) -> None:

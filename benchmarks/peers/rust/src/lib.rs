@@ -1,9 +1,9 @@
-//! The trace, CPU time and the one line of JSON that each peer prints.
+//! The trace, the CPU time, and the line of JSON that each peer prints.
 
 use std::fs;
 use std::path::Path;
 
-/// The columns of the workload, one value a sample.
+/// The columns of the workload, one value per sample.
 pub struct Trace {
     pub speed: Vec<f64>,
     pub pitch: Vec<f64>,
@@ -37,7 +37,7 @@ fn read(folder: &Path, name: &str, samples: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Seconds of CPU that this process has used.
+/// The CPU time of this process so far (s).
 pub fn cpu_seconds() -> f64 {
     let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: `time` is a valid place to write to, and the clock exists on every POSIX system.
@@ -45,7 +45,7 @@ pub fn cpu_seconds() -> f64 {
     time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
 }
 
-/// Prints the median over `seconds` as nanoseconds a sample, and the counts.
+/// Prints the median over `seconds` as nanoseconds per sample, and the counts.
 pub fn report(mut seconds: Vec<f64>, samples: usize, counts: [u64; 3]) {
     seconds.sort_by(f64::total_cmp);
     let nanoseconds = seconds[seconds.len() / 2] / samples as f64 * 1e9;

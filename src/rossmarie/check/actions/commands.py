@@ -43,7 +43,7 @@ Ramps = list[tuple[ast.Expression, Unit, float]]
 
 
 def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
-    """The topic as the safety filter handles it, without the numbers of headers."""
+    """The topic in the form that the safety filter uses, without the numbers of headers."""
     fields = tuple(
         reactions.CommandField(leaf.path, leaf.is_array, symbol_of(leaf_unit(leaf, sent, targets)))
         for leaf in targets.model.messages.leaves(sent.message)
@@ -93,7 +93,7 @@ class CommandChecker:
     def expected(
         self, topic: ast.Name, path: ast.FieldPath, range_: ast.Expression
     ) -> tuple[reactions.CommandTopic, int, float, float] | None:
-        """The field that a test has an expectation about, by number, and the limits in the unit of
+        """The field about which a test has an expectation, by index, and the limits in the unit of
         the message. None after reporting an error.
         """
         infer(range_, self._context)
@@ -144,7 +144,7 @@ class CommandChecker:
     def _index(
         self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
     ) -> int | None:
-        """The number of a field among the fields of the command; None after reporting an error."""
+        """The index of a field among the fields of the command; None after reporting an error."""
         paths = [one.path for one in command.fields]
         if field.leaf is not None and field.leaf.path in paths and not field.is_element:
             return paths.index(field.leaf.path)

@@ -1,7 +1,7 @@
 """The bodies of actions: each effect is checked separately.
 
 The result is the effects of each action, with everything that lowering needs. Names of actions
-behind `else` are looked up here. `rules/plans.py` checks the chains of actions that `else` forms.
+after `else` are looked up here. `rules/plans.py` checks the chains of actions that `else` forms.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ from rossmarie.units import DIMENSIONLESS
 
 class EffectChecker:
     """Checks the bodies of all actions. `commands` are the topics that may pass through the safety
-    filter; `confirmations` holds the place and the uses of each confirmation.
+    filter; `confirmations` contains the place and the uses of each confirmation.
     """
 
     def __init__(self, targets: Targets) -> None:
@@ -153,7 +153,7 @@ class EffectChecker:
             return
         self._add(suggesting(finding, name, near))
 
-    # --- what is awaited ---------------------------------------------------------------------
+    # --- effects whose end is awaited --------------------------------------------------------
 
     def _awaited(self, effect: ast.Awaited, uses: Uses) -> CheckedEffect | None:
         if effect.otherwise is not None:

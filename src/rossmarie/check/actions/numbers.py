@@ -45,8 +45,8 @@ def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) 
 
 
 def period_ns(rate: ast.Expression, context: Context) -> int | None:
-    """The time between two messages in nanoseconds; None, after reporting, if `rate` is not a
-    possible frequency.
+    """The time between two messages in ns; None, after reporting, if `rate` is not a possible
+    frequency.
     """
     type_ = infer(rate, context)
     if not is_frequency(rate, type_, type_, context):
@@ -63,7 +63,7 @@ def period_ns(rate: ast.Expression, context: Context) -> int | None:
 
 
 def timeout_ns(timeout: ast.Expression | None, context: Context) -> int | None:
-    """The time limit in nanoseconds, 2 s if none is given; None, after reporting, if it is not a
+    """The time limit in ns, 2 s if none is given; None, after reporting, if the limit is not a
     time.
     """
     if timeout is None:

@@ -1,4 +1,4 @@
-"""The resources that system models declare: names for groups of topics, services and the like that
+"""The resources that system models declare: names for groups of topics, services and so on that
 command the same thing.
 """
 
@@ -17,7 +17,7 @@ from rossmarie.types import Kind
 
 def declared_resources(targets: Targets) -> Mapping[str, str]:
     """The names of topics, services, action servers, nodes and controller managers that receive
-    commands, each with the resource that it belongs to. Reports errors in the declarations.
+    commands, each with its resource. Reports errors in the declarations.
     """
     found: dict[str, tuple[str, ast.Name]] = {}
     first: dict[str, ast.Name] = {}
@@ -45,7 +45,7 @@ def _declarations(targets: Targets) -> Iterator[ast.ResourceDeclaration]:
 
 
 def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
-    """Report names that occur nowhere else: most likely they are misspelt."""
+    """Report names that occur nowhere else, because they are probably misspelt."""
     if not targets.is_parsed:
         return
     known = set(_known(targets))

@@ -106,7 +106,7 @@ def _numbers(
 
 
 def _places(type_: Type, is_pose: bool) -> Iterator[tuple[str, ...]]:
-    """The paths to such a pose in a message: the message itself, or one of its fields."""
+    """The paths to a pose of this type in a message: the message itself, or one of its fields."""
     for path, each in (((), type_), *(((name,), field) for name, field in members(type_).items())):
         if is_pose and isinstance(each, Message) and each.name == POSE:
             yield path

@@ -1,4 +1,4 @@
-"""The targets of effects: topics, services and action servers, and the types of these."""
+"""The targets of effects: topics, services and action servers, with their types."""
 
 from __future__ import annotations
 
@@ -115,8 +115,8 @@ class Targets:
     # --- types -------------------------------------------------------------------------------
 
     def topic(self, target: ast.Target, example: str = "geometry_msgs/Twist") -> Sent | None:
-        """The topic; None after reporting that its type is unknown. `example` is a type that it may
-        have.
+        """The topic; None after reporting that its type is unknown. `example` is a possible
+        type.
         """
         name = self.full_name(Kind.MESSAGE, target.name)
         topic = self.model.topics.get(name)
@@ -133,7 +133,7 @@ class Targets:
         return None if message is None else Sent(name, type_name(written.text), message)
 
     def is_commanded(self, name: ast.Name) -> bool:
-        """Say whether an action commands the topic. Report an error if none does."""
+        """Say whether an action commands the topic. Report an error if no action does."""
         if self.full_name(Kind.MESSAGE, name) in self.commanded:
             return True
         if self.model.is_whole and self.is_parsed:
@@ -197,14 +197,14 @@ class Targets:
 
 
 def insertion(behind: Span, text: str) -> Fix:
-    """The fix that inserts a text behind a place."""
+    """The fix that inserts a text after a place."""
     place = Span(behind.file, behind.end, behind.end)
     return Fix(f"insert `{text.strip()}`", (Edit(place, text),))
 
 
 def _contradicts(target: ast.Target, known: ast.Name) -> bool:
-    """Say whether a target states a type other than the known one. The contradiction is reported at
-    its place.
+    """Say whether a target states a type other than the known type. The contradiction is reported
+    at the target.
     """
     return target.type is not None and _short(target.type) != _short(known)
 

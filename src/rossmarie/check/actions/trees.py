@@ -1,8 +1,8 @@
 """Behavior trees as reactions of rules: `tree Reroute(Target: "kitchen") within 20 sec`.
 
 A tree is a skill in the file of skills. The program that runs the skills offers the action server
-`/recovery`, which runs the tree while the task waits. So a tree is a goal like any other that a
-rule sends.
+`/recovery`, which runs the tree while the task waits. So a tree is like any other goal that a rule
+sends.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ ACTION = "skill_context_msgs/Recover"
 PASSED = "@"
 """The prefix of a value that is a parameter of a running skill: `@Drive.Target`."""
 AFTERWARDS = "afterwards"
-"""The field of a goal that says how the task continues."""
+"""The field of a goal that describes how the task continues."""
 _USUALLY = "resume"
 _NUMBERS = frozenset({"float", "int"})
 _TEXTS = frozenset({"str", "enum"})

@@ -1,1 +1,1 @@
-"""Expressions: the type of each, and the value of constant ones."""
+"""Expressions: the type of each expression, and the values of constant expressions."""

@@ -1,4 +1,4 @@
-"""Conditions that are always true or always false, whatever arrives.
+"""Conditions that are always true or always false, whatever messages arrive.
 
 Such conditions are legal: constants can switch rules on and off. But if no input can change the
 value, a monitor watches nothing.
@@ -22,7 +22,7 @@ from rossmarie.types import Boolean, Unknown
 def warn_of_decided(expression: ast.Expression, context: Context) -> None:
     """Warn of a condition, or of its parts, that no input influences.
 
-    A mere `true`, or the name of a constant, is a switch if it is only a part of the condition.
+    `true` alone, or the name of a constant, is a switch if it is only a part of the condition.
     """
     parts = list(walk(expression))
     if any(isinstance(context.types.get(part), Unknown) for part in parts):
@@ -45,7 +45,7 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
 
 
 def warn_of_never_cleared(rule: ast.Rule, contract: ast.ClearWhen, context: Context) -> None:
-    """Warn of a condition behind `clear when` that cannot be true while the condition of the rule
+    """Warn of a condition after `clear when` that cannot be true while the condition of the rule
     is false: both conditions are the same, or the first requires everything that makes the second
     true.
     """

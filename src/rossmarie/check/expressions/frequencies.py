@@ -15,8 +15,8 @@ _HERTZ = parse_unit("Hz")
 
 
 def is_frequency(rate: ast.Expression, type_: Type, number: Type, context: Context) -> bool:
-    """Say whether a rate of this type is a constant frequency above zero. Report an error if not.
-    `number` is the type itself, or the type of its elements.
+    """Say whether a rate of this type is a constant frequency above zero. Report an error if it is
+    not. `number` is the type itself, or the type of its elements.
     """
     if isinstance(type_, Unknown):
         return False
@@ -35,7 +35,7 @@ def _is_plain_number(type_: object) -> bool:
 
 
 def is_positive(node: ast.Expression, what: str, context: Context) -> bool:
-    """Say whether a constant is above zero. Report an error if not."""
+    """Say whether a constant is above zero. Report an error if it is not."""
     if context.values[node].numbers[0] > 0:
         return True
     finding = NotPositive(what=what, bound="more than zero", found="not")

@@ -1,8 +1,8 @@
-"""The type of every expression, and the value of constant ones.
+"""The type of every expression, and the values of constant expressions.
 
 The pass visits a tree from the leaves up, without recursion, and each node once, after its operands
-have types. A type error is reported at its node, which gets the type `Unknown`; nothing more is
-reported about an `Unknown`.
+have types. A type error is reported at its node, which gets the type `Unknown`. No further error is
+reported for an `Unknown`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The values that imports give to parameters: their types and dimensions must be the declared
+"""The values that imports give to parameters. Their types and dimensions must be the declared
 ones.
 """
 
@@ -17,7 +17,7 @@ from rossmarie.types import Box, Interval, Quantity, Type, Unknown, unit_faults
 
 def fits_parameter(constant: ast.Constant, found: Type, context: Context) -> bool:
     """Say whether the value of a constant has the type that its parameter requires. Report an error
-    if not.
+    if it does not.
     """
     parameter = constant.parameter
     if parameter is None:

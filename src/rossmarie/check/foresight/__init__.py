@@ -1,1 +1,1 @@
-"""Motions of the robot, and the requirements of rules: speeds in places, reached in time."""
+"""Motions of the robot, and the requirements of rules: speeds in locations, reached in time."""

@@ -1,4 +1,4 @@
-"""Requirements of rules: each keeps a motion below a speed, in a zone or in the places of a
+"""Requirements of rules: each rule keeps a motion below a speed, in a zone or in the locations of a
 class.
 """
 
@@ -18,7 +18,7 @@ from rossmarie.types import Region
 
 
 def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
-    """The speed limit of a rule, and its places; None if the rule has no requirement, or after
+    """The speed limit of a rule, and its locations. None if the rule has no requirement, or after
     reporting.
     """
     written = rule.keeps
@@ -36,7 +36,7 @@ def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
 
 
 def _places(written: ast.Keeps, context: Context) -> tuple[core.Region, Region] | None:
-    """The zone or the places of the class in which a speed is kept; None after reporting."""
+    """The zone or the locations of the class in which a speed is kept; None after reporting."""
     name = written.place.text
     if isinstance(context.declarations.names.get(name), ast.Zone):
         context.used_names.add(name)

@@ -32,7 +32,7 @@ _FORMS: Mapping[str, str] = {
     "fastest": "`fastest : 1.5 m/s;`",
     "latency": "`latency : 0.2 sec;`",
 }
-"""The parts of a motion, each with an example."""
+"""The parts of a motion, with an example for each."""
 
 _UNITS: Mapping[str, str] = {
     "speed": "m/s",
@@ -122,7 +122,9 @@ def _is_whole(motion: ast.Motion, parts: Mapping[str, ast.Condition], context: C
 
 
 def _part(name: str, node: ast.Expression, context: Context) -> float | None:
-    """The number of a part, 0 if the part changes; None, after reporting, if the part is wrong."""
+    """The number of a part, or 0 if the part is not constant. None, after reporting, if the part is
+    wrong.
+    """
     type_ = context.type_of(node)
     if isinstance(type_, Unknown):
         return None
@@ -157,7 +159,7 @@ def _position(node: ast.Expression, context: Context) -> float | None:
 
 
 def _is_limited(motion: ast.Motion, uses: Uses, context: Context) -> bool:
-    """Say whether all inputs of a motion have a timeout. Report the inputs that have none."""
+    """Say whether all inputs of a motion have a timeout. Report the inputs without one."""
     unlimited = [name for name in sorted(uses.inputs) if context.inputs[name].timeout_ns is None]
     for name in unlimited:
         finding = UnlimitedReaction(motion=motion.name.text, input=name)

@@ -1,4 +1,4 @@
-"""Elements chosen by the name of a constant: `joints[elbow]` -> `joints["elbow_joint"]`."""
+"""Elements chosen by the name of a constant: `joints[elbow]` becomes `joints["elbow_joint"]`."""
 
 from __future__ import annotations
 
@@ -96,8 +96,8 @@ def _inside(value: ast.Expression) -> ast.Expression:
 
 
 def _is_reported(constant: ast.Constant) -> bool:
-    """Say whether another finding reports the value: it is no value at all, or not the string that
-    a parameter requires.
+    """Say whether another finding reports the value: it is not a value, or not the string that a
+    parameter requires.
     """
     default = None if constant.parameter is None else constant.parameter.default
     return isinstance(constant.value, ast.Broken) or isinstance(default, ast.Text)

@@ -1,6 +1,7 @@
-"""The parsed files of a program -> its modules, in which each name has one meaning. Files that are
-imported under a name get a name space of their own, and each parameter becomes a constant, or the
-topic that it stands for.
+"""Turns the parsed files of a program into modules in which each name has one meaning.
+
+Files that are imported under a name get a name space of their own. Each parameter becomes a
+constant, or the topic that it stands for.
 """
 
 from __future__ import annotations
@@ -70,8 +71,8 @@ class _Program:
         return modules, self._instances
 
     def _open_rewriters(self) -> None:
-        """Give each file of an instance a source of its own, so that its places tell which file it
-        is.
+        """Give each file of an instance a source of its own, so that places in the source identify
+        the file.
         """
         seen: set[SourceFile] = set()
         for each in self._files:
@@ -88,7 +89,7 @@ class _Program:
             self._instances.files[rewriter.file] = each.space, imports
 
     def _take_imports(self, imported: Imported) -> None:
-        """Record the names behind `as`. A second use of a name, or a name with another meaning, is
+        """Record the names after `as`. A second use of a name, or a name with another meaning, is
         reported.
         """
         space, rewriter = self._spaces[imported.space], self._rewriters[imported]
@@ -238,7 +239,7 @@ class _Program:
 
     def _items(self, imported: Imported, constants: dict[str, ast.Constant]) -> Iterator[ast.Item]:
         """The items of a module. Tests of a file assume its default values, so instances with other
-        values or with a name have no tests. Hazards concern the whole program: hazards of a file
+        values or with a name have no tests. Hazards apply to the whole program: hazards of a file
         with several instances count once.
         """
         rewriter = self._rewriters[imported]
@@ -284,7 +285,7 @@ def _frames(item: ast.Item) -> Iterator[str]:
 
 
 def _setting(constant: ast.Constant) -> ast.Input:
-    """A parameter that the running node may set: a number that arrives like an input."""
+    """A parameter that the running node may set, as an input: its number arrives like a message."""
     name, documentation, span = constant.name, constant.documentation, constant.span
     behind = None, None, None, documentation, span
     return ast.Input(name, name, None, (), *behind, setting=constant)

@@ -1,4 +1,4 @@
-"""The tree of a file -> the same tree with the names of the whole program.
+"""Rewrites the tree of a file with the names of the whole program.
 
 The recursion follows the tree, with two or three Python frames per level; the syntax limits its
 depth.
@@ -66,7 +66,9 @@ KINDS: Mapping[type[object], Mapping[str, Kind]] = {
     ast.Target: {"name": Kind.TOPIC},
     ast.CommandExpectation: {"topic": Kind.TOPIC},
 }
-"""The fields that hold names of a set, by node type. All other names mean the same everywhere."""
+"""The fields that contain names of a set, by node type. All other names mean the same
+everywhere.
+"""
 
 
 class Rewriter:
@@ -104,7 +106,7 @@ class Rewriter:
         return ast.Name(text, self.span(name.span))
 
     def frame(self, name: ast.Name) -> ast.Name:
-        """The frame that a name stands for, as headers or the system model name it."""
+        """The frame that a name stands for, in the name from headers or from the system model."""
         spaces = (self._space, self._whole)
         found = next((each.frames[name.text] for each in spaces if name.text in each.frames), name)
         return ast.Name(found.text, self.span(name.span))
@@ -242,8 +244,8 @@ class Rewriter:
         return name in self._space.frames or name in self._whole.frames
 
     def _leads_on(self, path: Path, name: str) -> bool:
-        """Say whether a name space contains another name space of this name. A file that cannot be
-        read has no name space.
+        """Say whether a name space contains another name space with this name. A file that cannot
+        be read has no name space.
         """
         return path in self._spaces and name in self._spaces[path].inner
 

@@ -1,4 +1,4 @@
-"""Name spaces: one for the whole program, and one for each name behind `as`.
+"""Name spaces: one for the whole program, and one for each name after `as`.
 
 A file that is imported as `front` has the name space `front`: outside, `front.near` is the name
 that the file calls `near`. After this stage, the name is `front_near`.
@@ -14,7 +14,7 @@ from rossmarie.check.wording.suggestions import Suggestions
 from rossmarie.syntax import ast
 
 Path = tuple[str, ...]
-"""The names behind `as` that lead to a name space; empty for the whole program."""
+"""The names after `as` that lead to a name space; empty for the whole program."""
 
 _DECLARING = (
     ast.Action | ast.Constant | ast.Parameter | ast.Input | ast.Entity | ast.Motion | ast.Zone
@@ -24,7 +24,8 @@ _DECLARING = (
 @dataclass(eq=False)
 class Imported:
     """One file as one import creates it. `written` is the import in the file of `importer`. Both
-    are None for a file that is imported as it is, because several files may import it.
+    are None for a file that is imported without values and name, because several files may import
+    it.
     """
 
     module: ast.Module
@@ -47,8 +48,8 @@ class Imported:
 class Space:
     """The names that the files of a name space declare: `names` of constants, inputs, entities,
     motions, zones and actions (`values` are the constants and inputs), `rules`, `aliases` and
-    parameters (`topics`) of topics, and parameters of `frames`. `inner` holds the name spaces
-    inside it, by the names behind `as`.
+    parameters (`topics`) of topics, and parameters of `frames`. `inner` contains the name spaces
+    inside it, by the names after `as`.
     """
 
     path: Path
@@ -85,10 +86,12 @@ def flat(path: Path, name: str) -> str:
 
 @dataclass
 class Instances:
-    """The data that messages need: `names` that this stage created, each with its name space and
-    the name there; and for each file of an instance its name space, and the imports that lead to
-    it. `guesses` is the remaining effort for suggestions about misspelt names. `frames` are the
-    names of frames.
+    """The data that messages need.
+
+    `names` are the names that this stage has created, each with its name space and the name there.
+    For each file of an instance there are its name space, and the imports that lead to it.
+    `guesses` is the remaining effort for suggestions about misspelt names. `frames` are the names
+    of frames.
     """
 
     names: dict[str, tuple[Path, str]] = field(default_factory=dict)

@@ -1,5 +1,5 @@
-"""Findings on a program of instances -> the same findings with the names that their files use:
-`near` inside the file, `front.near` outside, and the imports that lead to the file.
+"""Rewrites findings on a program of instances with the names that the files use: `near` inside the
+file, `front.near` outside, and the imports that lead to the file.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def reported(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnos
 
 
 def spelled(text: str, instances: Instances) -> str:
-    """Tests with names of a program, as the main file would write them. Strings are values and stay
+    """Tests with names of a program, in the notation of the main file. Strings are values and stay
     unchanged. Titles of tests are not strings in this sense.
     """
     pattern = _pattern(instances)
@@ -73,7 +73,7 @@ def _imported(imports: tuple[ast.Import, ...]) -> Iterator[Label]:
 
 
 class _Wording:
-    """The names of a program, as a file of one name space writes them."""
+    """The names of a program in the notation of the files of one name space."""
 
     def __init__(self, instances: Instances, pattern: re.Pattern[str], space: Path) -> None:
         self._instances = instances

@@ -1,1 +1,1 @@
-"""Names and fields: the meaning of each, and the unused ones."""
+"""Names and fields: the meaning of each name, and the unused names."""

@@ -31,7 +31,7 @@ _ANGLES = ("roll", "pitch", "yaw")
 
 
 def members(type_: Type) -> dict[str, Type]:
-    """The names that can follow a dot, other than functions."""
+    """The names that can follow a dot, except functions."""
     if isinstance(type_, Message):
         return dict(type_.fields)
     if isinstance(type_, Entry):

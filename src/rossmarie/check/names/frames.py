@@ -41,8 +41,8 @@ class Framed(NamedTuple):
 
 def frame_field(whole: Type | None, path: Sequence[object]) -> Path | None:
     """The field with the frame of a part of a message; None if there is no such field. It belongs
-    to the innermost header around the part. Around elements of a list, it belongs to the message
-    with the list, unless that message has none and each element has its own (S77).
+    to the innermost header around the part. For elements of a list, it belongs to the message with
+    the list, unless that message has no header and each element has its own (S77).
     """
     found: Path | None = None
     type_ = whole
@@ -72,8 +72,8 @@ def _has_header(message: Message) -> bool:
 
 
 def is_reported(used: CheckedInput, path: Sequence[object]) -> bool:
-    """Say whether the frame of an input also applies to the part at a path: the same field of the
-    message holds the frame of both.
+    """Say whether the frame of an input also applies to the part at a path, because the same field
+    of the message contains the frame of both.
     """
     return frame_field(used.whole, path) == frame_field(used.whole, used.path)
 
@@ -154,7 +154,7 @@ def _brought(
 
 
 def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Context) -> bool:
-    """Say whether a value uses the axes of its message, but rules ask for another frame: the
+    """Say whether a value uses the axes of its message, although the rules give another frame: the
     covariance of a pose or a twist, a sector of a scan, the angle of a beam. This is reported.
     """
     used, path = _brought(node.value, context)
@@ -182,7 +182,9 @@ def _goes_by_axes(owner: Type, member: ast.Name, type_: Type) -> bool:
 
 
 def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:
-    """Say whether no two expressions have different frames. Two that differ are reported."""
+    """Say whether no two expressions have different frames. Two expressions that differ are
+    reported.
+    """
     first: tuple[ast.Expression, Framed] | None = None
     for node in operands:
         found = frame_of(node, context)
@@ -199,8 +201,8 @@ def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> boo
 def check_frame_is(
     node: ast.Expression, frame: str, other: ast.Expression, context: Context
 ) -> bool:
-    """Say whether an expression has no known frame other than the frame of another thing. A
-    different frame is reported.
+    """Say whether the frame of an expression is unknown, or the frame of another thing. A different
+    frame is reported.
     """
     found = frame_of(node, context)
     if found is None or found.frame == frame:

@@ -40,7 +40,9 @@ def type_of_message_constant(node: ast.Member, message: ast.Name, context: Conte
 
 
 def _messages(name: str, context: Context) -> Mapping[str, Mapping[str, Constant]]:
-    """The messages of a name and their constants: those that inputs bring, else all known ones."""
+    """The messages with this name, and their constants: messages in inputs, or else all known
+    messages.
+    """
     catalog = context.messages
     if catalog is None:
         return {}

@@ -19,15 +19,17 @@ def part_at(path: Path, type_: Type) -> Part:
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a message. With an `entry`, the part is the elements of that name in all arrays
-    below `path`.
+    """A part of a message. With an `entry`, the part consists of the elements with this name in all
+    arrays below `path`.
     """
 
     path: Path = ()
     entry: ByName | None = None
 
     def field(self, name: str, type_: Type) -> Part:
-        """A field of this part, of a type. The field of an entry is the element in the array."""
+        """A field of this part, with its type. The field of an entry is the element in the
+        array.
+        """
         step: Step = name
         if isinstance(type_, List) and (type_.is_of_points or type_.is_of_beams):
             step = POINTS if type_.is_of_points else Beams(name)

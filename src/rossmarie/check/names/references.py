@@ -1,9 +1,9 @@
 """The meaning of a name: constants, inputs and conditions; the probable meaning of an undeclared
 name.
 
-A name that looks like an undeclared name counts as used; otherwise each misspelling would also be
-reported as an unused declaration. If a file could not be read, no name is undeclared: that file may
-declare it.
+A name that is similar to an undeclared name counts as used. Otherwise each misspelling would also
+be reported as an unused declaration. If a file could not be read, no name is undeclared, because
+that file may declare it.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return its_list.element if isinstance(its_list, List) else Unknown()
     declared = context.declarations.names.get(name.text)
     own = context.entity
-    # A condition with the name of a value is reported already. The value is used.
+    # A condition with the name of a value is already reported. The value is used.
     hides = is_value_name(name.text, context)
     if own is not None and not hides and _has_condition(own, name.text, context):
         _use_condition(own, name, context)
@@ -278,7 +278,7 @@ def report_wrong_kind(
     expected: str,
     context: Context,
 ) -> None:
-    """Report a name of another kind than is needed."""
+    """Report a name of another kind than the expected kind."""
     finding = WrongKindOfName(
         identifier=name.text, found=ARTICLES[kind_of(declared)], expected=expected
     )

@@ -1,4 +1,4 @@
-"""The places of a class of things: `pose in Corridor`, `distance(pose, skiros.Location)`."""
+"""The locations of a class of things: `pose in Corridor`, `distance(pose, skiros.Location)`."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FRAME_OF_HEADER = ("header", "frame_id")
 
 
 def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | None:
-    """The places of the class that a name stands for, recorded in `context.regions`; None if no
+    """The locations of the class that a name stands for, recorded in `context.regions`; None if no
     class has this name.
     """
     skills = context.skills
@@ -49,8 +49,8 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
 
 
 def classes_for(node: ast.Reference, context: Context) -> list[str]:
-    """The bare names of the classes that a name at this place may stand for; none if a class cannot
-    stand there.
+    """The bare names of the classes that a name at this place may stand for; none if a class is not
+    possible there.
     """
     if context.skills is None or not _is_asked_for(node, context):
         return []
@@ -74,7 +74,9 @@ def _is_asked_for(node: ast.Expression, context: Context) -> bool:
 def places_of(
     owl_class: str, named: Span, skills: CheckedSkills, context: Context
 ) -> tuple[core.Region, Region] | None:
-    """The places of the class `named` at this place, and their type; None after reporting."""
+    """The locations of a class, with their type; None after reporting. `named` is the place of the
+    class in the rules.
+    """
     below = {*skills.classes.below(owl_class)}
     known = [each for each in skills.file.locations if below & {*each.classes}]
     nowhere = [each for each in known if not each.corners]
@@ -107,8 +109,8 @@ def _polygon(location: Location, skills: CheckedSkills) -> core.Polygon:
 
 
 def _called(location: Location) -> str:
-    """The label of a thing, else the last part of its IRI, with only characters that comments may
-    hold.
+    """The label of a thing, or else the last part of its IRI, with only the characters that
+    comments may contain.
     """
     name = location.label or re.split("[#/]", location.iri)[-1]
     return re.sub(r"[^\w .-]", "_", name, flags=re.ASCII) or "it"

@@ -26,7 +26,8 @@ _REASONS: Mapping[str, str] = {
 def warn_of_unused(context: Context) -> None:
     """Warn of every unused declaration of the main file.
 
-    A file without rules may be meant for import: other files use its names.
+    There is no warning for a file without rules: it may be meant for import, and other files use
+    its names.
     """
     main = context.declarations.main
     if not any(isinstance(item, ast.Rule) for item in main.items):
@@ -41,7 +42,7 @@ def warn_of_unused(context: Context) -> None:
 
 
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
-    """Report an entity with no used condition as one finding, not one for each condition."""
+    """Report an entity without any used condition as one finding, not one for each condition."""
     unused = [
         condition
         for condition in entity.conditions

@@ -17,7 +17,7 @@ AMOUNTS: Mapping[Operator, str] = {
     Operator.BRAKING_DISTANCE: "braking_distance(speed, 1.2 m/s^2, 0.3 sec)",
     Operator.TIME_TO: "time_to(distance, closing_speed)",
 }
-"""The functions, and the notation of each."""
+"""The functions, with the notation of each."""
 
 
 def type_of_amount(node: ast.Call, operator: Operator, context: Context) -> Type:

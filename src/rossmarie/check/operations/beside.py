@@ -1,7 +1,7 @@
-"""The numbers that may stand beside elements (S74): numbers of messages, and functions of them
+"""The numbers that may be used beside elements (S74): numbers of messages, and functions of them
 without a memory.
 
-A number that depends on other elements, on an age or on several messages has to stand outside.
+A number that depends on other elements, on an age or on several messages is not allowed there.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
 
 
 def nature_of_call(node: ast.Call, context: Context) -> str | None:
-    """The reason why a call may not stand beside elements, or be applied to one; None if it may."""
+    """The reason why a call may not be used beside elements, or be applied to an element; None if
+    it may.
+    """
     name = node.function.text
     if any(isinstance(argument, ast.Edges) for argument in node.arguments):
         return "this counts over time"
@@ -36,8 +38,8 @@ def nature_of_call(node: ast.Call, context: Context) -> str | None:
 
 
 def unfit_part(number: ast.Expression, context: Context) -> tuple[ast.Expression, str] | None:
-    """The first part of a number that may not stand beside elements, and the reason; None if the
-    number may stand there.
+    """The first part of a number that may not be used beside elements, and the reason; None if the
+    whole number may be used.
     """
     for part in walk(number):
         if isinstance(part, ast.ListFold):

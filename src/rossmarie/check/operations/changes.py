@@ -1,6 +1,4 @@
-"""`changed`: a number, a vector or a flag of a message compared with its value in the message
-before.
-"""
+"""`changed`: a number, a vector or a flag of a message compared with its previous value."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vecto
 
 
 def type_of_changed(node: ast.Call, context: Context) -> Type:
-    """`changed(x)` is one boolean."""
+    """The type of `changed(x)`: one boolean."""
     (argument,) = node.arguments
     type_ = context.type_of(argument)
     if report_uncompared(argument, "it is not one side of a comparison", context):

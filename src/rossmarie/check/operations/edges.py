@@ -30,7 +30,7 @@ def type_of_edges(node: ast.Edges, context: Context) -> Type:
 
 
 def report_edges_elsewhere(node: ast.Expression, function: str, context: Context) -> bool:
-    """Report edges in a function other than `count`. Returns True if they are."""
+    """Report edges in a function other than `count`. Returns True if there are any."""
     if not isinstance(node, ast.Edges) or function == Operator.COUNT.value:
         return False
     finding = EdgesMisused(reason=f"only `count` takes edges, not `{function}`")

@@ -1,7 +1,7 @@
 """Expressions over the elements of an array. They may use one array, constants, and numbers of
 other messages.
 
-Another boolean, or a duration, has to stand outside.
+Other booleans and durations are not allowed inside them.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from rossmarie.syntax.walk import children
 from rossmarie.types import Array, Boolean, Unknown
 
 Temporal = ast.Held | ast.Since | ast.Once | ast.Response
-"""The operators on time."""
+"""The operators over time."""
 
 
 def check_elements(fold: ast.Call, context: Context) -> bool:
-    """Say whether all parts of the argument of a fold are allowed there. Parts that are not are
+    """Say whether all parts of the argument of a fold are allowed there. Other parts are
     reported.
     """
     (argument,) = fold.arguments
@@ -92,7 +92,7 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
 def report_elements_over_time(
     node: Temporal, operand: ast.Expression, fold: ast.Call, context: Context
 ) -> None:
-    """Report an operator on time that is applied to the elements of an array, inside `fold`."""
+    """Report an operator over time that is applied to the elements of an array, inside `fold`."""
     function = fold.function.text
     finding = ArrayAsScalar(expected="condition")
     is_whole = stripped(fold.arguments[0]) is node and function in QUANTIFIERS

@@ -107,7 +107,7 @@ _TIMES: Mapping[Operator, str] = {
     Operator.MEAN: "the window of `mean`",
     Operator.LOW_PASS: "the time constant of `low_pass`",
 }
-"""The functions with a constant time, and the meaning of that time."""
+"""The functions with a constant time, and the meaning of this time."""
 _MOST_FIELDS = 4
 _OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
@@ -178,7 +178,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
 
 
 def _age(node: ast.Call, context: Context) -> Type:
-    """The type of an age. The expression around it checks that it is compared with a time."""
+    """The type of an age. The expression around the age checks that it is compared with a time."""
     outcome = apply(Operator.AGE, context.type_of(node.arguments[0]))
     argument = stripped(node.arguments[0])
     if isinstance(argument, ast.Reference) and argument.name.text in context.inputs:
@@ -209,7 +209,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
-    """The type of the result, whatever is wrong with the argument: one finding for `any(x) < 1` is
+    """The type of the result, whatever error the argument has: one finding for `any(x) < 1` is
     enough.
     """
     around = context.parents.get(node)
@@ -272,7 +272,7 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:
     """The type of the distance in which a motion stops. If the type is `Unknown`, the motion is
-    reported already.
+    already reported.
     """
     motion = context.type_of(node.arguments[0])
     if not isinstance(motion, Motion) or len(node.arguments) == 1:
@@ -319,7 +319,7 @@ def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
 
 
 def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
-    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one boolean."""
+    """The type of `oscillates(x, 3 times, within 0.25 sec, by 5 N)`: one boolean."""
     if report_edges_elsewhere(node.value, Operator.OSCILLATES.value, context):
         return Boolean()
     value = scalar_operand(node.value, context)

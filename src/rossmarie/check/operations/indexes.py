@@ -45,8 +45,8 @@ def element_of(owner: Type, index: int | str) -> Type | None:
 
 
 def no_element(owner: Type, index: int | str, span: Span, text: str, place: Span) -> Diagnostic:
-    """The finding that a value has no elements to choose by an index, or none with names. The index
-    stands at a `place`.
+    """The finding that a value has no elements, or no elements with names. `place` is the place of
+    the index.
     """
     if isinstance(index, str) and isinstance(owner, Array) and isinstance(owner.names, tuple):
         return _unlisted(index, owner.names, place)

@@ -1,7 +1,7 @@
 """Queries about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
 
-Behind the colon stands an ordinary expression, in which a name stands for the element. It may use
-the element, constants, and numbers of other messages.
+An ordinary expression follows the colon, in which the name stands for an element. It may use the
+element, constants, and numbers of other messages.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from rossmarie.units import DIMENSIONLESS
 USUAL_BOUND = 64
 USUAL_POINTS = 65_536
 USUAL_BEAMS = 1_440
-"""The bounds that are suggested if there is none: for lists of messages, clouds and scans."""
+"""The bounds that are suggested if there is no bound: for lists of messages, clouds and scans."""
 
 _MOST_LISTS = 4
 
@@ -181,7 +181,9 @@ def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:
 
 
 _Other = tuple[str, Remark | None]
-"""The nature of a part that does not belong to the element, and a special help if there is one."""
+"""The description of a part that does not belong to the element, and a special help if there is
+one.
+"""
 
 
 def _others(

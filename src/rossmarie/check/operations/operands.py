@@ -40,11 +40,13 @@ from rossmarie.types import (
 )
 
 LONGEST_DURATION_S = 1e9
-"""About 32 years. The sum of instants and durations has to fit in 64 bits of nanoseconds."""
+"""About 32 years. The sum of instants and durations has to fit into 64 bits of nanoseconds."""
 
 
 def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
-    """The one number that `node` stands for; None, after reporting, if it is not one number."""
+    """The one number that `node` stands for; None, after reporting, if it is not a single
+    number.
+    """
     type_ = context.type_of(node)
     if report_uncompared(node, "it is not one side of a comparison", context):
         return None
@@ -68,7 +70,7 @@ def report_uncompared(
     node: ast.Expression, reason: str, context: Context, at: ast.Expression | None = None
 ) -> bool:
     """Report an age or a count of edges that is not compared with a constant. Returns True if
-    `node` is one.
+    `node` is an age or a count of edges.
     """
     place = node if at is None else at
     if is_age(node):
@@ -191,7 +193,7 @@ def require_condition(node: ast.Expression, context: Context) -> None:
 
 
 def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | None:
-    """A constant time in nanoseconds; None, after reporting, if it is not one."""
+    """A constant time in ns; None, after reporting, if `node` is not a constant time."""
     type_ = context.type_of(node)
     if isinstance(type_, Unknown):
         return None
@@ -239,7 +241,9 @@ def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnos
 
 
 def require_constant(node: ast.Expression, purpose: str, context: Context) -> bool:
-    """Say whether the value of `node` is known. If not, report the part that changes."""
+    """Say whether the value of `node` is known. If it is not, report the part that is not
+    constant.
+    """
     if node in context.values:
         return True
     changing = node

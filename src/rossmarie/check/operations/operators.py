@@ -1,4 +1,6 @@
-"""Operators: the results of the table of operators, and the findings for its errors."""
+"""Operators: the results of the table of operators, and the findings for the errors of the
+table.
+"""
 
 from __future__ import annotations
 
@@ -186,7 +188,9 @@ def _boolean_comparison(operator: Operator, node: ast.Binary, context: Context) 
 
 
 def _text_comparison(node: ast.Binary, context: Context) -> Type:
-    """The compiler numbers texts, so it has to know one side of the comparison."""
+    """The type of a comparison of texts. One side has to be known, because the compiler numbers
+    texts.
+    """
     if node.left in context.values or node.right in context.values:
         return Boolean()
     finding = StringsCompared(left=text_of(node.left), right=text_of(node.right))
@@ -230,7 +234,9 @@ def _is_number(text: str) -> bool:
 
 
 def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) -> None:
-    """Whole numbers without a unit are not reported: mostly they are states and counts."""
+    """Warn of an equality of numbers. Whole numbers without a unit are not reported, because most
+    are states and counts.
+    """
     sides = [operand_of(side, context) for side in (node.left, node.right)]
     numbers = [side for side in sides if side is not None]
     values = [context.values[side.node] for side in numbers if side.node in context.values]
@@ -267,7 +273,7 @@ def _age_comparison(operator: Operator, node: ast.Binary, context: Context) -> T
 
 
 def _is_zero(divisor: ast.Expression, context: Context) -> bool:
-    """Say whether a divisor is always zero. Report it if so."""
+    """Say whether a divisor is always zero. Report an error if it is."""
     value = context.values.get(divisor)
     is_zero = value is not None and value.numbers == (0.0,)
     if is_zero:

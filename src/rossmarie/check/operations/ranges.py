@@ -121,7 +121,7 @@ def _report_swapped(node: ast.Bracket, context: Context) -> None:
 
 
 def type_of_membership(node: ast.Membership, context: Context) -> Type:
-    """`x in range`: one boolean, or one for each element of an array."""
+    """The type of `x in range`: one boolean, or one boolean for each element of an array."""
     value, container = context.type_of(node.value), context.type_of(node.container)
     sides = (node.value, node.container)
     if any(report_uncompared(side, "`in` has two ends", context, node) for side in sides):

@@ -9,7 +9,9 @@ from rossmarie.syntax import ast
 
 
 def rewritten(node: ast.Expression, meant: str, context: Context) -> Fix:
-    """Write `meant` instead of `node`, in parentheses if an expression surrounds it."""
+    """The fix that writes `meant` instead of `node`, in parentheses if an expression surrounds
+    it.
+    """
     around = context.parents.get(node)
     is_alone = around is None or isinstance(around, ast.Parenthesized)
     text = meant if is_alone else f"({meant})"

@@ -1,4 +1,4 @@
-"""Conditions on time: `for`, `since`, `once` and `after`.
+"""Conditions over time: `for`, `since`, `once` and `after`.
 
 Their operands are conditions of the whole machine, never of the elements of an array.
 """
@@ -21,7 +21,7 @@ from rossmarie.types import Array, Boolean, Type, Unknown
 
 
 def type_of_temporal(node: Temporal, context: Context) -> Type:
-    """`condition for 2 sec`, and the others: one boolean."""
+    """The type of `condition for 2 sec` and similar: one boolean."""
     match node:
         case ast.Held(condition=condition, duration=duration):
             duration_ns(duration, "the time after `for`", context)
@@ -50,12 +50,12 @@ def _type_over_time(node: Temporal, operands: tuple[ast.Expression, ...], contex
     return Boolean()
 
 
-# --- how far an operator reaches ---------------------------------------------------------------
+# --- the scope of operators --------------------------------------------------------------
 
 
 def report_ambiguous(node: ast.Binary, context: Context) -> None:
-    """Report `a and b for 2 sec`, `a and b since c` and `a since b and c`, where `for` or `since`
-    looks as if it applied to both sides of the `and`.
+    """Report `a and b for 2 sec`, `a and b since c` and `a since b and c`, in which `for` or
+    `since` seems to apply to both sides of the `and`.
     """
     first = _first_operand(node.right)
     if isinstance(first, ast.Held):
@@ -109,8 +109,8 @@ def _ambiguous_begun(node: ast.Binary, since: ast.Since) -> Diagnostic:
 def _around(
     node: ast.Binary, temporal: ast.Held | ast.Since, last: ast.Expression
 ) -> tuple[str, str, str]:
-    """Three texts around an operator on time: the text before it, the text up to its word, and the
-    rest.
+    """Three texts around an operator over time: the text before it, the text up to its word, and
+    the rest.
     """
     file, start = temporal.span.file, node.left.span.start
     before = Span(file, start, temporal.span.start).text

@@ -1,1 +1,1 @@
-"""Rules together: their order, their plans, and missing parts."""
+"""Rules together: their priorities, their plans, and missing parts."""

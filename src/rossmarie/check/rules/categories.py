@@ -13,8 +13,8 @@ _TASKS = {each.value.removeprefix("task "): each for each in TASKS}
 
 
 def check_categories(rule: ast.Rule, context: Context) -> tuple[Category, ...]:
-    """The categories of a rule. Unknown categories are reported, once for all exemptions of the
-    rule.
+    """The categories of a rule. Unknown categories are reported only once, not for each exemption
+    of the rule.
     """
     found = (
         _known(rule, rule.category, "category", _SUBJECTS, context),

@@ -1,4 +1,4 @@
-"""Exemptions and scopes of rules: the rules that may have them, and their queries."""
+"""Exemptions and scopes of rules: the rules that may have them, and the queries in them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.syntax import ast
 
 
 def check_exemptions(rule: ast.Rule, context: Context) -> None:
-    """Check the skills that a rule names behind its condition and its actions. Report skills on a
+    """Check the skills that a rule names after its condition and its actions. Report skills on a
     rule that is always active, an exemption that leaves a hazard without a rule, and repeated
     exemptions.
     """

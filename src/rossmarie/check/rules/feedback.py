@@ -21,7 +21,7 @@ _ONCE, _LASTING = " per activation", " per time"
 
 
 def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
-    """The amounts of a rule, and its margin. Anything else is reported."""
+    """The amounts of a rule, and its margin. Other values are reported."""
     found: dict[str, float] = {}
     margin: Unit | None = None
     said: set[str] = set()
@@ -67,9 +67,7 @@ def _amount(feedback: ast.Feedback, context: Context) -> float | None:
 
 
 def _seconds(unit: ast.Unit, context: Context) -> float | None:
-    """The length of a unit of time in seconds; None, after reporting, if it is not a unit of
-    time.
-    """
+    """The length of a unit of time in s; None, after reporting, if it is not a unit of time."""
     known = read_unit(unit, context.collector)
     if known is None:
         return None

@@ -1,4 +1,4 @@
-"""Chains of escalations: the last effect must be one that no other rule can overrule."""
+"""Chains of escalations: no other rule may be able to overrule the last effect."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def check_last_resorts(
     context: Context,
 ) -> None:
     """Report each rule whose last escalations need a resource that a rule with higher priority may
-    have. The escalations must have no circles. `commands` are the topics that may pass through the
+    take. The escalations must have no circles. `commands` are the topics that may pass through the
     filter.
     """
     rules = context.declarations.rules
@@ -73,8 +73,8 @@ def _needs(rule: ast.Rule, effects: Effects) -> list[CheckedEffect]:
 def _overrules(
     needs: Sequence[CheckedEffect], effect: CheckedEffect, commands: Container[str]
 ) -> bool:
-    """Say whether a rule with these needs keeps an effect from its resource. It does not if its
-    only use of the resource is to publish the same message.
+    """Say whether a rule with these needs can take the resource of an effect. It cannot if its only
+    use of the resource is to publish the same message.
     """
     rivals = [other.effect for other in needs if other.resource == effect.resource]
     found = effect.effect
@@ -84,8 +84,8 @@ def _overrules(
 
 
 def _last(rule: ast.Rule, effects: Effects) -> Iterator[CheckedEffect]:
-    """The effects of escalations without a further escalation, and without an effect beside them
-    that bounds commands; each once.
+    """The effects of escalations without a further escalation, and without a parallel effect that
+    bounds commands; each once.
     """
     for begun in _begun(rule, effects):
         own = effects.get(begun.action, ())

@@ -72,7 +72,7 @@ def _parts(condition: ast.Expression, context: Context) -> Iterator[ast.Expressi
 
 
 def _operands(node: ast.Expression) -> Sequence[ast.Expression]:
-    """The conditions that determine the distance of a node; empty if other nodes do."""
+    """The conditions that determine the distance of a node; empty if no operands determine it."""
     match node:
         case ast.Parenthesized(inner=inner) | ast.Held(condition=inner):
             return (inner,)
@@ -106,7 +106,7 @@ def _named(node: ast.Expression, entity: str | None, context: Context) -> tuple[
 
 
 def _compared(node: ast.Expression, context: Context) -> Operand | None:
-    """The numbers of a comparison; None if they are unknown, which is reported."""
+    """The compared numbers; None if they are unknown, which is reported."""
     match node:
         case ast.Binary(left=left, right=right):
             sides = [operand_of(side, context) for side in (right, left)]
@@ -122,7 +122,9 @@ def _compared(node: ast.Expression, context: Context) -> Operand | None:
 
 
 def _reason(node: ast.Expression, context: Context) -> str | None:
-    """The words for a part that has no distance; None if it has one, or is reported already."""
+    """The description of a part without a distance; None if it has a distance, or is already
+    reported.
+    """
     if node in context.values:
         return "a constant never changes"
     match node:
@@ -163,7 +165,7 @@ def _reason_of_comparison(node: ast.Binary) -> str | None:
 
 
 def _fits(compared: Sequence[Operand], unit: Unit, margin: ast.Margin, context: Context) -> bool:
-    """Say whether all comparisons and the margin have one dimension. Report the first that
+    """Say whether all comparisons and the margin have the same dimension. Report the first that
     differs.
     """
     first = compared[0]

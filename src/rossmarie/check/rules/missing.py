@@ -35,7 +35,7 @@ def warn_of_missing_rules(context: Context) -> None:
 
 
 def warn_of_empty_braces(context: Context) -> None:
-    """Warn of every action and every rule with braces and nothing in them."""
+    """Warn of every action and every rule with empty braces."""
     for item in context.declarations.items:
         if isinstance(item, ast.Action) and item.body is not None and not item.effects:
             finding = DoesNothing(what="action")
@@ -61,7 +61,7 @@ def warn_of_missing_timeouts(
         reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
         for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
-            # A timeout that could not be read is reported already.
+            # A timeout that could not be read is already reported.
             is_topic = declaration.topic.text and declaration.setting is None
             if declaration.timeout is None and is_topic:
                 warned.add(name)
@@ -72,7 +72,7 @@ def warn_of_missing_timeouts(
 def _reached(
     uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
 ) -> Iterator[Uses]:
-    """The uses behind a rule, without the conditions `seen` behind earlier rules."""
+    """The uses that a rule depends on, without the conditions `seen` for earlier rules."""
     pending = [uses]
     while pending:
         current = pending.pop()

@@ -1,4 +1,4 @@
-"""Topological order of things, and the circles that prevent one."""
+"""A topological order, and the circles that prevent it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def in_order(
     """The nodes, each after the nodes that it needs, and disjoint circles of nodes.
 
     Every node of `needs` is in the first list; nodes of circles are at arbitrary positions. If
-    there is any circle, at least one is returned. Does not recurse.
+    there is any circle, at least one is returned. The function does not recurse.
     """
     order: list[Node] = []
     circles: list[tuple[Node, ...]] = []

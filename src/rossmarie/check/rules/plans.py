@@ -19,7 +19,9 @@ Effects = Mapping[str, tuple[CheckedEffect, ...]]
 
 
 def check_escalations(effects: Effects, context: Context) -> bool:
-    """Report actions that lead back to themselves by `else`. Returns True if there are none."""
+    """Report actions that lead back to themselves by `else`. Returns True if there are no such
+    actions.
+    """
     needs = {name: _otherwise(name, effects) for name in effects}
     _, circles = in_order(needs)
     for circle in circles:
@@ -78,7 +80,7 @@ def reached_actions(rule: ast.Rule, effects: Effects) -> Iterator[str]:
 
 
 def latch_of(rule: ast.Rule, effects: Effects, actions: Mapping[str, object]) -> ast.Action | None:
-    """The latched action of a rule, if it has one."""
+    """The latched action of a rule, if the rule has one."""
     for name in reached_actions(rule, effects):
         action = actions.get(name)
         if isinstance(action, ast.Action) and action.latch is not None:
@@ -87,7 +89,7 @@ def latch_of(rule: ast.Rule, effects: Effects, actions: Mapping[str, object]) ->
 
 
 def check_latches(effects: Effects, context: Context) -> None:
-    """Report rules that clear by themselves and use a latched action."""
+    """Report rules that use a latched action although they have a contract for clearing."""
     for rule in context.declarations.rules:
         action = latch_of(rule, effects, context.declarations.names)
         for contract in rule.contracts:

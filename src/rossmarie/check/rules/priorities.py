@@ -1,4 +1,4 @@
-"""The declared order of rules that need the same resource."""
+"""The declared priorities of rules that need the same resource."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def order_of_rules(context: Context) -> tuple[tuple[int, ...], Pairs]:
 
 
 def _under(rules: Sequence[ast.Rule], context: Context) -> dict[int, list[int]]:
-    """The rules over which each rule has priority; an exempted rule has priority over its
-    exemptions as well.
+    """The rules over which each rule has priority. An exempted rule also has priority over the
+    rules made from its exemptions.
     """
     numbers = numbers_of(rules)
     under: dict[int, list[int]] = {number: [] for number in range(len(rules))}
@@ -66,8 +66,8 @@ def _report_circle(names: list[str], context: Context) -> None:
 
 
 def _sorted(under: dict[int, list[int]]) -> tuple[int, ...]:
-    """Each rule before the rules over which it has priority. Of several candidates, the first comes
-    next.
+    """The rules, each before the rules over which it has priority. Among several candidates, the
+    first in the file comes next.
     """
     waits_for = dict.fromkeys(under, 0)
     for below in under.values():

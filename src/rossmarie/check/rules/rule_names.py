@@ -1,4 +1,4 @@
-"""The names of rules, as declared and as other rules and priorities use them."""
+"""The names of rules, as declared and as used in other rules and priorities."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def report_undeclared(name: ast.Name, known: Iterable[str], context: Context) ->
 
 
 def rule_names(rules: Sequence[ast.Rule]) -> list[str]:
-    """The names of rules. A rule without a name is called by its position among the written rules,
-    `rule_2`.
+    """The names of rules. A rule without a name gets a name by its position among the written
+    rules, `rule_2`.
     """
     taken = {rule.name.text for rule in rules if rule.name is not None}
     names: list[str] = []

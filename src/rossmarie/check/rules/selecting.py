@@ -27,8 +27,8 @@ def select(
     collector: Collector,
 ) -> CheckedProgram | None:
     """The program with the rules that match `only`, or the whole program if `only` is empty.
-    Returns None after reporting a selection without rules. Reports orders that name a rule outside
-    the selection.
+    Returns None after reporting a selection without rules. Reports priorities that name a rule
+    outside the selection.
     """
     if not only:
         return program
@@ -67,7 +67,7 @@ def _report_left_out(
     left_out: Collection[str],
     collector: Collector,
 ) -> None:
-    """Report each order that names both a selected rule and a rule outside the selection."""
+    """Report each priority that names both a selected rule and a rule outside the selection."""
     names = {rule.name.text for rule in kept if rule.name is not None}
     reported = [
         (name, "the order applies only to the other rules")
@@ -109,5 +109,5 @@ def _reduced(
 
 
 def _named(rule: ast.Rule, name: str) -> ast.Rule:
-    """A rule without a name, which keeps the name from its original position."""
+    """A rule without a name; it keeps the name from its original position."""
     return rule if rule.name is not None else replace(rule, name=ast.Name(name, rule.head))

@@ -1,4 +1,4 @@
-"""Rules that give way to others: `if ... unless OTHER then ...`."""
+"""Rules that give way to other rules: `if ... unless OTHER then ...`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rossmarie.syntax import ast
 
 
 def giving_way(context: Context) -> tuple[tuple[int, ...], ...]:
-    """The numbers of the rules that suspend each rule while one of them is active.
+    """For each rule, the numbers of the rules that suspend it while one of them is active.
 
     Reports unknown rules, and circles.
     """

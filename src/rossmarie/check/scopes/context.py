@@ -41,16 +41,16 @@ class Uses:
 class Context:
     """The state of the checker.
 
-    `types` and `values` become those of `CheckedProgram`. `constants` holds the types of constants
-    (their values are in `values`, under the expression of the declaration). `used_names` and
-    `used_conditions` are all names and conditions with a reference. `parents` maps each part of an
-    expression to the expression whose operand it is.
+    `types` and `values` become those of `CheckedProgram`. `constants` contains the types of
+    constants (their values are in `values`, under the expression of the declaration). `used_names`
+    and `used_conditions` are all names and conditions with a reference. `parents` maps each part of
+    an expression to the expression whose operand it is.
 
     `proposed_bounds` are the inputs for which a bound of lists has been suggested. `skills` is the
-    file of skills, None if there is no usable one; `names_skills` is True if the program names one.
-    `doing` holds each query about skills, `regions` the places of each named class and zone,
-    `motions` and `zones` the correct motions and zones, `frames` the frames, and `frame_inputs` the
-    inputs for frames, by frame. `entity` and `uses` belong to the item that is being checked.
+    file of skills, None if there is no usable file; `names_skills` is True if the program names
+    one. `doing` contains each query about skills, `regions` the locations of each named class and
+    zone, `motions` and `zones` the correct motions and zones, `frames` the frames, and
+    `frame_inputs` the inputs for frames, by frame. `entity` and `uses` belong to the current item.
     """
 
     collector: Collector
@@ -78,7 +78,7 @@ class Context:
 
     @cached_property
     def names_used_as_numbers(self) -> frozenset[str]:
-        """The names that occur anywhere but behind `in`."""
+        """The names that occur anywhere except after `in`."""
         parts = [
             part
             for expression in self.declarations.expressions()
@@ -95,11 +95,11 @@ class Context:
         return frames | self.inputs
 
     def may_suggest(self) -> bool:
-        """Say whether to search for the intended name behind a misspelt one."""
+        """Say whether to search for the intended name of a misspelt name."""
         return self.suggestions.take(len(self.declarations.names))
 
     def report_unknown(self, finding: Template, name: ast.Name, known: Iterable[str]) -> None:
-        """Report an unknown name, with the known name that may be meant."""
+        """Report an unknown name, with the known name that the user probably meant."""
         near = near_name(name.text, known) if self.may_suggest() else None
         if near is None:
             self.collector.add(finding.at(name.span))
@@ -111,7 +111,7 @@ class Context:
         return self.types[node] if node in self.types else Unknown()
 
     def folds_around(self, node: ast.Expression) -> dict[str, ast.ListFold]:
-        """The folds around a node, if the node stands behind their colon, by the names of their
+        """The folds around a node, if the node is after their colon, by the names of their
         elements.
         """
         found: dict[str, ast.ListFold] = {}

@@ -1,6 +1,6 @@
 """All declarations of all modules. Names that are declared twice are reported.
 
-The first declaration of a name counts; later ones are still checked.
+The first declaration of a name counts; later declarations are still checked.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ def kind_of(item: Named) -> str:
 @dataclass(frozen=True)
 class Declarations:
     """The declarations. `names` is the single name space of constants, inputs, entities, motions,
-    zones and actions. `conditions` holds the conditions of each entity. `items` holds every item,
-    including repeated declarations. `rules` are all rules, imported files first, each before the
-    rules made from its exemptions. `is_whole` is False if a file could not be read, so that
+    zones and actions. `conditions` contains the conditions of each entity. `items` contains every
+    item, including repeated declarations. `rules` are all rules, imported files first, each before
+    the rules made from its exemptions. `is_whole` is False if a file could not be read, so that
     undeclared names may be declared there.
     """
 

@@ -1,7 +1,7 @@
-"""Exemptions as rules: the rules made from `unless doing SKILL` behind a rule.
+"""Exemptions as rules: the rules made from `unless doing SKILL` after a rule.
 
 A rule R with an exemption stays unchanged. Two rules are added: R_doing_SKILL, which is active
-while the exemption is used, and R_while_SKILL if the exemption has another condition instead.
+while the exemption is used, and R_while_SKILL if the exemption has another condition.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def _made(
 
 
 def is_of_exempted(rule: ast.Rule) -> bool:
-    """Say whether a rule made from an exemption uses the condition of the exempted rule, and not a
+    """Say whether a rule made from an exemption uses the condition of the exempted rule, not a
     condition of its own.
     """
     return rule.made_from is not None and rule.condition is not rule.made_from.condition
@@ -72,7 +72,7 @@ def is_of_exempted(rule: ast.Rule) -> bool:
 
 def exempted_by(rules: Sequence[ast.Rule], number: int) -> int | None:
     """The number of the rule from whose exemption a rule was made; None if the rule was not made
-    from one.
+    from an exemption.
     """
     if rules[number].made_from is None:
         return None

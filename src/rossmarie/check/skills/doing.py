@@ -25,7 +25,7 @@ from rossmarie.types import Boolean, Type, Unknown
 
 
 def type_of_doing(node: ast.Doing, context: Context) -> Type:
-    """A boolean. The query is recorded in `context.doing`."""
+    """The type of a query, a boolean. The query is recorded in `context.doing`."""
     found = checked_doing(node, context)
     if found is None:
         return Unknown()
@@ -77,7 +77,7 @@ def known_skills(
 
 
 def find_skill(name: ast.Name, skills: CheckedSkills, context: Context) -> Skill | None:
-    """The skill of a name; None after reporting that there is none."""
+    """The skill with this name; None after reporting that there is none."""
     found = skills.file.skills.get(name.text)
     if found is None:
         finding = UnknownSkill(identifier=name.text, path=skills.declaration.path.value)
@@ -89,7 +89,7 @@ def find_skill(name: ast.Name, skills: CheckedSkills, context: Context) -> Skill
 def find_parameter(
     name: ast.Name, skill: Skill, skills: CheckedSkills, context: Context
 ) -> Parameter | None:
-    """The parameter of a name; None after reporting that the skill has none."""
+    """The parameter with this name; None after reporting that the skill has none."""
     found = skill.parameters.get(name.text)
     if found is None:
         finding = UnknownSkillParameter(
@@ -117,7 +117,9 @@ def report_unlike(
     context: Context,
     around: tuple[Label, ...] = (),
 ) -> None:
-    """Report a name that is not among the known ones, with the name that may be meant."""
+    """Report a name that is not among the known names, with the name that the user probably
+    meant.
+    """
     may_suggest = context.suggestions.take(len(places))
     near = near_name(name.text, places) if may_suggest else None
     if near is None:

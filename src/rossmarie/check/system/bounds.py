@@ -15,7 +15,7 @@ MOST_POINTS = 1_048_576
 
 
 def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Collector) -> int | None:
-    """The number behind `up to`; None if there is none, or after reporting an error. `field` is the
+    """The number after `up to`; None if there is none, or after reporting an error. `field` is the
     field that the input reads.
     """
     bound = declaration.bound

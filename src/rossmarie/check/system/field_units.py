@@ -23,9 +23,9 @@ FieldKey = tuple[str, tuple[str, ...]]
 def check_one_unit(
     found: CheckedInput, stated: dict[FieldKey, CheckedInput], collector: Collector
 ) -> None:
-    """Report if an earlier input reads the same field in another unit.
+    """Report an error if an earlier input reads the same field in another unit.
 
-    `stated` holds the earlier inputs, by topic and path; `found` is added to it.
+    `stated` contains the earlier inputs, by topic and path; `found` is added to it.
     """
     unit = unit_of(found.type)
     if unit is None:
@@ -43,7 +43,7 @@ def check_one_unit(
 
 def check_read_units(stated: Mapping[FieldKey, CheckedInput], context: Context) -> None:
     """Report fields of whole messages that another input of the same topic reads in another unit.
-    `stated` holds those inputs, by topic and path.
+    `stated` contains those inputs, by topic and path.
     """
     reported: set[tuple[str, str]] = set()
     for expression in context.declarations.expressions():
@@ -100,8 +100,8 @@ def _with_components(path: tuple[str, ...], type_: Type) -> Iterator[tuple[str, 
 
 
 def _place(found: CheckedInput) -> Span:
-    """The place of the unit as written, else the topic and the field, whose unit the table of units
-    knows.
+    """The place of the unit as written, or else of the topic and the field; then the unit comes
+    from the table of units.
     """
     declaration = found.declaration
     if declaration.unit is not None:

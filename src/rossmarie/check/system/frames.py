@@ -34,12 +34,12 @@ TRANSFORM = "geometry_msgs/Transform"
 _METRE, _RADIAN = parse_unit("m"), parse_unit("rad")
 _FORMS = {"at": "`at [0.3, 0, 0.5] m`", "turned": "`turned [0, 20, 180] deg`: roll, pitch, yaw"}
 _MOST = {"at": (1e6, "1000 km"), "turned": (2.0 * math.pi + 1e-9, "a full turn")}
-"""The largest distances and angles, in m and rad, with the words for each."""
+"""The largest distances and angles, in m and rad, with the words for each of them."""
 _AXES = 3
 
 
 def read_frames(context: Context) -> None:
-    """Collect the frames of all system models in `context.frames`, still without numbers."""
+    """Collect the frames of all system models in `context.frames`. Their numbers follow later."""
     tree = context.frames
     declared = [
         member
@@ -129,7 +129,7 @@ def _input_of(frame: CheckedFrame, name: str, context: Context) -> CheckedInput:
 
 
 def resolve_frames(context: Context) -> None:
-    """Compute the numbers of all frames. Constants are known by now."""
+    """Compute the numbers of all frames. The values of constants are already known."""
     for name, frame in context.frames.frames.items():
         context.enter(None)
         declared = frame.declaration
@@ -172,7 +172,7 @@ def quaternion(roll: float, pitch: float, yaw: float) -> tuple[float, float, flo
 def _numbers(
     word: str, node: ast.Expression | None, frame: CheckedFrame, context: Context
 ) -> tuple[float, float, float]:
-    """The three numbers behind a word in SI. A wrong number is reported and becomes 0."""
+    """The three numbers after a word in SI. A wrong number is reported and becomes 0."""
     nothing = (0.0, 0.0, 0.0)
     if node is None:
         return nothing
@@ -227,7 +227,7 @@ def _report(
 
 def find_frame(written: ast.Name, context: Context) -> str | None:
     """The name in headers of a frame that a system model has to declare; None after reporting that
-    none does.
+    no system model does.
     """
     name = context.frames.named(written.text)
     if name in context.frames:

@@ -39,7 +39,7 @@ def _is_unit(text: str) -> bool:
 def framed(
     used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
 ) -> CheckedInput:
-    """The input with its frames. `first` holds the frames that earlier inputs gave to topics."""
+    """The input with its frames. `first` contains the frames that earlier inputs gave to topics."""
     source = _source(used, topic, first, context)
     target = None
     written = used.declaration.frame
@@ -62,7 +62,7 @@ def framed(
 def _source(
     used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
 ) -> str | None:
-    """The frame in which an input arrives: the frame behind its own `from`, else the frame of its
+    """The frame in which an input arrives: the frame after its own `from`, or else the frame of its
     topic.
     """
     written = used.declaration.source
@@ -114,7 +114,9 @@ def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]
 
 
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
-    """A field whose frame is in another field than the frame of the whole message."""
+    """A field whose frame is in another field than the frame of the whole message; None if there is
+    none.
+    """
     for name, part in members(type_).items():
         is_seen = isinstance(type_, Message) and has_frame(part)
         if is_seen and not is_reported(used, (*used.path, name)):

@@ -43,15 +43,15 @@ _DIAGNOSTICS = "/diagnostics"
 
 
 def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, CheckedInput]:
-    """Resolve every input of the program into `context.inputs`, still without timeouts. Returns,
-    for each field, the first input that states its unit.
+    """Resolve every input of the program into `context.inputs`. Timeouts follow later. Returns, for
+    each field, the first input that states its unit.
     """
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
     sources: dict[str, ast.Name] = {}
     for written in context.declarations.inputs:
         if written.setting is not None:
-            continue  # the value is known after the constants
+            continue  # the constants, and thus this value, are known later
         declaration = with_frame_for_unit(written, context)
         if declaration.number is not None:
             number = resolve_number(declaration, declaration.number, context)
@@ -69,7 +69,7 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
 
 
 def resolve_timeouts(context: Context) -> None:
-    """Compute the timeouts of all inputs. Constants are known by now."""
+    """Compute the timeouts of all inputs. The values of constants are already known."""
     _resolve_context(context)
     for declaration in context.declarations.inputs:
         if declaration.timeout is None:
@@ -186,7 +186,7 @@ def _in_unit(
 def _report_other_unit(
     written: ast.Unit, unit: Unit, field: str, topic: Topic, collector: Collector
 ) -> None:
-    """Report that a system model gives the values of a topic a unit other than an input does."""
+    """Report that a system model gives the values of a topic another unit than an input does."""
     declared = topic.declaration.unit
     if topic.unit is None or declared is None:
         return

@@ -18,7 +18,9 @@ _RAREST_HZ, _FASTEST_HZ = 1e-9, 1e9
 
 
 def message_gaps(context: Context) -> Mapping[str, Gaps]:
-    """The times between messages of each topic with a declared rate. Constants are known by now."""
+    """The times between messages of each topic with a declared rate. The values of constants are
+    already known.
+    """
     found: dict[str, tuple[Gaps, ast.Expression]] = {}
     for topic, rate in _rates(context):
         context.enter(None)

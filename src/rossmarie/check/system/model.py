@@ -83,8 +83,8 @@ class SystemModel:
         return near_name(name, [*self.aliases, *self.topics, *bare])
 
     def near_type(self, name: str) -> str | None:
-        """A known type of the same name in another package, else one with similar spelling. If the
-        package is unknown, only a small misspelling counts; otherwise its folder is missing.
+        """A known type with the same name in another package, or else a type with similar spelling.
+        If the package is unknown, only a small misspelling counts; otherwise its folder is missing.
         """
         known = self.messages.known_names()
         if not self.suggestions.take(len(known)):
@@ -140,8 +140,8 @@ def read_system_model(
 
 
 def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Message | None:
-    """The definition of a message type; None if there is none. This is reported, unless a file that
-    could not be read may contain the definition.
+    """The definition of a message type; None if there is none. A missing definition is reported,
+    unless a file that could not be read may contain it.
     """
     if not name.text:
         return None
@@ -196,8 +196,8 @@ def _check_unit_declaration(
     model: SystemModel,
     collector: Collector,
 ) -> None:
-    """Check that the field exists, and that no earlier declaration, one of `first`, gives it
-    another unit.
+    """Check that the field exists, and that no earlier declaration in `first` gives it another
+    unit.
     """
     message = find_message(declaration.message_type, model, collector)
     if message is None:
@@ -292,8 +292,8 @@ def _report_other_unit(
 
 
 def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:
-    """Report if `written` is not the message type that a system model gives `topic`, unless one of
-    the two could not be read.
+    """Report an error if `written` is not the message type that a system model gives `topic`,
+    unless one of the two could not be read.
     """
     found = type_name(written.text)
     if not written.text or not topic.message_type or found == topic.message_type:
@@ -307,7 +307,7 @@ def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> No
 def _topic_unit(
     declaration: ast.TopicDeclaration, message: Message | None, collector: Collector
 ) -> Unit | None:
-    """The unit of a topic. Only std_msgs values, which have no field to name, accept one."""
+    """The unit of a topic. Only std_msgs values, which have no field to name, accept a unit."""
     if declaration.unit is None:
         return None
     unit = read_unit(declaration.unit, collector)
@@ -330,7 +330,7 @@ def _topic_unit(
 
 def contradicts(known: Unit | None, stated: Unit, field_name: str) -> UnitContradictsField | None:
     """The finding that a stated unit and the unit of the field have different dimensions; None if
-    they do not.
+    the dimensions are equal.
     """
     if known is None or known.dimension == stated.dimension:
         return None

@@ -18,7 +18,7 @@ from rossmarie.units import si_unit
 
 
 def resolve_node_parameters(context: Context) -> None:
-    """Resolve them into `context.inputs`. Constants are known by now."""
+    """Resolve the parameters into `context.inputs`. The values of constants are already known."""
     for declaration in context.declarations.inputs:
         if declaration.setting is not None:
             type_ = _type_of(declaration.setting, context)
@@ -28,7 +28,9 @@ def resolve_node_parameters(context: Context) -> None:
 
 
 def _type_of(setting: ast.Constant, context: Context) -> Type:
-    """A number in SI, as the node takes it; `Unknown` after reporting an error."""
+    """The type of a parameter: a number in SI, as the node takes it; `Unknown` after reporting an
+    error.
+    """
     context.enter(None)
     found = infer(setting.value, context)
     if isinstance(found, Unknown):

@@ -32,7 +32,7 @@ _NUMBERS = ("float", "int", "bool")
 def resolve_number(
     declaration: ast.Input, number: ast.SkillNumber, context: Context
 ) -> CheckedInput:
-    """The input for a number, still without its timeout; of type `Unknown` after reporting."""
+    """The input for a number; its timeout follows later. Its type is `Unknown` after reporting."""
     skills = known_skills(number, context)
     found = None if skills is None else _find(number, skills, context)
     if skills is None or found is None:
@@ -150,8 +150,8 @@ def _properties_of(class_name: str, skills: CheckedSkills) -> dict[str, Property
 
 
 def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Context) -> Type:
-    """A number. If the file of skills has a unit, the number arrives in SI; else in the unit of the
-    input.
+    """The type of a number. If the file of skills has a unit, the number arrives in SI, else in the
+    unit of the input.
     """
     known = _known_unit(stated)
     written = None if declaration.unit is None else read_unit(declaration.unit, context.collector)

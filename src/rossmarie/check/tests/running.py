@@ -13,7 +13,7 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument
 from rossmarie.syntax import ast
 
 NOTHING = "nothing"
-"""The word behind `doing` for no running skill, unless a skill has this name."""
+"""The word after `doing` if no skill runs, unless a skill has this name."""
 
 
 DOING = "doing"

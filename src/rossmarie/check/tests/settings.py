@@ -198,7 +198,7 @@ class _SettingChecker:
             return None
         if isinstance(type_, Array) and not isinstance(path[-1], Sector):
             return (self._made(path, (), None),)
-        return (self._made(path, None, None),)  # of a list as well: the list is unknown
+        return (self._made(path, None, None),)  # also for a list: the list is unknown
 
     def _without_value(self) -> tuple[FieldValue, ...] | None:
         first = self._setting.path.steps[0]
@@ -237,8 +237,8 @@ class _SettingChecker:
         return self._scalar(value, type_, None)
 
     def _no_elements(self, value: ast.Expression, type_: List) -> tuple[()] | None:
-        """No elements: a list is set element by element, and only an empty list can be set as a
-        whole.
+        """The value of a list without elements. A list is set element by element; only an empty
+        list can be set as a whole.
         """
         if isinstance(value, ast.Bracket) and not value.elements:
             return ()

@@ -27,7 +27,7 @@ def check_tests(
     commands: CommandChecker, context: Context, *, is_parsed: bool
 ) -> tuple[script.Script, ...]:
     """All tests, in the order of the files, without tests that have errors. If some files could not
-    be parsed, a name that a test misses may be there.
+    be parsed, they may declare a name that a test does not find.
     """
     names = rule_names(context.declarations.rules)
     rules = {name: index for index, name in reversed(list(enumerate(names)))}
@@ -46,7 +46,7 @@ def check_tests(
 
 
 class _TestChecker:
-    """Checks one test. `rules` holds the numbers of rules by name."""
+    """Checks one test. `rules` contains the numbers of rules by name."""
 
     def __init__(
         self, rules: dict[str, int], commands: CommandChecker, context: Context, is_parsed: bool
@@ -114,7 +114,7 @@ class _TestChecker:
         return script.ScriptedArrival(*times, names, known, settings, running)
 
     def _times(self, statement: ast.Arrival) -> tuple[int, int, int | None] | None:
-        """The first and the last instant, and the period, in nanoseconds."""
+        """The first and the last instant, and the period, in ns."""
         if statement.at is not None:
             at_ns = self._instant(statement.at)
             return None if at_ns is None else (at_ns, at_ns, None)
@@ -153,7 +153,7 @@ class _TestChecker:
         return script.CommandExpectation(command.topic, *values, *ends, statement.span)
 
     def _ends(self, statement: ast.Expectation | ast.CommandExpectation) -> tuple[int, int] | None:
-        """The first and the last instant of an expectation, in nanoseconds."""
+        """The first and the last instant of an expectation, in ns."""
         if statement.at is not None:
             at_ns = self._instant(statement.at)
             return None if at_ns is None else (at_ns, at_ns)
@@ -171,7 +171,7 @@ class _TestChecker:
     # --- time --------------------------------------------------------------------------------
 
     def _stretch(self, stretch: ast.Stretch) -> tuple[int, int] | None:
-        """The first and the last instant, both inclusive, in nanoseconds."""
+        """The first and the last instant, both inclusive, in ns."""
         first, last = self._instant(stretch.first), self._instant(stretch.last)
         if first is None or last is None:
             return None
@@ -189,7 +189,7 @@ class _TestChecker:
         return first, last
 
     def _instant(self, node: ast.Expression) -> int | None:
-        """An instant in nanoseconds; None, after reporting, if it is not one."""
+        """An instant in ns; None, after reporting, if `node` is not an instant."""
         type_ = infer(node, self._context)
         seconds = self._seconds(node) if _is_time(type_) else None
         if seconds is not None and 0 <= seconds <= script.LATEST_NS / 1e9:

@@ -72,7 +72,7 @@ def operand_of(node: ast.Expression, context: Context) -> Operand | None:
 
 
 def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
-    """The written unit; None after reporting that there is no such unit."""
+    """The unit; None after reporting that there is no such unit."""
     try:
         return parse_unit(unit.text)
     except UnknownUnitError as error:
@@ -92,7 +92,9 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
 
 
 def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
-    """Say whether two quantities can be `purpose` (compared, added ...). Report an error if not."""
+    """Say whether two quantities can be `purpose` (compared, added ...). Report an error if they
+    cannot.
+    """
     if not unit_faults(first.quantity, second.quantity):
         return True
     odd, other = _odd_one(first, second, context)
@@ -118,7 +120,7 @@ def check_fit_of(
 
 
 def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
-    """The operand at fault: the constant one, else the second."""
+    """The operand at fault: the constant operand, or else the second."""
     if first.node in context.values and second.node not in context.values:
         return first, second
     return second, first
@@ -167,7 +169,7 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
 
 
 def _meant_unit(found: Unit, expected: Unit) -> Unit:
-    """Give `found` with or without its time: deg/s for deg, where rad/s is expected."""
+    """The unit `found` with or without its time: deg/s for deg, if rad/s is expected."""
     is_rate = _is_rate_of(found, expected)
     meant = multiply(found, SECOND) if is_rate else divide(found, SECOND)
     is_simple = "*" not in meant.symbol or "*" in expected.symbol

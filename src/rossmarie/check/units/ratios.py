@@ -12,8 +12,8 @@ from rossmarie.types import RATIOS
 
 
 def check_ratio(value: ast.Expression, bound: ast.Expression, context: Context) -> None:
-    """Report `value` if it is a ratio from 0 to 1 and `bound` is a plain number, or range, above
-    1.
+    """Report `value` if it is a ratio from 0 to 1 and `bound` is a plain number, or range,
+    above 1.
     """
     field = _ratio(value, context)
     known = context.values.get(bound)

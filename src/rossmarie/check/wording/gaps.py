@@ -8,10 +8,9 @@ from rossmarie.syntax.scan import scan
 
 
 def without(before: Span, sign: str, part: Span) -> tuple[Edit, ...]:
-    """The edits that remove `part` and the `sign` between it and the part `before` it.
+    """The edits that remove `part` and the `sign` between `part` and the part `before` it.
 
-    Comments between the two parts stay, and so does white space that does not surround the
-    sign.
+    Comments between the two parts stay, and so does white space that does not surround the sign.
     """
     file, start = part.file, before.end
     gap = file.text[start : part.start]

@@ -24,7 +24,7 @@ class Suggestions:
         self._left = MOST_COMPARISONS
 
     def take(self, candidates: int) -> bool:
-        """Say whether one more search among so many names is allowed."""
+        """Say whether one more search among this number of names is allowed."""
         self._left -= candidates
         return self._left >= 0
 
@@ -39,7 +39,7 @@ def near_name(name: str, known: Iterable[str]) -> str | None:
 def suggesting(
     finding: Template, name: ast.Name, near: str, *labels: Label, notes: Iterable[Remark] = ()
 ) -> Diagnostic:
-    """A finding at a name, with the one that may be meant."""
+    """A finding at a name, with the name that the user probably meant."""
     help, fix = DidYouMean(near=near), rename(name, near)
     return finding.at(name.span, *labels, help=help, fix=fix, notes=notes)
 

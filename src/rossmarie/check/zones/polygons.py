@@ -45,7 +45,7 @@ def _are_near(edge: _Edge, other: _Edge) -> bool:
 
 
 def _turns_back(edge: _Edge, following: _Edge) -> bool:
-    """Say whether an edge runs back over the one before it."""
+    """Say whether an edge runs back over the edge before it."""
     (a, b), (_, c) = edge, following
     (ax, ay), (bx, by), (cx, cy) = (tuple(map(Fraction, each)) for each in (a, b, c))
     is_back = (bx - ax) * (cx - bx) + (by - ay) * (cy - by) < 0

@@ -214,8 +214,8 @@ def _length(
 def _has_unit(
     node: ast.Expression, found: Quantity, unit: Unit | None, shape: ast.Shape, context: Context
 ) -> bool:
-    """Say whether a number has the unit that it needs: a length, or none if one unit applies to
-    all.
+    """Say whether a number has the unit that it needs: a length, or no unit if one unit applies to
+    all numbers.
     """
     if unit is not None and not is_plain(found):
         finding = MisplacedUnit(reason="both this number and the whole list have a unit")

@@ -1,6 +1,6 @@
 """The propositions of a machine in words, from their nodes alone, never from the user's text.
 
-The input is a machine that `ir.verify` has passed. A negation is pushed down to the leaves, where
+The input is a machine that `ir.verify` has accepted. A negation is pushed down to the leaves, where
 it becomes the opposite word: by S2 this changes no value, including unknown and stale. A
 proposition with more than `MOST_PARTS` operands gets a name, and is described in full in a place of
 its own.
@@ -42,7 +42,7 @@ class Conditions:
     # --- sentences ---------------------------------------------------------------------------
 
     def phrase(self, index: int, is_so: bool = True) -> Phrase:
-        """A proposition, or its opposite."""
+        """A proposition or, if `is_so` is False, its opposite."""
         if self._sizes[index] > MOST_PARTS:
             return self._by_name(index, is_so)
         return self.in_full(index, is_so)
@@ -110,7 +110,7 @@ class Conditions:
     def _held(
         self, proposition: ir.Proposition, operand: int, duration_ns: int, is_so: bool
     ) -> Phrase:
-        """S33: true if the condition was true throughout a time."""
+        """S33: a `for`, which is true if the condition was true throughout a time."""
         duration = f"throughout the last {duration_text(duration_ns)}"
         node, inner_is_so = self._stripped(operand)
         if is_leaf(node) and self._machine.propositions[operand].name is None:
@@ -123,7 +123,7 @@ class Conditions:
     def _defined(
         self, proposition: ir.Proposition, whole: ir.Once | ir.Response, is_so: bool
     ) -> Phrase:
-        """S45 and S46."""
+        """S45 and S46: `once` and `after`."""
         duration = duration_text(whole.duration_ns)
         match whole:
             case ir.Once():
@@ -142,7 +142,9 @@ class Conditions:
         return Phrase(_negated(head, is_so), parts, proposition.span, _named(proposition, is_so))
 
     def _stripped(self, index: int) -> tuple[ir.PropositionNode, bool]:
-        """The operand of an unnamed chain of negations, and whether the chain affirms it."""
+        """The operand of an unnamed chain of negations. The flag is True if the chain affirms the
+        operand.
+        """
         node, is_so = self._machine.propositions[index].node, True
         while isinstance(node, ir.Not):
             node, is_so = self._machine.propositions[node.operand].node, not is_so
@@ -193,7 +195,7 @@ class Conditions:
     # --- leaves ------------------------------------------------------------------------------
 
     def _leaf(self, node: ir.PropositionNode, is_so: bool, verb: str = "is") -> str:
-        """A leaf or its opposite: `SUBJECT is WORDS`, and `has been` for a verb."""
+        """A leaf or its opposite: `SUBJECT is WORDS`; the verb may be `has been`."""
         words = self.numbers.words
         match node:
             case ir.Compare():
@@ -230,7 +232,7 @@ class Conditions:
         return isinstance(self._machine.signals[signal].node, ir.Constant)
 
     def _text(self, left: int, right: int) -> str | None:
-        """The text literal that a field of texts is compared with."""
+        """The literal that a text field is compared with."""
         read, literal = self._machine.signals[left].node, self._machine.signals[right].node
         source: ir.Slot | ir.Array | None = None
         if isinstance(read, ir.Read):
@@ -243,7 +245,7 @@ class Conditions:
         return f'"{self._machine.texts[int(literal.value)]}"'
 
     def _age(self, node: ir.AgeReaches, is_so: bool, verb: str) -> str:
-        """Ages are whole nanoseconds: at least d + 1 ns is more than d."""
+        """The age of an input. Ages are whole nanoseconds: at least d + 1 ns is more than d."""
         is_strict = node.age_ns % 1000 == 1
         age = duration_text(node.age_ns - is_strict)
         if is_so:
@@ -263,7 +265,7 @@ class Conditions:
         )
 
     def _quantified(self, node: ir.Quantified, is_so: bool, verb: str) -> str:
-        """Not any is all not, and not all is any not (S25)."""
+        """A quantifier or its opposite: not any is all not, and not all is any not (S25)."""
         any_of = (node.quantifier is ir.Quantifier.ANY) is is_so
         which = "at least one" if any_of else "every"
         array = self.numbers.array_of(node.element)
@@ -291,7 +293,7 @@ def _whether(text: str, is_so: bool) -> str:
 
 
 def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
-    """Say whether few simple words without a name of their own can be joined without doubt."""
+    """Say whether a few simple words without names of their own can be joined unambiguously."""
     return len(parts) <= _MOST_SIDE_BY_SIDE and not any(
         part.parts or part.name or " and " in part.text or " or " in part.text for part in parts
     )

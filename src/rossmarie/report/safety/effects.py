@@ -1,6 +1,6 @@
 """The effects of rules in words: the action, the undoing on release, and possible failures.
 
-The input is a machine that `ir.verify` has passed. The text follows R4 to R11 and R15 of
+The input is a machine that `ir.verify` has accepted. The text follows R4 to R11 and R15 of
 `docs/explanation/reactions.md`. Numbers are in the units of the messages that contain them.
 """
 
@@ -111,7 +111,7 @@ class Effects:
     # --- what goes with it -------------------------------------------------------------------
 
     def _details(self, effect: reactions.Effect) -> list[Phrase]:
-        """Describe when the effect counts as done, and what is undone on release."""
+        """Describe the condition for the end of the effect, and the undoing on release."""
         found = []
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
             watched = self._conditions.phrase(self._machine.watches[effect.confirmation])
@@ -235,7 +235,7 @@ def _assigned(
     assignments: tuple[reactions.Assignment, ...],
     units: Mapping[reactions.FieldPath, str] = MappingProxyType({}),
 ) -> str:
-    """Tell what the fields of a message are set to, with the units that are known."""
+    """Describe the new values of the fields of a message, with the known units."""
     fields = tuple(
         f"{path_words(each.path)} = {_values(each.value)} {units.get(each.path, '')}".rstrip()
         for each in assignments

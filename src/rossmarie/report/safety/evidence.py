@@ -1,14 +1,14 @@
 """Reports that go into a safety file: verification and coverage.
 
-Text (JSON) in, `Evidence` out, and the other way round. The smallest layout that both have; members
-that are not named here are passed over:
+The module converts text (JSON) to `Evidence` and back. This is the smallest layout of both reports;
+other members are ignored:
 
     {"format": "rossmarie-verification", "version": 1, "tools": {"cbmc": "6.6.0"},
      "sources": [{"path": "rules.ross", "sha256": "..."}], "outputs": [...],
      "bound": "3 events",
      "results": [{"name": "no overflow", "status": "proved", "detail": "..."}]}
 
-One of coverage may say how far thresholds can go, without end where there is null:
+A coverage report may contain the margins of thresholds; null means no limit:
 
      "margins": [{"name": "maxtilt", "unit": "deg", "value": 10, "same": [8.5, null],
                   "as_often": [8, null]}]
@@ -37,7 +37,7 @@ class EvidenceKind(enum.Enum):
 
     @property
     def statuses(self) -> tuple[str, ...]:
-        """The statuses that a result can have, the good one first."""
+        """The possible statuses of a result, the good status first."""
         match self:
             case EvidenceKind.VERIFICATION:
                 return ("proved", "refuted", "undecided", "not proved")
@@ -69,7 +69,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A report; `sha256` is that of its own text, `bound` describes its limits."""
+    """A report. `sha256` is the hash of the report's own text; `bound` describes its limits."""
 
     kind: EvidenceKind
     path: str
@@ -107,8 +107,8 @@ def evidence_text(
     results: Sequence[Result],
     margins: Sequence[Spare] = (),
 ) -> str:
-    """A report of a kind: the versions of the tools by name, the files that it covers, the files
-    generated from them, its limits, and the queries with their answers.
+    """A report of a kind: the versions of the tools by name, the covered files, the files generated
+    from them, its limits, and the queries with their answers.
     """
     strange = {each.status for each in results} - set(kind.statuses)
     assert not strange, f"{strange} is no status of {kind.value}"
@@ -131,7 +131,9 @@ def _format(kind: EvidenceKind) -> str:
 
 
 def parse_evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
-    """The report in a file. Raises `EvidenceError` with ROSS781 if there is none of this kind."""
+    """The report in a file. Raises `EvidenceError` with ROSS781 if the file contains no report of
+    this kind.
+    """
     try:
         return _evidence(content, kind, path)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

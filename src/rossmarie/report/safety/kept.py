@@ -1,4 +1,4 @@
-"""Requirements of rules, with the stopping distance of the robot, calculated step by step."""
+"""Requirements of rules, with the robot's stopping distance, calculated step by step."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Way:
 
 @dataclass(frozen=True)
 class Kept:
-    """A requirement, whether it is proved, its assumptions in words, and the distances."""
+    """A requirement with its proof status, its assumptions in words, and the distances."""
 
     required: ir.Requirement
     outcome: str

@@ -13,7 +13,7 @@ from rossmarie.report.safety.evidence import Evidence
 
 @dataclass(frozen=True)
 class Source:
-    """A file of the rules; `name` is what the page calls it, `sha256` is in hexadecimal."""
+    """A file of the rules; `name` is its name on the page, `sha256` is in hexadecimal."""
 
     name: str
     file: SourceFile
@@ -22,7 +22,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Declared:
-    """A declaration of the rules, in their words, with its place."""
+    """A declaration of the rules, in the rules' own words, with its place."""
 
     name: str
     text: str
@@ -32,9 +32,11 @@ class Declared:
 
 @dataclass(frozen=True)
 class SafetyFile:
-    """The whole content. `rules_file` is the name of the main file, `tool` the program with its
-    version, `date` the date of the report; reports of other commands are None if there are none;
-    `is_thorough` says whether all queries about the rules were asked.
+    """The whole content of a safety file.
+
+    `rules_file` is the name of the main file, `tool` the program with its version, `date` the date
+    of the report. Missing reports of other commands are None. `is_thorough` is True if all queries
+    about the rules were asked.
     """
 
     machine: ir.Machine

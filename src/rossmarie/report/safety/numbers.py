@@ -1,8 +1,8 @@
 """The signals of a machine in words: `the pitch of orientation`, `10 deg (steepest)`.
 
-Takes a machine that `ir.verify` has passed. A signal with more than `MOST_PARTS` operands is called
-by a number, and described in full in a place of its own; otherwise shared parts would be repeated
-many times.
+The input is a machine that `ir.verify` has accepted. A signal with more than `MOST_PARTS` operands
+has a number as its name, and a full description in a place of its own. Otherwise, shared operands
+would be repeated many times.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Numbers:
         self._lists = [_field_name(machine, each, names, None) for each, names in lists]
         self._sizes = sizes(signal_operands(signal.node) for signal in machine.signals)
         self.apart: dict[int, None] = {}
-        """The signals that are called by a number, and described in full elsewhere."""
+        """The signals that have a number as their name, and are described in full elsewhere."""
 
     def words(self, index: int) -> str:
         """A signal by its name, its meaning or its number."""
@@ -109,7 +109,7 @@ class Numbers:
         return "no array" if array is None else self._whole(array)
 
     def _whole(self, array: int) -> str:
-        """An array, or the list of which it is a column."""
+        """An array, or the list that has the array as a column."""
         its_list = self._machine.arrays[array].list
         return self._arrays[array] if its_list is None else self._lists[its_list]
 
@@ -120,7 +120,7 @@ class Numbers:
         return f"its {path_words(array.path[array.path.index(ir.EACH) + 1 :])}"
 
     def range(self, low: int, high: int) -> str:
-        """Two ends. A constant that names both is named once."""
+        """The two ends of a range. A constant that names both is named once."""
         ends = (self._machine.signals[low], self._machine.signals[high])
         name = ends[0].text
         if name.isidentifier() and all(
@@ -168,7 +168,7 @@ def _extreme(folding: ir.Folding) -> str:
 
 
 def _vector(words: Sequence[str]) -> str:
-    """`orientation` if these are its x, y, z and w, else all of them in brackets."""
+    """`orientation` if these are its x, y, z and w, else all names in brackets."""
     whole, _, _ = words[0].rpartition(".")
     if whole and list(words) == [f"{whole}.{axis}" for axis in _AXES[: len(words)]]:
         return whole
@@ -181,8 +181,8 @@ def _field_name(
     names: frozenset[str],
     written: str | None,
 ) -> str:
-    """The name in the rules, if it means this field alone; else the shortest unique name, or the
-    whole path. A query about running skills is given by its words.
+    """The name in the rules, if it means only this field; else the shortest unique name, or the
+    whole path. A query about running skills has its own words.
     """
     query = query_at(field.path)
     if query is not None:

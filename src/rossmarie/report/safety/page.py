@@ -31,7 +31,7 @@ from rossmarie.report.templates import asset, template
 from rossmarie.report.wiring import wiring_of, wiring_svg
 
 _MOST_NAMES = 3
-"""The number of open results that the head of the page names."""
+"""The most open results that the head of the page names."""
 
 
 def render_safety_file(content: SafetyFile) -> str:
@@ -104,7 +104,7 @@ class _Lines:
 
 
 def open_points(content: SafetyFile) -> tuple[str, ...]:
-    """The missing parts before the file can be signed, in words."""
+    """The parts that are missing before the file can be signed, in words."""
     found = []
     for kind, evidence in (
         (EvidenceKind.VERIFICATION, content.verification),
@@ -163,7 +163,7 @@ def _open_of(kind: EvidenceKind, evidence: Evidence | None, content: SafetyFile)
 
 
 def _shortened(names: list[str]) -> tuple[str, ...]:
-    """The first few names; the table has all of them."""
+    """The first few names; the table contains all of them."""
     if len(names) <= _MOST_NAMES + 1:
         return tuple(names)
     return (*names[:_MOST_NAMES], f"{len(names) - _MOST_NAMES} more")
@@ -224,14 +224,14 @@ def _exemptions(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Exemp
 
 @dataclass(frozen=True)
 class _Group:
-    """The rules of one category, under its name; it has none if no rule has a category."""
+    """The rules of one category, under its name. The name is empty if no rule has a category."""
 
     name: str
     rules: tuple[RuleText, ...]
 
 
 def _groups(rules: tuple[RuleText, ...]) -> list[_Group]:
-    """The rules by their categories; those without one come last."""
+    """The rules by their categories; rules without a category come last."""
     found = [
         _Group(f"{each.value}".capitalize(), those)
         for each in ir.SUBJECTS
@@ -256,7 +256,7 @@ _KINDS = {ir.Kind.REAL: "number", ir.Kind.FLAG: "true or false", ir.Kind.TEXT: "
 
 
 def _kind_of_array(machine: ir.Machine, array: ir.Array) -> str:
-    """`array`, or the kind of a field of the elements of a list; with the greatest number of
+    """`array`, or the kind of a field of the elements of a list, with the greatest number of
     elements.
     """
     if array.list is None:
@@ -288,7 +288,7 @@ class _Condition:
 
 
 def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
-    """The conditions that have a name, and those that the sentences above refer to."""
+    """The named conditions, and the conditions to which the sentences above refer."""
     wanted = {
         index
         for index, proposition in enumerate(machine.propositions)
@@ -306,7 +306,7 @@ def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]
 
 
 def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
-    """The conditions that the sentences call `number 7`."""
+    """The signals that have a name such as `number 7` in the sentences."""
     said: dict[int, str] = {}
     while missing := set(conditions.numbers.apart) - set(said):
         for index in sorted(missing):
@@ -316,7 +316,7 @@ def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
 
 def _claims(machine: ir.Machine) -> list[tuple[str, list[ir.Rule]]]:
     """The resources that several rules need exclusively, with the rules in the order in which they
-    get it.
+    get them.
     """
     return [
         (machine.reactions.resources[resource], [machine.rules[rule] for rule in rules])

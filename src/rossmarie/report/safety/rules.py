@@ -1,7 +1,8 @@
 """The meaning of each rule of a machine, in sentences.
 
-Takes a machine that `ir.verify` has passed. The sentences follow S35 to S38 and R1 to R8 of the
-documentation; each states one fact, so that a reader can sign it or strike it out separately.
+The input is a machine that `ir.verify` has accepted. The sentences follow S35 to S38 and R1 to R8
+of the documentation. Each states one fact, so that a reader can sign it or strike it out
+separately.
 """
 
 from __future__ import annotations
@@ -155,7 +156,9 @@ class _Writer:
         return plans[index] if plans else reactions.RecoveryPlan((), ())
 
     def _order(self, index: int) -> Iterator[str]:
-        """R1, R2, S60: the rules that it gives way to, and the exemption that it stands for."""
+        """R1, R2, S60: the rules to which the rule gives way, and the exemption that it stands
+        for.
+        """
         rule = self._machine.rules[index]
         if rule.always:
             yield "It holds always: neither a skill nor an operator exempts it."
@@ -185,7 +188,7 @@ class _Writer:
     # --- until -------------------------------------------------------------------------------
 
     def _ends(self, rule: ir.Rule) -> Phrase:
-        """S36 to S38."""
+        """S36 to S38: the release of the rule."""
         over = self._conditions.phrase(rule.condition, is_so=False)
         if rule.release is None:
             return Phrase("It ends only when an operator resets it while this is so:", (over,))
@@ -200,7 +203,7 @@ class _Writer:
         return Phrase("It ends when both of these are known to be so:", both)
 
     def _calm_ns(self, condition: int, release: ir.PropositionNode) -> int | None:
-        """The time in nanoseconds for which the condition has to be false, if this is the release;
+        """The time in ns for which the condition has to be false, if the release is such a time;
         else None.
         """
         if not isinstance(release, ir.Held):

@@ -15,7 +15,7 @@ _WIDTH, _TAIL = 360.0, 48.0
 _ROW, _BAR, _AXIS = 22.0, 12.0, 20.0
 _LETTER = 7.2
 _CLOSEST = 46.0
-"""The least distance between two instants that are both labelled."""
+"""The least distance between two labelled instants, in the units of the picture."""
 
 
 def witness_svg(machine: ir.Machine, witness: Witness) -> str:

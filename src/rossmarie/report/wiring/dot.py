@@ -1,5 +1,5 @@
-"""A wiring in the language of Graphviz: nodes are ellipses, and the things that they use are
-boxes.
+"""A wiring in the language of Graphviz: nodes are ellipses; topics, services and other things that
+nodes use are boxes.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _thing(kind: Kind, name: str, below: str) -> str:
 
 
 def _id(kind: Kind, name: str) -> str:
-    """An identifier: a topic and a service of one name are different."""
+    """An identifier. A topic and a service with the same name have different identifiers."""
     return _quoted(f"{kind.value} {name}")
 
 

@@ -1,7 +1,7 @@
 """The wiring of a machine as data: the commands through its node, its inputs, and its outputs.
 
-The input is a machine that `ir.verify` has passed. The renderers in this package draw the result of
-`wiring_of`.
+The input is a machine that `ir.verify` has accepted. The renderers in this package draw the result
+of `wiring_of`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rossmarie.naming import effect_words, node_name, relayed_servers, unfiltere
 
 PLANNER = "planner"
 ROBOT = "robot"
-"""The publisher of commands, and their receiver; the rules know neither by name."""
+"""The publisher of commands, and their receiver. The rules contain neither name."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +33,8 @@ class Use:
 
 @dataclass(frozen=True)
 class Input:
-    """A topic that the node subscribes to. `timeout_ns` is the least timeout of its inputs, if any
-    has one.
+    """A topic to which the node subscribes. `timeout_ns` is the least timeout of its inputs in ns;
+    None if no input has a timeout.
     """
 
     topic: str
@@ -45,7 +45,7 @@ class Input:
 
 @dataclass(frozen=True)
 class Command:
-    """Commands arrive on `unfiltered`, and leave on `topic` as the uses allow."""
+    """Commands arrive on `unfiltered`, and leave on `topic` within the bounds of the uses."""
 
     unfiltered: str
     topic: str
@@ -54,7 +54,7 @@ class Command:
 
 
 class Kind(enum.Enum):
-    """The kind of something that the node acts on."""
+    """The kinds of things on which the node acts."""
 
     TOPIC = "topic"
     SERVICE = "service"
@@ -65,8 +65,8 @@ class Kind(enum.Enum):
 
 @dataclass(frozen=True)
 class Output:
-    """A target outside the node that rules act on. `type` is the type of messages, requests or
-    goals, None if there is none or if it is unknown.
+    """A target outside the node on which rules act. `type` is the type of messages, requests or
+    goals; None if there is none or if it is unknown.
     """
 
     kind: Kind
@@ -77,7 +77,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Wiring:
-    """The whole wiring. `remark` explains a part that a reader might miss, None if nothing is
+    """The whole wiring. `remark` explains a part that a reader might miss; None if no part is
     missing.
     """
 
@@ -182,7 +182,7 @@ def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
 
 
 def _outputs(machine: ir.Machine) -> Iterator[Output]:
-    """The outputs that tasks act on, by kind, and in the order of the file within each."""
+    """The outputs on which tasks act, by kind, and in the order of the file within each kind."""
     found: dict[tuple[Kind, str], list[int]] = {}
     types: dict[tuple[Kind, str], str | None] = {}
     for index, task in enumerate(machine.reactions.tasks):

@@ -25,7 +25,9 @@ _LONGEST_LINE = 52
 _TITLE_WIDTH = 10
 _NAME_WIDTH = 7.4
 _WORDS_WIDTH = 6.2
-"""The widths of a character of the title, of names, and of other words."""
+"""The widths of a character of the title, of names, and of other words, in the units of the
+picture.
+"""
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ class Block:
 
 
 def wiring_svg(wiring: Wiring) -> str:
-    """The text of an SVG file that needs nothing else."""
+    """The text of an SVG file without any external references."""
     picture = _Picture(wiring)
     ET.indent(picture.root)
     return ET.tostring(picture.root, encoding="unicode") + "\n"
@@ -195,13 +197,13 @@ def _widest(blocks: Sequence[Block]) -> float:
 
 
 def _wire_length(labels: Sequence[str]) -> float:
-    """The length of a wire: the longest label on it has to fit."""
+    """The length of a wire, on which the longest label has to fit."""
     longest = max(map(len, labels), default=0)
     return max(_SHORTEST_WIRE, longest * _NAME_WIDTH + 2 * _PADDING)
 
 
 def _style() -> str:
-    """The styles of the picture, which do not affect the page around it."""
+    """The styles of the picture. They do not affect the page around it."""
     folder = files("rossmarie.report") / "assets"
     names = ("palette.css", "wiring.css")
     text = "\n".join((folder / name).read_text(encoding="utf-8") for name in names)

@@ -15,7 +15,7 @@ from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Use, Wiring
 
 _INDENT = 2
 _UNBROKEN = 1_000_000
-"""A width, in columns, in which no line has to be broken."""
+"""A width, in columns, at which no line needs a break."""
 
 
 def wiring_text(wiring: Wiring, width: int | None = None) -> str:
@@ -40,7 +40,7 @@ def _command(node: str, command: Command, room: int) -> list[str]:
 
 
 def _chain(path: Sequence[str], room: int) -> list[str]:
-    """The stations of a path with arrows between them, broken before arrows."""
+    """The stations of a path with arrows between them. Lines are broken before arrows."""
     lines = [path[0]]
     for station in path[1:]:
         if len(lines[-1]) + len(station) + 5 <= room:
@@ -64,7 +64,7 @@ def _inputs(wiring: Wiring, room: int) -> Iterator[str]:
 
 
 def _outputs(wiring: Wiring, room: int) -> Iterator[str]:
-    """A line for each kind, and below it one for each use."""
+    """A line for each kind, followed by a line for each use."""
     rows: list[Sequence[str]] = []
     for kind, outputs in groupby(wiring.outputs, key=lambda each: each.kind):
         rows.append((kind.value,))

@@ -1,7 +1,7 @@
 """The syntax tree of the user's text. Every node stores its span. No name is resolved or checked.
 
 `parse` creates the tree; `check` and `format` read it. `Broken` marks text that could not be
-parsed: its finding is reported already, and later stages ignore it.
+parsed. Its finding is already reported, and later stages ignore it.
 """
 
 from rossmarie.syntax.ast.effects import (

@@ -92,7 +92,7 @@ class FieldAssignment:
 
 @dataclass(frozen=True)
 class Publish:
-    """`publish /alarm : std_msgs/Bool { data = true; } at 2 Hz`; without a rate, once."""
+    """`publish /alarm : std_msgs/Bool { data = true; } at 2 Hz`; without a rate, one message."""
 
     target: Target
     assignments: tuple[FieldAssignment, ...]
@@ -155,7 +155,7 @@ class SwitchControllers:
 @dataclass(frozen=True)
 class SendGoal:
     """`send my_msgs/Retract { ... } to /arm within 5 sec then resend else stop`; `interrupted` is
-    the word behind `then`.
+    the word after `then`.
     """
 
     target: Target
@@ -183,7 +183,7 @@ class CancelGoal:
 
 @dataclass(frozen=True)
 class Passed:
-    """`doing Drive.Target`: the parameter of a skill that runs when the tree begins."""
+    """`doing Drive.Target`: the parameter of a skill that runs at the start of the tree."""
 
     skill: Name
     parameter: Name
@@ -202,7 +202,7 @@ class TreeArgument:
 @dataclass(frozen=True)
 class RunTree:
     """`tree Reroute(Target: doing Drive.Target) within 20 sec then resume else stop`; `afterwards`
-    is the word behind `then`.
+    is the word after `then`.
     """
 
     skill: Name
@@ -213,7 +213,7 @@ class RunTree:
     span: Span
 
 
-# --- words to people, and the rest -----------------------------------------------------------
+# --- texts for people, and other effects -------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -268,4 +268,4 @@ Effect = (
 )
 
 Awaited = CallService | SetParameter | SwitchControllers | SendGoal | CancelGoal | RunTree
-"""The effects whose end is awaited, and that may fail."""
+"""The effects whose end the node awaits. They may fail."""

@@ -18,7 +18,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Unit:
-    """A written unit after a number, `m/s`, whose existence is not checked yet."""
+    """A unit after a number, `m/s`, not checked yet."""
 
     text: str
     span: Span
@@ -79,8 +79,8 @@ class Text:
 
 @dataclass(frozen=True)
 class Bracket:
-    """`[-10, 10] deg`: an interval (2 numbers) or a box (6: min and max per axis). In a test also
-    any number of elements, including none.
+    """`[-10, 10] deg`: an interval (2 numbers) or a box (6 numbers: minimum and maximum per axis).
+    In a test also any number of elements, including none.
     """
 
     elements: tuple[Expression, ...]
@@ -107,8 +107,9 @@ class Member:
 
 @dataclass(frozen=True)
 class Index:
-    """`pose.covariance[0]`, `joints["elbow"]`, and `joints[elbow]` where a constant has the name of
-    the element: then `index` is empty until that is looked up, and `constant` stays.
+    """`pose.covariance[0]`, `joints["elbow"]`, and `joints[elbow]` with a constant for the name of
+    the element. In the last form, `constant` is set, and `index` is empty until the constant is
+    looked up.
     """
 
     value: Expression
@@ -156,7 +157,7 @@ class Edges:
 
 @dataclass(frozen=True)
 class Oscillates:
-    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)`; `swing` is the part behind `by`."""
+    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)`; `swing` is the part after `by`."""
 
     value: Expression
     count: Number
@@ -168,7 +169,7 @@ class Oscillates:
 @dataclass(frozen=True)
 class ListFold:
     """`any(o in objects: o.size.x > 1 m)`: a function of the values of `body` for the elements of a
-    list of messages; `variable` stands for the element.
+    list of messages; `variable` stands for an element.
     """
 
     function: Name
@@ -246,7 +247,7 @@ class Response:
 
 @dataclass(frozen=True)
 class SkillArgument:
-    """`Object: skiros.Fragile` behind the name of a skill; `kind` is the class as written."""
+    """`Object: skiros.Fragile` after the name of a skill; `kind` is the class as written."""
 
     parameter: Name
     kind: Name
@@ -255,8 +256,8 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class Doing:
-    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class. `ahead Push`: it can
-    start next.
+    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class. `ahead Push`: the skill
+    can start next.
     """
 
     skill: Name
@@ -267,7 +268,7 @@ class Doing:
 
 @dataclass(frozen=True)
 class Parenthesized:
-    """`(x)`, kept for the formatter."""
+    """`(x)`, stored for the formatter."""
 
     inner: Expression
     span: Span
@@ -275,7 +276,7 @@ class Parenthesized:
 
 @dataclass(frozen=True)
 class Broken:
-    """Text that could not be parsed; already reported."""
+    """Text that could not be parsed; its finding is already reported."""
 
     span: Span
 

@@ -1,4 +1,4 @@
-"""Imports, and the parameters of files that get values from imports."""
+"""Imports, and the parameters of files, which get values from imports."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
 @dataclass(frozen=True)
 class Given:
     """`braking = 1.2 m/s^2`, `scan = /front/scan`: the value of a parameter. A topic is a name; a
-    name of a rules file, or a frame, is an expression.
+    name in a rules file, or a frame, is an expression.
     """
 
     name: Name
@@ -23,7 +23,7 @@ class Given:
 @dataclass(frozen=True)
 class Import:
     """`import "separation.ross" with braking = 1.2 m/s^2, scan = /front/scan as front;` -- the path
-    is relative to the importing file; `alias` is the name behind `as`.
+    is relative to the importing file; `alias` is the name after `as`.
     """
 
     path: Text
@@ -45,8 +45,8 @@ class Parameter:
     """`parameter braking = 1.2 m/s^2;`, `parameter gap in m;`, `parameter scan = topic /scan;` or
     `parameter base = frame base_link;`.
 
-    `default` is a name if it is a topic or a frame; a value without one has a `unit`. `tightens` is
-    the word behind `tightens` for a number that the running node may set, else None.
+    `default` is a name for a topic or a frame. A number without a default has a `unit`. `tightens`
+    is the word after `tightens` for a number that the running node may set, else None.
     """
 
     name: Name

@@ -57,7 +57,7 @@ class NodeDeclaration:
 
 @dataclass(frozen=True)
 class ResourceDeclaration:
-    """`resource drive : /cmd_vel, /move_base;` -- topics, services and so on that command one
+    """`resource drive : /cmd_vel, /move_base;` -- topics, services and so on that command the same
     thing.
     """
 
@@ -79,7 +79,7 @@ class UnitDeclaration:
 @dataclass(frozen=True)
 class FrameDeclaration:
     """`frame camera = "front/camera_link" in base_link at [0.3, 0, 0.5] m turned [0, 20, 180] deg;`
-    -- `at` and `turned` for a fixed frame; other frames arrive on /tf (with a timeout) or on
+    -- `at` and `turned` are for a fixed frame; other frames arrive on /tf (with a timeout) or on
     /tf_static.
     """
 
@@ -126,7 +126,7 @@ class System:
 
 @dataclass(frozen=True)
 class LatchedUntilReset:
-    """`latched until reset`: an operator releases the rule, while its condition is false."""
+    """`latched until reset`: an operator releases the rule while its condition is false."""
 
     span: Span
 
@@ -135,7 +135,7 @@ class LatchedUntilReset:
 class Action:
     """`action lowSpeed;`, `action stop { block /cmd_vel; } latched until reset`.
 
-    `body` is the span of `{ ... }`, if there is one.
+    `body` is the span of `{ ... }`, if it exists.
     """
 
     name: Name
@@ -157,8 +157,8 @@ class Skills:
 
 @dataclass(frozen=True)
 class Constant:
-    """`const maxSpeed = 0.5 m/s`. A constant for a `parameter` has the value of the parameter; it
-    is not written as a constant.
+    """`const maxSpeed = 0.5 m/s`. A constant for a `parameter` has the value of the parameter, and
+    does not occur in the text.
     """
 
     name: Name
@@ -179,7 +179,7 @@ class ElementNames:
 @dataclass(frozen=True)
 class SkillNumber:
     """`Push.Object.Weight`: a number of a running skill. `steps` are the parameter, and a property
-    of the thing in it.
+    of its thing.
     """
 
     skill: Name
@@ -192,11 +192,11 @@ class Input:
     """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
 
     In the short form `topic Wrench.force`, the topic is a plain name and `message_type` is None,
-    because a system model declares it. `bound` is the number behind `up to`. `number` is the number
-    behind `= doing` in place of a topic, which has no text then. `source` is the frame behind
-    `from`, `frame` the one behind `in`; a bare name behind the only `in` is the `unit`, though it
-    may be meant as a frame. A `setting` is the value of a parameter that the running node may set,
-    which is no message of a topic.
+    because a system model declares it. `bound` is the number after `up to`. `number` is the number
+    after `= doing`; then the topic has no text. `source` is the frame after `from`, `frame` the
+    frame after `in`. A bare name after the only `in` is the `unit`, although it may be meant as a
+    frame. A `setting` is the value of a parameter that the running node may set; it is not a
+    message of a topic.
     """
 
     name: Name
@@ -237,7 +237,7 @@ class Entity:
 
 @dataclass(frozen=True)
 class Motion:
-    """`motion drive { position : pose; ... }`: a motion of the robot, and how it brakes."""
+    """`motion drive { position : pose; ... }`: a motion of the robot, and its braking."""
 
     name: Name
     parts: tuple[Condition, ...]
@@ -265,7 +265,7 @@ class ClearWhen:
 
 @dataclass(frozen=True)
 class ClearFor:
-    """`clear for 2.0 sec`: the rule is released when its condition has been false for that long."""
+    """`clear for 2.0 sec`: the rule is released when its condition has been false for this time."""
 
     duration: Expression
     span: Span
@@ -288,7 +288,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Feedback:
-    """`1.0 per activation`, `0.5 per sec`. `time` is the unit behind `per`, None for the first
+    """`1.0 per activation`, `0.5 per sec`. `time` is the unit after `per`, None for the first
     form.
     """
 
@@ -308,8 +308,8 @@ class Margin:
 @dataclass(frozen=True)
 class Exemption:
     """`unless doing SKILL then if COND then { STEP; ... }`: while the skill runs, the rule is not
-    applied. `steps` are the steps that replace its own, None if there are none. `condition`
-    replaces its condition, None if the condition stays.
+    applied. `steps` replace the steps of the rule, None if there are none. `condition` replaces its
+    condition, None if the condition stays.
     """
 
     doing: Doing
@@ -322,10 +322,10 @@ class Exemption:
 class Rule:
     """`rule NAME: always if COND while doing SKILL unless RULE then { STEP; ... } EXEMPTION
     CONTRACT keeps MOTION below SPEED in CLASS category WORD task WORD feedback AMOUNT mitigates
-    HAZARD` -- all but the condition and the steps is optional.
+    HAZARD` -- all parts except the condition and the steps are optional.
 
-    More than one contract is reported by the checker. `always` is the place of that word. A rule
-    that was `made_from` an exemption stands for it and has no text of its own.
+    The checker reports more than one contract. `always` is the place of this word. A rule that was
+    `made_from` an exemption stands for the exemption and has no text of its own.
     """
 
     name: Name | None
@@ -352,7 +352,7 @@ class Rule:
 
     @property
     def head(self) -> Span:
-        """The place of the rule in messages: its name, or its condition."""
+        """The place of the rule for messages: its name, or else its condition."""
         return self.condition.span if self.name is None else self.name.span
 
 
@@ -382,8 +382,8 @@ Item = (
 
 @dataclass(frozen=True)
 class Module:
-    """One parsed file. `is_whole` is False if it could not be read to its end, so that its
-    declarations are not all known.
+    """One parsed file. `is_whole` is False if the parser could not read it to its end, so that some
+    declarations are unknown.
     """
 
     file: SourceFile

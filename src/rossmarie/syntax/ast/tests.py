@@ -63,7 +63,9 @@ class OperatorReset:
 
 @dataclass(frozen=True)
 class Expectation:
-    """`expect slow_on_bump active at 1.5 sec`, or over a `stretch`; one of the two is None."""
+    """`expect slow_on_bump active at 1.5 sec`, or over a `stretch`. Either the instant or the
+    stretch is None.
+    """
 
     rule: Name
     is_active: bool
@@ -74,8 +76,8 @@ class Expectation:
 
 @dataclass(frozen=True)
 class CommandExpectation:
-    """`expect /cmd_vel.linear.x in [-0.2, 0.2] m/s at 2 sec`, or over a `stretch`; one of the two
-    is None.
+    """`expect /cmd_vel.linear.x in [-0.2, 0.2] m/s at 2 sec`, or over a `stretch`. Either the
+    instant or the stretch is None.
     """
 
     topic: Name

@@ -11,7 +11,7 @@ from rossmarie.syntax.ast.expressions import Bracket, Expression, Name
 @dataclass(frozen=True)
 class Shape:
     """`box [0.2, 0.9, -0.4, 0.4] m`, `circle [0.9, 0] m radius 0.4 m` or `polygon [0, 1], [1, 1],
-    [1, 2] m`; `word` is the first one, `radius` that of a circle.
+    [1, 2] m`; `word` is the first word, `radius` the radius of a circle.
     """
 
     word: Name

@@ -12,7 +12,7 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def covered_values(layout: Layout) -> frozenset[int]:
-    """Values that may be kept as they arrive while all guards of their channel are satisfied:
+    """Values that may be stored as received while all guards of their channel are satisfied:
     guarded scalars, and their absolute and negated values, if no other value is computed from them.
     """
     machine = layout.machine
@@ -37,7 +37,9 @@ def covered_values(layout: Layout) -> frozenset[int]:
 
 
 def is_seen_by_guards(layout: Layout, channel: int) -> bool:
-    """Say whether every input of a channel has a guarded number of its own, and no age is asked."""
+    """Say whether every input of a channel has a guarded number of its own, and no age of an input
+    is used.
+    """
     seen: set[int] = set()
     for guard in layout.guards:
         support = layout.values[guard.value].support

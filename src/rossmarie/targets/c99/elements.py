@@ -1,4 +1,4 @@
-"""Loops over arrays and lists: one pass for all results over the elements of one of them.
+"""Loops over arrays and lists: one pass computes all results over the elements of an array or list.
 
 The input is a layout and the expressions of its machine; the result is statements. Elementwise
 nodes use one array, or columns of one list, and numbers that are known before.
@@ -20,8 +20,9 @@ _CALLS = {ir.Quantifier.ANY: "some", ir.Quantifier.ALL: "every"}
 @dataclass
 class _Loop:
     """The statements before, in and after the loop over an array or a list, and its local
-    variables. These are in capitals, so that no field of a message has the same name. `columns` are
-    the parameters by array, `count` is the number of elements; `most` is the bound of a list.
+    variables. Local variables are in capitals, so that no field of a message has the same name.
+    `columns` are the parameters by array; `count` is the number of elements; `most` is the bound of
+    a list.
     """
 
     columns: Mapping[int, str]
@@ -35,7 +36,9 @@ class _Loop:
     counted: set[int] = field(default_factory=set)
 
     def known(self, number: str) -> str:
-        """A number that is unknown if the elements are: there are none, or too many in a list."""
+        """A number that is unknown if the elements give no result: an array without elements, or a
+        list with too many.
+        """
         condition = f"{self.count} != 0" if self.most is None else "IS_KNOWN"
         return f"{condition} ? {number} : NAN"
 
@@ -54,8 +57,8 @@ class Elements:
         self._expressions = expressions
 
     def loop(self, columns: Mapping[int, str], count: str) -> list[str]:
-        """The statements for everything that is computed from the elements of an array, or of a
-        list with these columns; empty if there is nothing. The columns are parameters.
+        """The statements that compute all results over the elements of an array, or of a list with
+        these columns; empty if there are no results. `columns` are the parameters.
         """
         first = min(columns)
         its_list = self._machine.arrays[first].list
@@ -141,7 +144,7 @@ class Elements:
         return loop.signals[index]
 
     def _beside(self, loop: _Loop, index: int) -> str:
-        """A number beside the elements (S74), also as a local variable."""
+        """A number that is used beside the elements (S74), as a local variable."""
         if isinstance(self._machine.signals[index].node, ir.Constant):
             return self._expressions.operand(index)
         if index not in loop.signals:

@@ -1,8 +1,8 @@
 """The part of monitors and reactors that is the same for all rules: copied C files, and the
 functions of numbers and of samples, which are generated from the core.
 
-Generated files name the version of the engine that they need, so that they are not compiled with
-another version that a later build has copied.
+Generated files name the version of the engine that they need. A compiler therefore rejects them
+with another version, which a later build may have copied.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def _functions() -> str:
 
 
 def version() -> str:
-    """A number in C that identifies the version: the beginning of a hash."""
+    """A number in C that identifies the version: the beginning of a hash of the engine's files."""
     return f"0x{sha256(_copies()[copies.SUMS].encode()).hexdigest()[:8]}"
 
 

@@ -26,8 +26,8 @@ class Piece:
 
 
 class Expressions:
-    """Writes the signals of one machine. `functions` collects the names of those functions of the
-    core that they call.
+    """Writes the signals of one machine. `functions` collects the names of the core functions that
+    the signals call.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -40,7 +40,7 @@ class Expressions:
             self._infinite.append(self._may_be_infinite(signal.node))
 
     def operand(self, signal: int) -> str:
-        """A signal that is kept, or a constant."""
+        """The expression for a stored signal, or for a constant."""
         node = self._machine.signals[signal].node
         if isinstance(node, ir.Constant):
             return number(node.value)
@@ -170,7 +170,7 @@ class Expressions:
         return f"known({text})"
 
     def called(self, function: AnyFunction, operands: list[str]) -> str:
-        """A function of operands as they are written, before S4."""
+        """A function with these operands, before S4 applies."""
         return self._call(definition_of(function, len(operands)), operands)
 
     def _call(self, definition: Definition, operands: list[str]) -> str:
@@ -189,7 +189,9 @@ class Expressions:
     # --- comparisons -------------------------------------------------------------------------
 
     def comparison(self, node: ir.PropositionNode, write: Callable[[int], str]) -> tuple[str, str]:
-        """Say whether an operand is NaN, and what the comparison says where none is."""
+        """The conditions that an operand is NaN, and that the comparison holds if no operand is
+        NaN.
+        """
         match node:
             case ir.Compare(comparison=comparison, left=left, right=right):
                 holds = f"{write(left)} {comparison.value} {write(right)}"
@@ -217,7 +219,7 @@ def _feeds_back(node: ir.Sampled) -> bool:
 
 
 def converted(raw: str, scale: float, offset: float) -> str:
-    """A number as it arrives, in SI."""
+    """A received number, converted to SI."""
     if scale == 1.0 and offset == 0.0:
         return raw
     return f"{raw} * {number(scale)} + {number(offset)}"

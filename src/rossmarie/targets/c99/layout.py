@@ -49,7 +49,7 @@ class ValueGuard:
 
 
 class Window(NamedTuple):
-    """The samples of a signal within the last `length_ns`."""
+    """The samples of a signal within the last `length_ns`, in ns."""
 
     signal: int
     length_ns: int
@@ -85,13 +85,15 @@ class Layout:
 
     @property
     def recent(self) -> tuple[int, ...]:
-        """The propositions that count turning points or edges, as a monitor keeps these."""
+        """The propositions that count turning points or edges, in the order in which the monitor
+        stores these.
+        """
         return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
-        """The number of propositions that are set when a number or an age is tested, without being
-        marked.
+        """The number of propositions that are set directly when a number or an age is tested. They
+        are never marked.
         """
         return len(self.node_of_proposition) - len(self.oscillations) - len(self.derived)
 
@@ -102,17 +104,17 @@ class Layout:
 
     @property
     def held_initially(self) -> list[bool]:
-        """Say for each proposition that lasts if it counts as true before the start."""
+        """For each `for` proposition, whether it counts as true before the start."""
         nodes = (self.machine.propositions[index].node for index in self.held)
         return [node.initially for node in nodes if isinstance(node, ir.Held)]
 
     def aged_inputs(self) -> set[int]:
-        """The inputs whose age a proposition asks."""
+        """The inputs whose age a proposition uses."""
         nodes = (self.machine.propositions[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
     def remark(self, proposition: int) -> str:
-        """The place and the words of a proposition, for a comment."""
+        """The place and the text of a proposition, for a comment."""
         declared = self.machine.propositions[proposition]
         return f"{names.place(declared.span)}  {declared.text}"
 
@@ -129,11 +131,11 @@ class Layout:
         return self.value_of_signal.get(signal)
 
     def guards_of(self, channel: int) -> list[ValueGuard]:
-        """The guards that a message on a channel can leave."""
+        """The guards that a message on a channel can make a number leave."""
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
     def blamed(self, support: ir.Support) -> list[int]:
-        """The values whose NaN means that the result is unknown because an input with a timeout is
+        """The values whose NaN means that a result is unknown because an input with a timeout is
         missing (S30).
         """
         slots = [
@@ -151,7 +153,7 @@ class Layout:
         return slots + folds
 
     def excuses(self, support: ir.Support) -> list[int]:
-        """The values that make a result unknown and not stale if they are missing or infinite
+        """The values that make a result unknown instead of stale if they are missing or infinite
         (S30): slots of inputs without a timeout, folds and samples.
         """
         slots = [
@@ -165,12 +167,14 @@ class Layout:
         return slots + [self.value_of_signal[signal] for signal in signals]
 
     def is_of_list(self, value: int) -> bool:
-        """Say whether a value is a fold over a list, or a sample that rests on one."""
+        """Say whether a value is a fold over a list, or a sample that depends on such a fold."""
         found = self.values[value]
         return found.slot is None and ir.is_of_list(self.machine, found.support)
 
     def guard_blames(self, guard: ValueGuard) -> list[int]:
-        """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
+        """The values that make the leaves of a guard stale (S30). A quantifier is stale whenever
+        its array is unknown.
+        """
         value = self.values[guard.value]
         if value.test is not None:
             node = self.machine.propositions[value.test].node

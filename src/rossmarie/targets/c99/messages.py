@@ -1,4 +1,4 @@
-"""The functions that process messages: one for each channel, and one for several at once.
+"""The functions that process messages: one for each channel, and one for several channels at once.
 
 The input is a layout and the expressions of its machine; the result is C text.
 """
@@ -72,7 +72,7 @@ class Messages:
     # --- functions ---------------------------------------------------------------------------
 
     def functions(self) -> str:
-        """The functions of all channels, and the one for several at once."""
+        """The functions of all channels, and the function for several channels at once."""
         parts = [self._constants(), *self._prepare(), self._compute()]
         for channel, name in enumerate(self._layout.channel_names):
             parts += [
@@ -102,8 +102,8 @@ class Messages:
         return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"
 
     def _prepare(self) -> Iterator[str]:
-        """Compute the numbers beside elements, if there are any, after all numbers of messages are
-        stored and before any result over elements.
+        """Compute the numbers beside elements, if there are any. This happens after all numbers of
+        messages are stored and before any result over elements.
         """
         lines = list(self._guarded(self.expressions.prepared()))
         if lines:
@@ -114,8 +114,8 @@ class Messages:
             )
 
     def _compute(self) -> str:
-        """Compute the signals that depend on the numbers of messages, after all of them are
-        stored.
+        """Compute the signals that depend on the numbers of messages. This happens after all
+        messages are stored.
         """
         lines = list(self._guarded(self._computed()))
         unused = [] if lines else ["    (void)arrived;\n"]
@@ -133,7 +133,7 @@ class Messages:
         return call(kind, parameters)
 
     def _call(self, function: str, channel: int, prefix: str = "") -> str:
-        """A call of such a function."""
+        """The call of the function that processes one message of a channel."""
         arguments = ["m", "t_ns"]
         for field in self.fields[channel]:
             arguments += types.arguments(field, prefix)
@@ -175,7 +175,7 @@ class Messages:
         return call(f"INLINE void fold_{name}", parameters)
 
     def _folds(self, channel: int, name: str, prefix: str = "") -> Iterator[str]:
-        """The call of that function, if there is one."""
+        """The call of the function that `_fold` writes, if there is one."""
         if not self._folded(channel):
             return
         arguments = ["m"]
@@ -254,7 +254,7 @@ class Messages:
         for guard in self._layout.guards:
             channels = sorted(self._layout.values[guard.value].support.channels)
             if not channels:
-                continue  # it looks at a constant
+                continue  # a comparison with a constant
             arrived = " || ".join(f"arrived[{channel}]" for channel in channels)
             inside = f"is_inside(m, {guard.name}, {self.expressions.kept(guard.value)})"
             yield f"(!({arrived}) || {inside})"
@@ -278,7 +278,7 @@ class Messages:
 
     def _received(self, field: types.Field, channel: int) -> list[str]:
         """The assignment of a field in the memory of the monitor. Numbers with guards are stored as
-        they arrive.
+        received.
         """
         if field.slot is not None:
             is_raw = self._layout.value_of_slot[field.slot] in self._covered
@@ -291,7 +291,7 @@ class Messages:
         return field.array is not None and self._first(field.array) in self._beside
 
     def _first(self, array: int) -> int:
-        """The first column of a list that an array belongs to; the array if it stands alone."""
+        """The first column of an array's list; the array itself if it belongs to no list."""
         its_list = self._machine.arrays[array].list
         return array if its_list is None else ir.columns_of(self._machine, its_list)[0]
 

@@ -1,9 +1,10 @@
-"""A machine as C99: `generate` gives the header and the source; `generate_loadable` gives also what
-`rossmarie.native` needs to run a monitor in its own process, `generate_guard` what it needs to run
-one with its reactor.
+"""A machine as C99. `generate` gives the header and the source.
 
-Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing. The C behaves
-exactly like the interpreter; `docs/decisions/0004-c99-target.md` explains how it is made fast.
+`generate_loadable` adds the files with which `rossmarie.native` runs a monitor in its own process.
+`generate_guard` adds the files with which it runs a monitor with its reactor.
+
+The input is a machine that `ir.verify` has accepted and for which `unsupported` found nothing. The
+C behaves exactly like the interpreter; `docs/decisions/0004-c99-target.md` explains its speed.
 """
 
 from __future__ import annotations
@@ -25,28 +26,28 @@ from rossmarie.targets.formulas import definitions, fixed_definitions
 
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules have
-    actions, NAME_reactor.h and NAME_reactor.c; and those of the engine.
+    actions, NAME_reactor.h and NAME_reactor.c; and the files of the engine.
     """
     return {**own_files(machine), **engine.files()}
 
 
 def own_files(machine: ir.Machine) -> dict[str, str]:
-    """The same files without the engine: the code of these rules."""
+    """The files of `generate` without the engine: the code of these rules."""
     writer = _Writer(machine)
     return {**writer.monitor_files(), **writer.reactor_files()}
 
 
 def generate_loadable(machine: ir.Machine) -> dict[str, str]:
-    """The files of a monitor and of the engine, and host.c, which includes them and is compiled
-    instead of them.
+    """The files of a monitor and of the engine, and host.c. Compile host.c instead of the other
+    files, because it includes them.
     """
     writer = _Writer(machine)
     return {**writer.monitor_files(), **engine.files(), "host.c": writer.host_file()}
 
 
 def generate_guard(machine: ir.Machine) -> dict[str, str]:
-    """The files of a monitor and its reactor, and guard.c, which is compiled behind host.c and
-    together with NAME_reactor.c, if there is one.
+    """The files of a monitor and its reactor, and guard.c. Compile guard.c after host.c, together
+    with NAME_reactor.c if there is one.
     """
     writer = _Writer(machine)
     guarding = {**writer.reactor_files(), "guard.c": writer.guard_file()}
@@ -109,7 +110,9 @@ class _Writer:
         return self._templates.get_template(template).render(**known, **blanks)
 
     def _defined(self) -> Iterator[str]:
-        """The called functions with any number of operands. All others are in the engine."""
+        """The called functions that take any number of operands. All other functions are in the
+        engine.
+        """
         names = self._messages.expressions.functions - {each.name for each in fixed_definitions()}
         called = definitions(self._layout.machine, lambda each: each.name in names)
         yield from map(functions.function, called)

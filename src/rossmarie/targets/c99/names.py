@@ -14,8 +14,8 @@ from rossmarie.naming import c_identifier
 
 
 class Family:
-    """Identifiers that must be distinct, all with one prefix, and in capitals if the prefix is: a
-    name in capitals is a constant, and differs from all other names.
+    """Identifiers that must be distinct, all with one prefix. They are in capitals if the prefix
+    is. A name in capitals is a constant, and differs from all other names.
     """
 
     def __init__(self, prefix: str = "", taken: Iterable[str] = ()) -> None:
@@ -37,7 +37,7 @@ class Family:
 
 
 def place(span: Span) -> str:
-    """`file.ross:12`, without the folders, which differ from machine to machine."""
+    """`file.ross:12`, without folders, which differ from computer to computer."""
     return f"{PurePath(span.file.path).name}:{span.begin.line}"
 
 

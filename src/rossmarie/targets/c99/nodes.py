@@ -11,8 +11,8 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def derive(layout: Layout) -> str:
-    """The function that evaluates one derived proposition. Its words are at the declaration of its
-    name.
+    """The function that evaluates one derived proposition. The declaration of its name contains the
+    proposition's text.
     """
     marked = (*layout.oscillations, *layout.derived)
     cases = []

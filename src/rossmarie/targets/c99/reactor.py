@@ -37,7 +37,7 @@ def blanks(layout: Layout) -> dict[str, object]:
 
 
 def _counts(found: reactions.Reactions) -> dict[str, int]:
-    """The sizes of the parts of a reactor. A part that is not named here has size 0."""
+    """The sizes of the parts of a reactor. A part without an entry has size 0."""
     used = {
         "COMMANDS": len(found.commands),
         "SCALES": sum(isinstance(task.effect, reactions.Scale) for task in found.tasks),
@@ -78,7 +78,7 @@ def _tables(found: reactions.Reactions) -> list[str]:
 
 
 def _task_tables(found: reactions.Reactions) -> str:
-    """A row for each task, and the tasks that start after a failure of each."""
+    """A row for each task, and the tasks that start after a failure of each task."""
     rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
     rows = [(_task_row(found, index, rules[index]), _remark(found, index)) for index in rules]
     otherwise = [task.otherwise for task in found.tasks]
@@ -150,13 +150,13 @@ def _plan_tables(found: reactions.Reactions) -> str:
 
 
 def _unless_table(found: reactions.Reactions) -> list[str]:
-    """The rules that suspend each rule while they are active, if there are any."""
+    """For each rule, the rules that suspend it while they are active; empty if there are none."""
     others = [plan.unless for plan in found.plans]
     return [lists("rule_unless", "others", _named("rule", others))] if _is_yielding(found) else []
 
 
 def _is_yielding(found: reactions.Reactions) -> bool:
-    """Say whether any rule gives way to another one."""
+    """Say whether any rule gives way to another rule."""
     return any(plan.unless for plan in found.plans)
 
 
@@ -193,7 +193,7 @@ def _resource_tables(found: reactions.Reactions) -> str:
 
 
 def _named(kind: str, rows: Sequence[Sequence[int]]) -> list[tuple[str, Sequence[int]]]:
-    """Lists with a name for each."""
+    """Lists, each with its name."""
     return [(f"{kind} {index}", row) for index, row in enumerate(rows)]
 
 
@@ -215,7 +215,7 @@ def _most_numbers(found: reactions.Reactions) -> int:
 
 
 def _memory_tables(found: reactions.Reactions) -> str:
-    """The memories of poses, the rules that retrace each, and the tasks that retrace."""
+    """The memories of poses, the rules that retrace each memory, and the tasks that retrace."""
     rows = []
     first = reading = 0
     for each in found.memories:
@@ -289,8 +289,8 @@ def _command_tables(found: reactions.Reactions) -> str:
 def _limit_tables(
     found: reactions.Reactions, rows: list[list[tuple[int, reactions.Bound]]]
 ) -> list[str]:
-    """The bounds of each command. The bounds of command c are in [command_limits[c], ...[c +
-    1]).
+    """The bounds of each command. The bounds of command c have the indexes from command_limits[c]
+    up to, not including, command_limits[c + 1].
     """
     listed = [
         (

@@ -13,8 +13,8 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def recent_tables(layout: Layout) -> list[str]:
-    """The windows, the places and the propositions of both, and the additional data of
-    oscillations.
+    """The windows, places and propositions of oscillations and counts of edges, and the additional
+    data of oscillations.
     """
     windows = [(duration(_window_ns(layout, i)), layout.remark(i)) for i in layout.recent]
     propositions = [layout.proposition_names[index] for index in layout.recent]

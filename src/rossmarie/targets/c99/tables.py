@@ -39,7 +39,7 @@ def tables(layout: Layout) -> str:
 
 
 def _sizes(layout: Layout) -> dict[str, int]:
-    """The sizes of the parts of a monitor. A part that is not named here has size 0."""
+    """The sizes of the parts of a monitor. A part without an entry has size 0."""
     machine = layout.machine
     always = {
         "INPUTS": len(machine.inputs),
@@ -75,7 +75,7 @@ def _sizes(layout: Layout) -> dict[str, int]:
 
 
 def _section(title: str, parts: Sequence[str]) -> str:
-    """Parts under a title; nothing if there are none."""
+    """Parts under a title; empty if there are no parts."""
     found = [part.rstrip() for part in parts if part]
     return "\n".join([f"/* {title} */", *found, ""]) if found else ""
 
@@ -84,8 +84,8 @@ def _section(title: str, parts: Sequence[str]) -> str:
 
 
 def _input_tables(layout: Layout) -> str:
-    """The names of inputs, the time for which each is fresh (0: always), and the values that expire
-    with each.
+    """The names of inputs, the time in ns for which each input is fresh (0: always), and the values
+    that expire with each input.
     """
     machine = layout.machine
     if not machine.inputs:
@@ -272,8 +272,8 @@ def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
 
 
 def _blame_tables(layout: Layout) -> str:
-    """The values that make a guard stale if they are missing, and those that make it unknown; then
-    the same for oscillations.
+    """The values that make a guard stale if they are missing, and the values that make it unknown;
+    then the same for oscillations.
     """
     swings = [layout.supports.propositions[index] for index in layout.oscillations]
     blames = [layout.guard_blames(guard) for guard in layout.guards]

@@ -54,15 +54,15 @@ def boolean(value: bool) -> str:
 
 
 def starts_of(counts: Iterable[int]) -> list[int]:
-    """The first index of each list in the concatenation of lists with such lengths, and the end of
+    """The first index of each list in the concatenation of lists with these lengths, and the end of
     the last list.
     """
     return list(accumulate(counts, initial=0))
 
 
 def lists(starts: str, entries: str, rows: Sequence[tuple[str, Sequence[object]]]) -> str:
-    """Lists of indexes of different lengths, each with its name: the entries of list i stand in
-    [starts[i], starts[i + 1]).
+    """Lists of indexes of different lengths, each with its name. The entries of list i have the
+    indexes from starts[i] up to, not including, starts[i + 1].
     """
     places = starts_of([len(row) for _, row in rows])
     filled = [_listed(name, row) for name, row in rows if row]

@@ -10,7 +10,7 @@ from rossmarie.naming import c_identifier
 from rossmarie.targets.c99 import names
 
 SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
-"""The types of slots in public functions."""
+"""The C types of slots in public functions."""
 
 
 def number(value: float) -> str:
@@ -30,7 +30,7 @@ def duration(nanoseconds: int) -> str:
 class Field:
     """A slot, an array, or a column of a list of a channel's message, under the name of its
     parameter. `count` is the parameter after it with the number of elements. The columns of a list
-    share one, after the last column.
+    share one count, after the last column.
     """
 
     name: str
@@ -43,7 +43,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     """The fields that the messages of a channel carry: its slots, its arrays, and the columns of
     its lists.
     """
-    # The functions that have fields as parameters call functions named after channels.
+    # The functions with fields as parameters call functions that are named after channels.
     called = [
         f"{step}_{c_identifier(topic.topic)}"
         for step in ("receive", "fold", "settle", "late", "take")
@@ -85,7 +85,7 @@ def public_parameters(machine: ir.Machine, field: Field) -> list[str]:
 
 
 def plain_parameters(field: Field) -> list[str]:
-    """The parameters of a field where every scalar is a double."""
+    """The parameters of a field if every scalar is a double."""
     return _array_parameters(field) if field.slot is None else [f"double {field.name}"]
 
 

@@ -12,13 +12,13 @@ from rossmarie.targets.c99.state import recent_counts
 from rossmarie.targets.errors import MonitorTooLarge
 
 MOST_INDEXES = 0xFFFE
-"""The greatest usable index. One more means "none"."""
+"""The greatest usable index. The next index means "none"."""
 
 _NAME = "C99"
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """A finding for the first table that does not fit, if any; without rules every table does."""
+    """A finding for the first table that does not fit, if any. Without rules every table fits."""
     for what, found in _table_sizes(machine).items():
         if found > MOST_INDEXES and machine.rules:
             large = MonitorTooLarge(target=_NAME, what=what, found=found, most=MOST_INDEXES)

@@ -15,7 +15,7 @@ def generate(machine: ir.Machine) -> Mapping[str, str]:
     return {file_name(machine.name): source(machine)}
 
 
-# Whatever `ir.verify` passes can be written in Python.
+# Python can express every machine that `ir.verify` accepts.
 TARGET = Target("python", lambda _: (), lambda machine, _: generate(machine))
 
 __all__ = ["TARGET", "generate", "source"]

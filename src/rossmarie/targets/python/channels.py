@@ -1,9 +1,9 @@
 """The functions that process the messages of one channel.
 
-Takes a layout. A message is *calm* if the last message on its channel is still valid, no timer is
-due, every number is inside its guard, and every other comparison has its old value. Then nothing
-can change, and the numbers are stored for later. Channels of which arrays are read or samples are
-taken have no calm messages.
+The input is a layout. A message is *calm* if four conditions hold: the last message on its channel
+is still valid, no timer is due, every number is inside its guard, and every other comparison has
+its old value. Then nothing can change, and the numbers are stored for later. A channel has no calm
+messages if arrays are read from it, or samples are taken from it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Layout, ValueLimits, number
 
 _LARGEST_EXACT = 2.0**53
-"""Below it every integer is a double, so that comparing it is comparing that."""
+"""Every integer below this number is a double, so integers and doubles compare alike."""
 
 
 def calm_channels(layout: Layout) -> list[int]:
@@ -76,7 +76,7 @@ def _convert(layout: Layout, channel: int, function: Function) -> None:
 
 
 def _take(layout: Layout, channel: int, function: Function) -> None:
-    """S9."""
+    """S9: store the numbers of a message and set the states of its inputs."""
     for group in layout.groups:
         if group.channel == channel:
             function.assign(group.state, "1")
@@ -190,16 +190,16 @@ class _Calm:
     # --- conditions --------------------------------------------------------------------------
 
     def _is_inside(self, name: str) -> list[str]:
-        """The conditions that a number is known, and inside its guard if it has one."""
+        """The conditions that a number is known and, if it has a guard, inside its guard."""
         local = self._local[name]
         if (guard := self._layout.guard_of.get(name)) is not None:
             return [f"{guard.low} < {local} <= {guard.high}"]
         if any(self._shows(node, name) for _, node in self._users.get(name, ())):
-            return []  # looking at the result is enough
+            return []  # the condition on the result is enough
         return [f"{local} - {local} == 0.0"]
 
     def _shows(self, node: ir.Apply, name: str) -> bool:
-        """Say whether a number is finite wherever a function of it is."""
+        """Say whether a number is finite whenever this function of the number is finite."""
         named = (operand for operand in node.operands if self._layout.value(operand) == name)
         return any(expressions.is_shown(node, operand) for operand in named)
 
@@ -208,16 +208,16 @@ class _Calm:
 
     @cached_property
     def _shown(self) -> set[int]:
-        """The signals that are reported without an evaluation before: in verdicts of resets (S38),
-        and margins with all their operands.
+        """The signals that can be reported without an evaluation before: those in verdicts of
+        resets (S38), and margins with all their operands.
         """
         machine = self._layout.machine
         resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}
         return resets | ir.below_margins(machine)
 
     def is_only_compared(self, name: str) -> bool:
-        """Say whether only guards use a number or its absolute value. Then it may stay an integer,
-        because it is compared in the same way.
+        """Say whether only guards use a number or its absolute value. Then the number may stay an
+        integer, because integers compare in the same way.
         """
         for index, node in self._users.get(name, ()):
             is_absolute = node.function is ir.Function.ABSOLUTE

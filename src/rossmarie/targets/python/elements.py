@@ -1,7 +1,7 @@
-"""Functions over the elements of an array or a list: one pass for all its results (S22 to S26, S51
-to S54), beside numbers that are known before (S74).
+"""Functions over the elements of an array or a list: one pass for all results over them (S22 to
+S26, S51 to S54), also with numbers beside the elements, which are known before (S74).
 
-Takes a layout. Results stay until the next message or until the input expires.
+The input is a layout. The results stay until the next message or the expiry of their input.
 """
 
 from __future__ import annotations
@@ -27,14 +27,16 @@ def results(layout: Layout, array: int) -> dict[str, str]:
 
 
 def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
-    """The inputs that such a variable rests on: of elements, and of numbers beside these."""
+    """The inputs that such a variable depends on: those of the elements, and of numbers beside
+    them.
+    """
     supports = layout.supports.signals if variable[0] == "s" else layout.supports.propositions
     return supports[int(variable[1:])].inputs
 
 
 def look(layout: Layout, array: int) -> list[str]:
-    """The function that processes the elements of an array, or of the list whose first column it
-    is; empty for other columns.
+    """The function that processes the elements of an array, or of the list with this first column;
+    empty for other columns.
     """
     columns = layout.beside(array)
     if array != columns[0]:
@@ -74,12 +76,12 @@ def _elements(layout: Layout, column: int) -> str:
 
 
 def _ending(layout: Layout, array: int) -> str:
-    """The end of the names of an array that stands beside others."""
+    """The ending of the names of a list's column; empty for an array outside of lists."""
     return "" if layout.machine.arrays[array].list is None else f"_{array}"
 
 
 def _is_unknown(layout: Layout, array: int) -> str:
-    """A condition: nothing is known of the elements (S24, S51)."""
+    """A condition: the elements are unknown (S24, S51)."""
     its_list = layout.machine.arrays[array].list
     if its_list is None:
         return f"not {_elements(layout, array)}"
@@ -91,7 +93,7 @@ def _is_unknown(layout: Layout, array: int) -> str:
 
 
 def _head(layout: Layout, columns: Sequence[int]) -> str:
-    """The head of a loop over the elements: names, and what they go through."""
+    """The head of a loop over the elements: the loop variables, and the iterated columns."""
     names = [f"e{_ending(layout, column)}" for column in columns]
     found = [_converted(layout, column) for column in columns]
     if len(columns) == 1:
@@ -135,7 +137,7 @@ class _Element:
 
 
 def _one_element(layout: Layout, array: int) -> Iterator[str]:
-    """The signals and propositions of the element at hand, each once."""
+    """The signals and propositions of the current element, each once."""
     write = _Element(layout)
     for index, signal in enumerate(layout.machine.signals):
         if layout.elements.signals[index] == array and isinstance(signal.node, ir.Apply):

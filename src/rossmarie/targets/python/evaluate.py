@@ -1,6 +1,7 @@
-"""One evaluation: inputs expire, every signal, every proposition, then what the rules do (S11).
+"""One evaluation: inputs expire, then every signal, every proposition and every rule is evaluated
+(S11).
 
-Takes a layout. A number that is still inside its guard is skipped, with all its comparisons.
+The input is a layout. A number that is still inside its guard is skipped, with all its comparisons.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ functions.
 
 
 def evaluate(layout: Layout) -> list[str]:
-    """The function that evaluates at an instant; `updated` has a bit for each channel. Before it
-    stand those that do a part of it, if it is long.
+    """The function that evaluates at an instant; `updated` has a bit for each channel. If the
+    function is long, it is divided, and the functions for its parts come before it.
     """
     function = Function("evaluate(at_ns, updated)")
     state.expire(layout, function)
@@ -44,7 +45,7 @@ def evaluate(layout: Layout) -> list[str]:
 
 
 def _parts(layout: Layout) -> list[Function]:
-    """The steps of an evaluation, in their order, cut into functions."""
+    """The steps of an evaluation, in their order, divided into functions."""
     parts = [Function("evaluate_0(at_ns, updated)")]
     for step in _steps(layout):
         if parts[-1].length + step.length > _MOST_LINES:
@@ -54,8 +55,8 @@ def _parts(layout: Layout) -> list[Function]:
 
 
 def _steps(layout: Layout) -> Iterator[Function]:
-    """The signals, the propositions and the rules. Before all others come the numbers beside
-    elements, and what is asked of these.
+    """The signals, the propositions and the rules. The numbers beside elements, and the results
+    over these elements, come first.
     """
     for index in layout.signals:
         if index in layout.made_beside:
@@ -79,7 +80,9 @@ def _remark(function: Function, thing: ir.Signal | ir.Proposition | ir.Rule, tex
 
 
 def _look(layout: Layout, array: int) -> Function:
-    """S74: elements that arrived are looked at beside numbers of this evaluation."""
+    """S74: the results over elements that arrived, with the numbers of this evaluation beside
+    them.
+    """
     function = Function("step()")
     channel = layout.channel(layout.machine.arrays[array].input)
     elements = ", ".join(f"kept_{column}" for column in layout.beside(array))
@@ -104,14 +107,14 @@ def _signal(layout: Layout, index: int) -> Function:
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Fold()
             | ir.Count()
         ):  # fmt: skip
-            return function  # known when compiling, or found when a message arrives
+            return function  # known at compile time, or computed when a message arrives
     _remark(function, signal, signal.text)
     function.assign(f"s{index}", text)
     return function
 
 
 def _sample(layout: Layout, index: int, node: ir.Sampled, function: Function) -> None:
-    """S18, once for all that look at the same samples."""
+    """S18: take a sample, once for all signals that use the same samples."""
     name = memory(node)
     users = (
         i
@@ -126,7 +129,7 @@ def _sample(layout: Layout, index: int, node: ir.Sampled, function: Function) ->
 
 
 def _of_samples(node: ir.Sampled) -> str:
-    """The value of a function of samples, which is remembered if it feeds back."""
+    """The value of a function of samples; it is stored as a result if the function feeds back."""
     feeds_back = sampling_row(node.function).feeds_back
     return f"{memory(node)}.newest()" if feeds_back else expressions.of_samples(node)
 
@@ -140,7 +143,9 @@ def _bits(layout: Layout, signal: int) -> int:
 
 
 def _record(layout: Layout, index: int, value: str, function: Function, depth: int = 0) -> None:
-    """A proposition, and since when it has its value where a verdict tells that (S34)."""
+    """Set a proposition. If a verdict reports it, also set the instant since which it has its value
+    (S34).
+    """
     if index not in layout.terms:
         function.assign(f"t{index}", value, depth)
         return
@@ -152,7 +157,9 @@ def _record(layout: Layout, index: int, value: str, function: Function, depth: i
 
 
 def _guard(layout: Layout, guard: ValueLimits) -> Function:
-    """Code for a number that has left its guard: make its comparisons, and find its new guard."""
+    """The code for a number that has left its guard: evaluate its comparisons, and find its new
+    guard.
+    """
     function = Function("step()")
     value = guard.value
     for leaf in guard.leaves:
@@ -173,7 +180,7 @@ def _guard(layout: Layout, guard: ValueLimits) -> Function:
 
 
 def _gap(guard: ValueLimits, cuts: Sequence[float], function: Function, depth: int) -> None:
-    """Find the gap between two of the cuts, all but the outer ones being limits, by halves."""
+    """Find the gap between two cuts by bisection. All cuts except the outer two are limits."""
     if len(cuts) > 2:
         middle = len(cuts) // 2
         function.line(f"if {guard.value} <= {cuts[middle]!r}:", depth)
@@ -229,7 +236,7 @@ def _text(layout: Layout, index: int, node: ir.PropositionNode) -> str:
 
 
 def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None:
-    """S33."""
+    """S33: a `for`."""
     function.line(f"v = {layout.proposition(node.operand)}")
     function.line("if v != 1:")
     function.assign(f"due_{index}", "NEVER", 1)
@@ -243,7 +250,7 @@ def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None
 
 
 def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> None:
-    """S44."""
+    """S44: a `since`."""
     held, begun = layout.proposition(node.held), layout.proposition(node.begun)
     function.line(f"v = {expressions.either(begun, f'before_{index}')}")
     function.line(f"v = {expressions.both(held, 'v')}")
@@ -253,7 +260,7 @@ def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> No
 
 
 def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Function) -> None:
-    """S32."""
+    """S32: an oscillation."""
     if not layout.supports.signals[node.signal].channels:
         _record(layout, index, "0", function)
         return
@@ -272,7 +279,7 @@ def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Funct
 
 
 def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
-    """S35 to S37."""
+    """S35 to S37: a rule."""
     function = Function("step()")
     condition = layout.proposition(rule.condition)
     _remark(function, rule, f"{rule.name}: {rule.contract}")
@@ -291,8 +298,8 @@ def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
 
 
 def tell(layout: Layout, number: int, change: str, function: Function) -> None:
-    """Change a rule and report it, with a snapshot of the values that it depends on (S41), one
-    level deeper.
+    """Change a rule and report it, with a snapshot of the values that it depends on (S41). The code
+    is indented by one level.
     """
     rule = layout.machine.rules[number]
     function.assign(f"active_{number}", "False" if change == "0" else f"{change} > 0", 1)

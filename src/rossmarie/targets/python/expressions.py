@@ -1,7 +1,7 @@
 """Numbers, comparisons and logic as Python expressions.
 
-Takes a layout, and how operands are written where the expression stands. Operations come in the
-order of the interpreter, so that the bits are the same.
+The input is a layout, and a function that writes operands. Operations have the order of the
+interpreter, so that the results have the same bits.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
 
 
 def raw(node: ir.Apply, write: Write) -> str:
-    """The same, but infinite where it is too large."""
+    """A function of signals; a result that is too large is infinite."""
     operands = [write(operand) for operand in node.operands]
     return definition_of(node.function, len(operands)).call(PYTHON, operands)
 
@@ -47,7 +47,7 @@ def _view(node: ir.Sampled, view: core.View) -> str:
 
 
 def is_shown(node: ir.Apply, operand: int) -> bool:
-    """Say whether a signal is finite wherever a function of it and others is."""
+    """Say whether a signal is finite whenever the result of this function of it is finite."""
     places = [place for place, each in enumerate(node.operands) if each == operand]
     return not core.shown_by(node.function, len(node.operands)).isdisjoint(places)
 
@@ -68,7 +68,7 @@ def may_be_infinite(layout: Layout, signal: int) -> bool:
 
 
 def holds(node: ir.PropositionNode, write: Write) -> str:
-    """The value of a comparison where nothing is unknown (S27 to S29)."""
+    """The value of a comparison if no operand is unknown (S27 to S29)."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
             return f"{write(left)} {comparison.value} {write(right)}"
@@ -84,7 +84,7 @@ def holds(node: ir.PropositionNode, write: Write) -> str:
 
 
 def is_unknown(layout: Layout, node: ir.PropositionNode, write: Write) -> str:
-    """A condition: a side of a comparison is NaN. It is empty if none can be."""
+    """The condition that an operand of a comparison is NaN; empty if no operand can be NaN."""
     signals = dict.fromkeys(ir.compared_signals(node))
     nodes = layout.machine.signals
     variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
@@ -99,7 +99,7 @@ def compared(layout: Layout, node: ir.PropositionNode, write: Write, unknown: st
 
 
 def unknown_kind(layout: Layout, index: int) -> str:
-    """S30: what an unknown leaf is, 2 or, for lack of an input with a timeout, 3."""
+    """S30: the value of an unknown leaf. It is 3 if an input with a timeout is missing, else 2."""
     support = layout.supports.propositions[index]
     if not layout.is_timed(support.inputs):
         return "2"
@@ -124,7 +124,7 @@ def unknown_kind(layout: Layout, index: int) -> str:
 
 
 def logic(node: ir.PropositionNode, write: Write) -> str:
-    """A proposition made of others (S2)."""
+    """A compound proposition (S2)."""
     match node:
         case ir.Literal(value=value):
             return str(int(value))
@@ -143,17 +143,17 @@ def logic(node: ir.PropositionNode, write: Write) -> str:
 
 
 def both(*parts: str) -> str:
-    """`and` of propositions."""
+    """The conjunction of propositions."""
     return f"{' and '.join(parts)} and {_greatest(parts)}"
 
 
 def either(*parts: str) -> str:
-    """`or` of propositions."""
+    """The disjunction of propositions."""
     return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
 
 
 def _greatest(parts: Iterable[str]) -> str:
     different = list(dict.fromkeys(parts))
-    if len(different) == 2:  # much faster than a call
+    if len(different) == 2:  # an expression is much faster than a call
         return "({0} if {0} > {1} else {1})".format(*different)
     return f"max({', '.join(different)})" if len(different) > 2 else different[0]

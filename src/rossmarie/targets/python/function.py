@@ -1,4 +1,6 @@
-"""A function of the generated module while it is written: its lines, and what it assigns."""
+"""A function of the generated module during writing: its lines, and the variables that it
+assigns.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,9 @@ INDENT = "    "
 
 
 class Function:
-    """One function inside `start`, whose variables it shares. Depths count indentations."""
+    """One function inside `start`. It shares the variables of `start`. Depths count
+    indentations.
+    """
 
     def __init__(self, head: str) -> None:
         self.head = head
@@ -17,16 +21,16 @@ class Function:
         self._shared: dict[str, None] = {}
 
     def line(self, text: str, depth: int = 0) -> None:
-        """A line as it is."""
+        """Add a line."""
         self._lines.append(INDENT * depth + text)
 
     def assign(self, variable: str, value: str, depth: int = 0) -> None:
-        """Give a variable of `start` a value."""
+        """Assign a value to a variable of `start`."""
         self._shared[variable] = None
         self.line(f"{variable} = {value}", depth)
 
     def take(self, other: Function) -> None:
-        """All that is in the other function is in this one, too."""
+        """Add the lines and assignments of another function to this function."""
         self._lines += other._lines
         self._shared.update(other._shared)
 

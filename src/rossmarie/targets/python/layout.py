@@ -1,9 +1,9 @@
 """The places of all parts of a machine in the generated Python.
 
-Takes a machine that `ir.verify` has passed. Names contain the index in the machine: slots are `x0`,
-computed signals `s0`, propositions `t0` (since `d0`). Inputs of one channel with one timeout share
-a state, because they arrive and expire together. A *guard* is the gap between two limits of a
-number in which no comparison of it with constants changes.
+The input is a machine that `ir.verify` has accepted. Names contain the index in the machine: slots
+are `x0`, computed signals `s0`, propositions `t0` (since `d0`). Inputs of one channel with one
+timeout share a state, because they arrive and expire together. A *guard* is a gap between two
+limits of a number. Inside the gap, no comparison of the number with constants changes.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class ValueLimits:
 
     @property
     def high(self) -> str:
-        """The variable of the limit above it, or at it."""
+        """The variable of the limit above the number, or equal to it."""
         return f"high_{self.value}"
 
 
@@ -67,7 +67,9 @@ class Layout:
     # --- names -------------------------------------------------------------------------------
 
     def value(self, signal: int) -> str:
-        """A signal: a literal, the slot that it reads, or a variable of its own."""
+        """The expression for a signal: a literal, the slot that it reads, or a variable of its
+        own.
+        """
         match self.machine.signals[signal].node:
             case ir.Constant(value=value):
                 return number(value)
@@ -80,7 +82,7 @@ class Layout:
 
     @cached_property
     def kept(self) -> list[int]:
-        """The propositions that are kept: all but literals of which no verdict tells."""
+        """The propositions that are stored: all except literals that no verdict reports."""
         nodes = self.machine.propositions
         return [
             index
@@ -89,7 +91,7 @@ class Layout:
         ]
 
     def proposition(self, index: int) -> str:
-        """A proposition: a literal or a variable."""
+        """The expression for a proposition: a literal or a variable."""
         node = self.machine.propositions[index].node
         return str(int(node.value)) if isinstance(node, ir.Literal) else f"t{index}"
 
@@ -113,7 +115,7 @@ class Layout:
 
     @cached_property
     def stamped(self) -> frozenset[int]:
-        """The channels whose last instant is asked: for a timeout or an age."""
+        """The channels whose last instant is used, for a timeout or an age."""
         timed = {group.channel for group in self.groups if group.timeout_ns is not None}
         return frozenset(timed | {self.channel(node.input) for _, node in self.ages})
 
@@ -127,16 +129,20 @@ class Layout:
         return [index for index, slot in slots if self.channel(slot.input) == channel]
 
     def arrays(self, channel: int) -> list[int]:
-        """The arrays that a channel carries: those that stand alone, then the columns of lists."""
+        """The arrays that a channel carries: first arrays outside of lists, then the columns of
+        lists.
+        """
         return list(ir.arrays_of(self.machine, channel))
 
     def beside(self, array: int) -> tuple[int, ...]:
-        """The columns of the list that an array belongs to; the array itself if it stands alone."""
+        """The columns of the list that an array belongs to; the array itself if it belongs to no
+        list.
+        """
         its_list = self.machine.arrays[array].list
         return (array,) if its_list is None else ir.columns_of(self.machine, its_list)
 
     def is_kept(self, array: int) -> bool:
-        """Say whether an array is looked at in the evaluation, beside numbers of that (S74)."""
+        """Say whether an array is processed in the evaluation, with numbers beside it (S74)."""
         return self.beside(array)[0] in self.numbers_beside
 
     def is_timed(self, inputs: Iterable[int]) -> bool:
@@ -147,26 +153,26 @@ class Layout:
 
     @cached_property
     def ages(self) -> list[tuple[int, ir.AgeReaches]]:
-        """The propositions that ask the age of an input."""
+        """The propositions about the age of an input."""
         nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [(index, node) for index, node in nodes if isinstance(node, ir.AgeReaches)]
 
     @cached_property
     def held(self) -> list[tuple[int, ir.Held]]:
-        """The propositions that last."""
+        """The propositions with `for`."""
         nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [(index, node) for index, node in nodes if isinstance(node, ir.Held)]
 
     @cached_property
     def sinces(self) -> list[int]:
-        """The propositions that remember what they were."""
+        """The propositions with `since`, which remember their last value."""
         return [
             i for i in self.propositions if isinstance(self.machine.propositions[i].node, ir.Since)
         ]
 
     @cached_property
     def oscillations(self) -> list[tuple[int, ir.Oscillates]]:
-        """The propositions that follow a signal which rests on an input; others never swing."""
+        """The oscillations of signals that depend on an input; other oscillations never swing."""
         nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [
             (index, node)
@@ -182,7 +188,9 @@ class Layout:
 
     @cached_property
     def memories(self) -> dict[str, ir.Sampled]:
-        """The names of what remembers samples of signals that rest on an input, and for whom."""
+        """The names of the memories of samples, each with a node that uses it. The sampled signals
+        depend on an input.
+        """
         found: dict[str, ir.Sampled] = {}
         for signal in self.machine.signals:
             if isinstance(signal.node, ir.Sampled) and self._channels(signal.node.signal):
@@ -201,7 +209,7 @@ class Layout:
 
     @cached_property
     def guards(self) -> list[ValueLimits]:
-        """The guards of all numbers that rest on slots alone: these are never infinite."""
+        """The guards of all numbers that depend only on slots; such numbers are never infinite."""
         leaves: dict[str, list[int]] = {}
         cuts: dict[str, set[float]] = {}
         signals: dict[str, int] = {}
@@ -222,7 +230,7 @@ class Layout:
 
     @cached_property
     def guard_of(self) -> dict[str, ValueLimits]:
-        """The guard of each number that has one."""
+        """The guard of each guarded number."""
         return {guard.value: guard for guard in self.guards}
 
     @cached_property
@@ -236,7 +244,7 @@ class Layout:
 
 
 def memory(node: ir.Sampled) -> str:
-    """The name of what remembers the samples that a node looks at, or its own results."""
+    """The name of the memory with the samples that a node uses, or with the node's own results."""
     kept = "results" if sampling_row(node.function).feeds_back else "samples"
     time = f"_{node.window_ns}" if node.window_ns else ""
     return f"{kept}_{node.signal}{time}"

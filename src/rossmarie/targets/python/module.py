@@ -1,7 +1,7 @@
 """A machine as one Python module.
 
-Takes a machine that `ir.verify` has passed. The module behaves exactly like the interpreter;
-`docs/decisions/0011-python-target.md` explains how it is made fast.
+The input is a machine that `ir.verify` has accepted. The module behaves exactly like the
+interpreter; `docs/decisions/0011-python-target.md` explains its speed.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def source(machine: ir.Machine) -> str:
 
 
 def _needed(calling: str) -> list[str]:
-    """The sources of the parts that a text calls, or that these call."""
+    """The sources of the parts that a text calls, and of the parts that these parts call."""
     found: list[str] = []
     for part in reversed(_ON_DEMAND):
         if re.search(rf"\b{part.__name__}\(", "\n".join([calling, *found])):
@@ -193,7 +193,7 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
 
 
 def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
-    """The name of a field beside its function."""
+    """The name of a field in the remark at its function."""
     name = machine.inputs[field.input].name
     if isinstance(field, ir.Array) and field.list is not None:
         return f"{name}{ir.path_text(field.path)}"
@@ -230,7 +230,7 @@ def _start(layout: Layout) -> Iterator[str]:
 
 
 def _reset(layout: Layout) -> list[str]:
-    """S38."""
+    """S38: the function that resets rules."""
     function = Function("reset(at_ns, rule=None)")
     function.line("reported = len(events)")
     function.line("if advance(at_ns) < 0:")
@@ -245,7 +245,7 @@ def _reset(layout: Layout) -> list[str]:
 
 
 def _latch(machine: ir.Machine) -> list[str]:
-    """S42."""
+    """S42: the function that restores latched rules."""
     function = Function("latch(rule)")
     for number, rule in enumerate(machine.rules):
         if rule.release is None:

@@ -1,7 +1,7 @@
 """All names and literals that the generated Python takes from users.
 
-Takes any text. Only the file and the functions of topics are named after users' texts. All other
-names contain the index in the machine, with the user's words in a comment.
+The input is any text. Only the file and the functions of topics are named after users' texts. All
+other names contain the index in the machine; a comment contains the user's words.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def different(prefix: str, texts: Iterable[str]) -> list[str]:
 
 
 def place(span: Span) -> str:
-    """`file.ross:12`, without the folders, which differ from machine to machine."""
+    """`file.ross:12`, without folders, which differ from computer to computer."""
     return f"{PurePath(span.file.path).name}:{span.begin.line}"
 
 

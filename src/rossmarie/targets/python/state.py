@@ -1,6 +1,6 @@
 """The memory of a monitor, and its changes with time (S10, S15, S17).
 
-Takes a layout. Instants and durations are in nanoseconds.
+The input is a layout. Instants and durations are in nanoseconds.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rossmarie.targets.python.layout import Group, Layout
 
 def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     """Each variable and its initial value."""
-    # The first event finds no instant between these two, and so has its own instant looked at.
+    # The range from now to wake is empty, so the first event is evaluated at its own instant.
     yield from (("now", "EARLIEST"), ("wake", "EARLIEST - 1"))
     yield from ((group.state, "0") for group in layout.groups)
     yield from ((f"calm_{channel}", "EARLIEST") for channel in calm_channels(layout))
@@ -103,7 +103,9 @@ def earliest(layout: Layout) -> list[str]:
 
 
 def look_for_timers(layout: Layout, function: Function) -> None:
-    """The same within a function: `first` is the instant of the next timer."""
+    """The code that computes the same within a function: `first` is the instant of the next
+    timer.
+    """
     function.line("first = NEVER")
     for group in layout.groups:
         if group.timeout_ns is not None:
@@ -119,7 +121,7 @@ def look_for_timers(layout: Layout, function: Function) -> None:
 
 
 def _recent(layout: Layout) -> Iterator[tuple[int, str]]:
-    """The propositions that count turning points or edges, and what remembers these."""
+    """The propositions that count turning points or edges, each with the name of its memory."""
     yield from ((index, f"oscillation_{index}") for index, _ in layout.oscillations)
     yield from ((index, f"recurrence_{index}") for index, _ in layout.recurring)
 
@@ -133,11 +135,11 @@ def _sooner(function: Function, condition: str, due: str) -> None:
 
 
 def restart(layout: Layout) -> list[str]:
-    """The function that forgets what was measured against the clock (S17)."""
+    """The function that forgets everything measured by the clock (S17)."""
     function = Function("restart(at_ns)")
     function.line("events.append(TimeJump(now, at_ns))")
     for channel in sorted(layout.stamped):
-        # No limit on an age is above LONGEST, so that older inputs count as that old.
+        # No limit of an age is above LONGEST, so the ages of older inputs are set to LONGEST.
         stamp = f"stamp_{channel}"
         function.assign(stamp, f"at_ns - min(now - {stamp}, LONGEST)")
     for name in layout.memories:

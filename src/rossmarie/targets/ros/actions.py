@@ -134,7 +134,7 @@ class TasksText:
         return [f"// {index}: {comments.in_c(words)}", *lines]
 
     def _object(self, index: int) -> tuple[str, list[str]]:
-        """The class of a task, and the arguments of its constructor."""
+        """The class of a task's object, and the arguments of its constructor."""
         effect = self.machine.reactions.tasks[index].effect
         match effect:
             case (
@@ -218,7 +218,7 @@ def _assignment(assignment: reactions.Assignment) -> str:
 def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
     texts = [string(value) for value in values if isinstance(value, str)]
     if not values:
-        return f"{field} = {{}};"  # a list of texts, or of numbers: the type is not certain
+        return f"{field} = {{}};"  # a list of texts, or of numbers, whose type is not certain
     if texts:
         return f"{field} = {{{', '.join(texts)}}};"
     numbers = [repr(value) for value in values if not isinstance(value, str)]
@@ -235,7 +235,7 @@ def _call(head: str, arguments: Sequence[str], tail: str) -> list[str]:
 
 
 def _is_resent(effect: reactions.SendGoal | reactions.CancelGoal) -> str:
-    """Say whether the interrupted goal is sent again."""
+    """The C++ literal that states whether the interrupted goal is sent again."""
     return str(effect.interrupted is reactions.Interrupted.RESEND).lower()
 
 

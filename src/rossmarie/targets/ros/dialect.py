@@ -30,10 +30,10 @@ class Dialect:
     """One generation of ROS.
 
     `generation` is its usual name, `folder` the name of its folders. `cpp_type` gives the C++ type
-    of `sensor_msgs/Imu` and `header` the file that declares it. `primitives` are the types of
+    of `sensor_msgs/Imu`, and `header` the file that declares it. `primitives` are the types of
     instants and durations in .msg files. `parts` are for effects that need more than a task.
-    `relay` is for goals that are sent again, if other nodes' goals cannot be observed. An action
-    server publishes the status of its goals on the topic of its name and `status_topic`.
+    `relay` is for goals that are sent again, if the node cannot observe other nodes' goals. An
+    action server publishes the status of its goals on the topic of its name and `status_topic`.
     """
 
     generation: str

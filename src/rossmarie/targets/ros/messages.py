@@ -1,4 +1,4 @@
-"""C++ that passes messages to the monitor, and bounds the numbers of commands."""
+"""C++ that passes messages to the monitor, and limits the numbers of commands."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def arrays(layout: Layout) -> str:
 
 
 def _room(machine: ir.Machine, array: int, name: str) -> str:
-    """The member that keeps an array; a column of a list has a bound, and needs no heap."""
+    """The member that stores an array. A column of a list has a bound, so it needs no heap."""
     its_list = machine.arrays[array].list
     if its_list is None:
         return f"std::vector<double> {name};"
@@ -86,7 +86,7 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
 
 
 def _has(edge: ir.Edge | None) -> str:
-    """The function that says whether a message has the transform of a channel."""
+    """The function that reports whether a message contains the transform of a channel."""
     if edge is None:
         return ""
     return (
@@ -219,7 +219,7 @@ def _texts(texts: Sequence[str]) -> str:
 
 
 def _reader(kind: ir.Kind) -> str:
-    """The function in C++ that makes a number of a field."""
+    """The C++ function that converts a field to a number."""
     return "text_index" if kind is ir.Kind.TEXT else "number"
 
 

@@ -16,15 +16,15 @@ _SHARING = (
 
 
 def relative(name: str) -> str:
-    """A name of the rules as C++: `/cmd_vel` as `"cmd_vel"`, which ROS resolves in the namespace of
+    """A name of the rules as C++: `/cmd_vel` as `"cmd_vel"`. ROS resolves it in the namespace of
     the node.
     """
     return names.string(name.removeprefix("/"))
 
 
 def heard(channel: ir.Channel) -> str:
-    """The topic of a channel as C++. Transforms arrive on one topic in any namespace, as for every
-    listener of tf2.
+    """The topic of a channel as C++. Transforms arrive on the same topic in every namespace, as for
+    every listener of tf2.
     """
     return relative(channel.topic) if channel.edge is None else names.string(channel.source)
 
@@ -68,7 +68,7 @@ def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
 
 
 def shared(machine: ir.Machine) -> dict[int, str]:
-    """The name of the object that each task shares with the other tasks of its target."""
+    """The name of the object that a task shares with the other tasks of its target, by task."""
     family = names.Family(taken=(*_VARIABLES, *command_members(machine)))
     targets = [reactions.target_of(task.effect) for task in machine.reactions.tasks]
     objects = {target: family.name(str(target)) for target in dict.fromkeys(targets) if target}

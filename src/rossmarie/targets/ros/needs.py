@@ -1,4 +1,6 @@
-"""The needs of particular effects: headers, packages, shared objects of tasks, other nodes."""
+"""The requirements of particular effects: headers, packages, shared objects of tasks, other
+nodes.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """A machine as a package for ROS: the files that ROS 1 and ROS 2 share, and their content.
 
-Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
+The input is a machine that `ir.verify` has accepted and for which `unsupported` found nothing.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _FIXED = (
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
 
-# The functions of the C that the node calls; the last two are there where commands are bounded.
+# The C functions that the node calls. The last two exist only if commands are bounded.
 _FUNCTIONS = (
     "init", "latch", "step", "advance", "reset", "next_wake", "is_active", "input_state",
     "has_all_inputs", "reactor_init", "reactor_open", "react", "report", "reactor_next_wake",
@@ -61,8 +61,8 @@ class PackageWriter:
         )
 
     def fill(self, template: str, **blanks: object) -> str:
-        """The text of a template. `package` is the node, and its own package if it has one; `home`
-        is the package that it is built in.
+        """The text of a template. `package` is the node's name and the name of its own package, if
+        it has one. `home` is the package in which the node is built.
         """
         known = {
             **placement.blanks(self._machine, self._placed),
@@ -161,7 +161,7 @@ class PackageWriter:
         return sorted(self._dialect.header(*each) for each in used)
 
     def _headers(self) -> list[str]:
-        """The headers of the package, those of tasks where they are used."""
+        """The headers of the package, including the headers of tasks if the node has tasks."""
         used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
         used += ["command_task.h"] if self._machine.reactions.commands else []
         used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []

@@ -15,7 +15,7 @@ _MAIL = "nobody@example.org"
 def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The package with the messages, launch file, settings and policy of the node, and their names.
 
-    Several nodes may be parts of one package, so their files there have the name of the node.
+    Several nodes may be parts of one package, so the files of a node there have the node's name.
     """
     node = node_name(machine)
     if placement.part_of is None:

@@ -41,7 +41,7 @@ def _first(machine: ir.Machine) -> Iterator[tuple[int, int]]:
 
 
 def _start(machine: ir.Machine, rule: int, task: int) -> str:
-    """A row of `starts`. An awaited task is also in force while it runs."""
+    """A row of `starts`. An awaited task is in force while it runs, too."""
     effect = machine.reactions.tasks[task].effect
     stops = reactions.is_lasting(effect) or reactions.timeout_ns(effect) is not None
     return f"{rule}, {task}, {str(stops).lower()}"

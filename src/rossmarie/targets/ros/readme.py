@@ -29,7 +29,7 @@ def _input(machine: ir.Machine, used: ir.Input) -> str:
 
 
 def _ways(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
-    """The topics and action servers that are reached through the node."""
+    """The topics and action servers that other nodes reach through this node."""
     for command in machine.reactions.commands:
         yield _way(command.topic, command.message_type)
     for server, action_type in (relayed_servers(machine) if dialect.relay else {}).items():

@@ -11,7 +11,9 @@ _ROOT = copies.ROOT / "ros"
 
 
 def files(generation: str) -> dict[str, str]:
-    """The files that a package for a generation has, `ros1` or `ros2`, by their paths in it."""
+    """The files that the package for a generation (`ros1` or `ros2`) has, by their paths in the
+    package.
+    """
     paths = [*_ROOT.glob("*"), *(_ROOT / generation).rglob("*")]
     found = {path.relative_to(_ROOT).as_posix(): path for path in paths if path.is_file()}
     return {f"{FOLDER}/{name}": text for name, text in copies.texts_of(found).items()}

@@ -20,7 +20,7 @@ _KINDS = {
 
 
 def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object]:
-    """The values for the placeholders of the template. `name` is the prefix in C."""
+    """The values for the placeholders of the template. `name` is the prefix of the C names."""
     rules = range(len(machine.rules))
     return {
         "texts": block(f"{name}_texts[{index}]," for index in range(len(machine.texts))),
@@ -54,7 +54,7 @@ def rule_of_task(machine: ir.Machine) -> dict[int, int]:
 
 
 def _latched_rules_key(machine: ir.Machine) -> str:
-    """A key that distinguishes sets of latched rules, for the name of a file."""
+    """A key that identifies the set of latched rules, for the name of a file."""
     latched = sorted(rule.name for rule in machine.rules if rule.release is None)
     return sha256("\n".join(latched).encode()).hexdigest()[:8]
 

@@ -1,6 +1,6 @@
 """A machine as a catkin package: `generate` gives its files by name.
 
-Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
+The input is a machine that `ir.verify` has accepted and for which `unsupported` found nothing.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 
 def _remaps(topic: str) -> Iterator[str]:
-    """The lines that put commands for a topic behind the filter."""
+    """The lines that route the commands for a topic through the filter."""
     pair = (topic, unfiltered(topic))
     for sent, behind in (tuple(name.removeprefix("/") for name in pair), map(_in_namespace, pair)):
         yield f'    <remap from="{sent}" to="{behind}"/>'

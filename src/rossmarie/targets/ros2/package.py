@@ -1,6 +1,6 @@
 """A machine as an ament package: `generate` gives its files by name.
 
-Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
+The input is a machine that `ir.verify` has accepted and for which `unsupported` found nothing.
 """
 
 from __future__ import annotations

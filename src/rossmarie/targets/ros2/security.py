@@ -1,7 +1,8 @@
 """The access control policy of a node for SROS2: it allows only the interfaces that the node uses.
 
-Version 0.2.0 of the format (https://design.ros2.org/articles/ros2_access_control_policies.html).
-Names of the rules are relative, so they follow the namespace of a profile, as in the node.
+The policy has version 0.2.0 of the format
+(https://design.ros2.org/articles/ros2_access_control_policies.html). Names of the rules are
+relative, so they follow the namespace of a profile, as in the node.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ _BEHIND = (
     "'planner', and add what else the node uses."
 )
 
-# The services that each node of rclcpp and rclpy has.
+# The services of every node of rclcpp and rclpy.
 _SERVICES_OF_EACH = (
     "describe_parameters", "get_parameter_types", "get_parameters", "list_parameters",
     "set_parameters", "set_parameters_atomically", "get_type_description",
@@ -31,7 +32,7 @@ _SERVICES_OF_EACH = (
 _PUBLISHED_BY_EACH = ("/parameter_events", "/rosout")
 _SUBSCRIBED_BY_EACH = ("/clock", "/parameter_events")
 
-# The additional services of the node: the life cycle, the bond with its manager, and its own.
+# The additional services of this node: the life cycle, the bond with its manager, and its own.
 _SERVICES = (
     "change_state", "get_available_states", "get_available_transitions", "get_state",
     "get_transition_graph", "exempt", "reset", "why",
@@ -126,7 +127,7 @@ def _commands(machine: ir.Machine) -> list[str]:
 
 
 def _asked(effects: Sequence[reactions.Effect]) -> Iterator[str]:
-    """The services of others that the node calls."""
+    """The services of other nodes that the node calls."""
     for effect in effects:
         match effect:
             case reactions.Call(service=service):

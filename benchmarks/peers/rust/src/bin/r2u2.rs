@@ -30,7 +30,7 @@ fn measure() {
             r2u2_core::load_float_signal(&mut monitor, 3, trace.force_z[row]);
             r2u2_core::load_bool_signal(&mut monitor, 4, trace.contact[row] != 0);
             r2u2_core::monitor_step(&mut monitor);
-            // A verdict covers all samples since the one before it.
+            // A verdict covers all samples since the verdict before.
             for output in r2u2_core::get_output_buffer(&monitor) {
                 let rule = output.spec_num as usize;
                 let time = i64::from(output.verdict.time);

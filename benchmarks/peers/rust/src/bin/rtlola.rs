@@ -1,4 +1,4 @@
-//! RTLola's interpreter, events handed over in memory: rtlola TRACE_FOLDER SPEC.lola SAMPLES ROUNDS
+//! RTLola's interpreter with events in memory: rtlola TRACE_FOLDER SPEC.lola SAMPLES ROUNDS
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -22,7 +22,7 @@ fn event(trace: &Trace, row: usize) -> [Value; 5] {
     ]
 }
 
-/// The rule (0, 1, 2) of an output stream named `r1_7`, if it is one.
+/// The rule (0, 1 or 2) of an output stream such as `r1_7`; none for other streams.
 fn rule(name: &str) -> Option<usize> {
     let number = name.strip_prefix('r')?.split('_').next()?;
     number.parse::<usize>().ok().map(|rule| rule - 1)
