@@ -36,7 +36,7 @@ def test_the_arm_places_its_block() -> None:
 def test_somebody_comes_into_the_room() -> None:
     found = CliRunner().invoke(app, ["run", "human", "--arm", "none", "--variant", "inside"])
     assert found.exit_code == 0
-    assert "none, somebody inside, seed 0" in found.stdout
+    assert "none, a person inside, seed 0" in found.stdout
     assert "least distance to the person" in found.stdout
 
 

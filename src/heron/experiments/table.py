@@ -52,7 +52,7 @@ def _on_table(episode: PlacingEpisode) -> str:
 
 
 def _of_person(episode: HumanEpisode) -> str:
-    return f"somebody {episode.person.value}"
+    return f"a person {episode.person.value}"
 
 
 def _of_contact(episode: ContactEpisode) -> str:
@@ -60,7 +60,7 @@ def _of_contact(episode: ContactEpisode) -> str:
 
 
 _ENCOUNTERS = {
-    Encounter.COLLISION: "a forearm in its way",
+    Encounter.COLLISION: "a forearm in the path of the arm",
     Encounter.JAMMED: "the box gets jammed",
     Encounter.MEANT: "all contact is meant",
 }
@@ -180,7 +180,7 @@ HUMAN = Experiment(
         Measure("gives_way", "gives way to a push of 15 N", "m", 2, attrgetter("gives_way")),
         Measure("led", "fastest while it is pushed", "m/s", 2, attrgetter("led")),
     ),
-    hazards={"entered": "somebody in the room", "close": "somebody close"},
+    hazards={"entered": "a person in the room", "close": "a person close to the arm"},
     harms={
         Person.INSIDE: ("fastest_near", "risk", "time_too_fast"),
         Person.OUTSIDE: (),
@@ -201,7 +201,7 @@ CONTACT = Experiment(
     title="IV, contact that is meant",
     about=(
         "The arm pushes a box to a mark, and wipes a board. Both need more force than it may have "
-        "elsewhere. In between, somebody reaches over the table."
+        "elsewhere. In between, a person reaches over the table."
     ),
     run=run_contact,
     describe=_of_contact,
@@ -244,7 +244,7 @@ CONTACT = Experiment(
 
 def _in_corridor(episode: CorridorEpisode) -> str:
     if episode.dash is None:
-        return "nobody in the corridor"
+        return "no person in the corridor"
     return f"a child {episode.dash.gap:.1f} m before the base"
 
 
@@ -287,22 +287,23 @@ def _of_obstacles(episode: BlockedEpisode) -> str:
 
 
 _BLOCKED = {
-    Blockage.PALLET: "a pallet on the first way",
-    Blockage.TROLLEY: "a trolley on the first way, for a while",
-    Blockage.BOTH: "both ways are blocked, the second for a while",
-    Trouble.LASTING: "a pallet on the first way, in most runs",
-    Trouble.PASSING: "a trolley on the first way for a while, in most runs",
-    Trouble.NONE: "nothing on either way",
+    Blockage.PALLET: "a pallet on the first path",
+    Blockage.TROLLEY: "a trolley on the first path, for a while",
+    Blockage.BOTH: "both paths are blocked, the second for a while",
+    Trouble.LASTING: "a pallet on the first path, in most runs",
+    Trouble.PASSING: "a trolley on the first path for a while, in most runs",
+    Trouble.NONE: "nothing on either path",
 }
 _ON_WAY = Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED))
 _REROUTES = Measure("replanned", "reroutes", "", 0, attrgetter("replanned"))
 
 BLOCKED = Experiment(
     name="blocked",
-    title="VI, a blocked way",
+    title="VI, a blocked path",
     about=(
-        "Two ways lead from a junction to a hall, and something stands across the short one. The "
-        "base stops before it by itself. An operator comes if it stands there for too long."
+        "Two paths lead from a junction to a hall, and an obstacle blocks the short path. The base "
+        "stops in front of the obstacle by itself. An operator comes if the obstacle stays for too "
+        "long."
     ),
     run=run_blocked,
     describe=_of_obstacles,
@@ -311,13 +312,13 @@ BLOCKED = Experiment(
         Measure("nearest", "least distance to an obstacle", "m", 2, attrgetter("nearest")),
         _ON_WAY,
     ),
-    hazards={"blocked": "way blocked"},
+    hazards={"blocked": "path blocked"},
     harms=dict.fromkeys(Blockage, (INTERVENTIONS.name,)),
     gains={},
     acts_within={},
     signals=(
-        Signal("x", "along the first way", "m"),
-        Signal("y", "beside the first way", "m"),
+        Signal("x", "along the first path", "m"),
+        Signal("y", "beside the first path", "m"),
         Signal("distance", "distance to an obstacle, up to 2 m", "cm", 100.0, None, "distance"),
     ),
     cameras=(Camera("base", distance=5.5, azimuth=60.0, elevation=-48.0, above=0.4),),
@@ -330,8 +331,8 @@ SECOND = replace(
     name="second",
     title="VII, the second run",
     about=(
-        "The scene of experiment VI. Something stands across the short way in "
-        f"{100 * OFTEN:.0f} % of the runs. The planner finds the way to the hall: without "
+        "The scene of experiment VI. An obstacle blocks the short path in "
+        f"{100 * OFTEN:.0f} % of the runs. The planner finds the path to the hall: without "
         f"knowledge, and with what `ezskiros learn` has counted in {len(TEACHING_SEEDS)} other "
         "runs."
     ),

@@ -70,6 +70,6 @@ def test_the_safety_file_lists_exemptions_with_their_permissions(tmp_path: Path)
         ["contact", "doing Push(Object: Fragile)", PERMITTED, "contact_doing_Push"],
         ["contact", "doing Drive", "nothing", "contact_doing_Drive"],
     ]
-    assert "It holds always: neither a skill nor an operator exempts it." in page
-    said = "It stands for an exemption: contact is not applied while doing Drive."
+    assert "The rule always applies: neither a skill nor an operator can exempt it." in page
+    said = "The rule is part of an exemption: it applies instead of contact while doing Drive."
     assert said in page

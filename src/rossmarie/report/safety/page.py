@@ -131,8 +131,8 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
 def _unasked(content: SafetyFile) -> Iterator[str]:
     if not content.is_thorough:
         yield (
-            "The thorough queries about these rules were not asked: only the quick check was "
-            "run, and nothing is proved about what can never happen."
+            "Only the quick check was run. The thorough queries about these rules were not run, so "
+            "nothing is proved."
         )
     undecided = [each for each in content.findings if each.diagnostic.code == Undecided.code]
     if undecided:

@@ -92,14 +92,15 @@ class _Writer:
         if guarded:
             names = listed(tuple(map(self._with_timeout, guarded)), "or")
             yield (
-                "It fails closed: it becomes active as well when that cannot be decided for want "
-                f"of {names}: not received yet, silent for that long, or without a usable number."
+                "The rule fails closed. It also becomes active if the condition is unknown because "
+                f"of {names}: not received yet, silent for longer than the time in brackets, or "
+                "without a usable number."
             )
         aged = [each for each in ages if self._timeout(each) is not None and each not in guarded]
         if aged:
             names = listed(tuple(self._machine.inputs[each].name for each in aged), "or")
             yield (
-                "It fails closed: it becomes active as well when that cannot be decided because "
+                "The rule fails closed. It also becomes active if the condition is unknown because "
                 f"{names} has not been received yet."
             )
 
@@ -108,7 +109,10 @@ class _Writer:
         bare = [each for each in rule.inputs if self._timeout(each) is None]
         if bare:
             names = listed(tuple(self._machine.inputs[each].name for each in bare), "or")
-            yield f"While that cannot be decided for want of {names} (no timeout), it stays as is."
+            yield (
+                f"While the condition is unknown because of {names} (no timeout), the rule keeps "
+                "its state."
+            )
 
     def _looked_at(self, condition: int) -> tuple[list[int], list[int]]:
         """The inputs whose values the condition uses, and the inputs whose ages it uses."""
@@ -141,15 +145,15 @@ class _Writer:
             elif number == 1:
                 yield Phrase("first:", tasks)
             else:
-                yield Phrase("once all of that is done, in force or waiting:", tasks)
+                yield Phrase("then, when all of these are done, in force or waiting:", tasks)
         tasks_of = self._machine.reactions.tasks
         actions = self._machine.reactions.actions
         bodies = {actions[tasks_of[task].action].name for task in plan.tasks}
         for name in self._machine.rules[index].actions:
             if name not in bodies:
-                yield Phrase(f"{name} is asked for; it has no body, so it is only reported")
+                yield Phrase(f"{name} is only reported, because the action has no body")
         if not stages and not self._machine.rules[index].actions:
-            yield Phrase("nothing is done; that it is active is reported")
+            yield Phrase("nothing is done; the activation is reported")
 
     def _plan(self, index: int) -> reactions.RecoveryPlan:
         plans = self._machine.reactions.plans
@@ -161,15 +165,15 @@ class _Writer:
         """
         rule = self._machine.rules[index]
         if rule.always:
-            yield "It holds always: neither a skill nor an operator exempts it."
+            yield "The rule always applies: neither a skill nor an operator can exempt it."
         if rule.exempts is not None:
             name, doing = rule.exempts.rule, rule.exempts.doing
-            yield f"It stands for an exemption: {name} is not applied while {doing}."
+            yield f"The rule is part of an exemption: it applies instead of {name} while {doing}."
         unless = tuple(self._machine.rules[other].name for other in self._plan(index).unless)
         if unless:
             yield (
-                f"While {listed(unless, 'or')} is active, none of this is carried out; it stays "
-                "active itself, and begins anew afterwards."
+                f"While {listed(unless, 'or')} is active, none of these effects happen. The rule "
+                "stays active, and its effects start again afterwards."
             )
         for resource, rules in claims(self._machine).items():
             if index in rules and len(rules) > 1:
@@ -183,7 +187,7 @@ class _Writer:
         if place + 1 < len(names):
             turn.append(f"before {listed(names[place + 1 :])}")
         what = self._machine.reactions.resources[resource]
-        return f"It needs {what} for itself, and gets it {listed(tuple(turn))}."
+        return f"The rule needs {what} exclusively, and gets it {listed(tuple(turn))}."
 
     # --- until -------------------------------------------------------------------------------
 
@@ -191,16 +195,22 @@ class _Writer:
         """S36 to S38: the release of the rule."""
         over = self._conditions.phrase(rule.condition, is_so=False)
         if rule.release is None:
-            return Phrase("It ends only when an operator resets it while this is so:", (over,))
+            return Phrase(
+                "The rule is cleared only if an operator resets it while this is known to be true:",
+                (over,),
+            )
         release = self._machine.propositions[rule.release].node
         if isinstance(release, ir.Literal) and release.value:
-            return Phrase("It ends as soon as this is known to be so:", (over,))
+            return Phrase("The rule is cleared as soon as this is known to be true:", (over,))
         calm_ns = self._calm_ns(rule.condition, release)
         if calm_ns is not None:
-            head = f"It ends when this has been so throughout the last {duration_text(calm_ns)}:"
+            head = (
+                "The rule is cleared when this has been true throughout the last "
+                f"{duration_text(calm_ns)}:"
+            )
             return Phrase(head, (over,))
         both = (over, self._conditions.phrase(rule.release))
-        return Phrase("It ends when both of these are known to be so:", both)
+        return Phrase("The rule is cleared when both of these are known to be true:", both)
 
     def _calm_ns(self, condition: int, release: ir.PropositionNode) -> int | None:
         """The time in ns for which the condition has to be false, if the release is such a time;

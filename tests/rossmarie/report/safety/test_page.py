@@ -146,7 +146,7 @@ def expected_of_reactions(machine: ir.Machine) -> Iterator[str]:
     for plan in machine.reactions.plans:
         for other in plan.unless:
             yield f"{machine.rules[other].name}"
-            yield "none of this is carried out"
+            yield "none of these effects happen"
 
 
 def may_wait_too_long(machine: ir.Machine, index: int) -> bool:
