@@ -2,9 +2,9 @@
  *
  * The reactions of the rules: a reactor turns the activity of rules into task commands to start
  * and to stop tasks, and gives the bounds on commands. It only decides: its caller carries out its
- * task commands and reports their results. No heap, no recursion, no library but math.h; the memory and the
- * number of operations of a call are bounded. Instances are independent of each other: give each
- * its own struct and call it from one thread at a time.
+ * task commands and reports their results. No heap, no recursion, no library but math.h; the
+ * memory and the number of operations of a call are bounded. Instances are independent of each
+ * other: give each its own struct and call it from one thread at a time.
  *
  * Tasks, rules, commands and fields are reported by their index. Instants are nanoseconds on one
  * clock, that of the monitor, between -2^61 and 2^62; outside that range react and report do
@@ -44,9 +44,9 @@ enum reacting_task_state {
 };
 
 /* A task command. `by_rule` is the rule that overrules, -1 if there is none. The task commands of
- * a call are given at its end, one after the other, when task_state already is as it is after all of them.
- * While they are given, only functions that take a const reactor may be called: a report that is
- * known at once has to wait until the call that gave the task command has returned.
+ * a call are given at its end, one after the other, when task_state already is as it is after all
+ * of them. While they are given, only functions that take a const reactor may be called: a report
+ * that is known at once has to wait until the call that gave the task command has returned.
  */
 typedef void (*reacting_perform)(void *user, int task, enum reacting_task_command command,
     int by_rule);
