@@ -11,7 +11,7 @@ import pytest
 from heron import messages
 from heron.guard import InProcessGuard, UnsupportedEffectError
 from heron.topics import Topic
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext
 from support.guarding import UNFILTERED, Guarded
 
@@ -125,7 +125,10 @@ def test_a_latched_rule_waits_for_its_operator(tmp_path: Path) -> None:
     guarded.command(0.5)
     assert not guard.latched
     assert guarded.sent[-1][1] == 0.5
-    assert [each.kind for each in guard.occurrences] == [OrderKind.START, OrderKind.STOP]
+    assert [each.kind for each in guard.occurrences] == [
+        TaskCommandKind.START,
+        TaskCommandKind.STOP,
+    ]
 
 
 def test_a_command_that_is_not_finite_stops_the_base(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ SANITIZERS = (
 
 @settings(phases=phases_of_compiled())
 @given(reacting_cases(max_events=40, has_ends_of_time=True))
-def test_same_orders_states_wakes_and_bounds(case: ReactingCase) -> None:
+def test_same_task_commands_states_wakes_and_bounds(case: ReactingCase) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write({**generate(case.machine), "react.c": program(case.machine)}, folder)

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 
 from rossmarie import ir
 from rossmarie.interpreter import Reactor, State
-from rossmarie.ir import OrderKind, TruthValue, reactions
+from rossmarie.ir import TaskCommandKind, TruthValue, reactions
 from support.depth import examples
 from support.growing import TICK
 from support.reacting import Look, ReactingCase, look, reacting_cases
@@ -31,7 +31,7 @@ class Scene:
 
     event: Look
     before: tuple[State, ...]
-    orders: Sequence[ir.Order]
+    task_commands: Sequence[ir.TaskCommand]
     after: tuple[State, ...]
     reactor: Reactor
 
@@ -42,8 +42,8 @@ def scenes(case: ReactingCase) -> Iterator[Scene]:
         if number == case.opens_before:
             reactor.open()
         before = reactor.states
-        orders = look(reactor, event)
-        yield Scene(event, before, orders, reactor.states, reactor)
+        task_commands = look(reactor, event)
+        yield Scene(event, before, task_commands, reactor.states, reactor)
 
 
 def rules_of_tasks(found: ir.Reactions) -> dict[int, int]:
@@ -70,29 +70,29 @@ def test_what_is_in_force_on_a_resource_is_of_one_rule_or_one_message(case: Reac
 
 @MANY
 @given(reacting_cases())
-def test_orders_fit_what_is_in_force(case: ReactingCase) -> None:
+def test_task_commands_fit_what_is_in_force(case: ReactingCase) -> None:
     """Only what was started is stopped or overruled, unless an overruling takes a start's place."""
     for scene in scenes(case):
         in_force = {task for task, state in enumerate(scene.before) if state in IN_FORCE}
         begun = {task for task, state in enumerate(scene.before) if state is not State.IDLE}
-        for order in scene.orders:
-            match order.kind:
-                case OrderKind.START:
-                    assert order.task not in in_force
-                    in_force.add(order.task)
-                case OrderKind.STOP:
-                    assert order.task in in_force
-                    in_force.remove(order.task)
-                case OrderKind.OVERRULED:
-                    assert order.task in in_force or order.task not in begun
-                    in_force.discard(order.task)
-                case OrderKind.FAILED:
-                    assert scene.after[order.task] in HAS_FAILED
-                    in_force.discard(order.task)
-                case OrderKind.RETRACE:
-                    assert scene.after[order.task] is State.HOLDING
-                    assert order.task in in_force
-            assert (order.by is not None) == (order.kind is OrderKind.OVERRULED)
+        for command in scene.task_commands:
+            match command.kind:
+                case TaskCommandKind.START:
+                    assert command.task not in in_force
+                    in_force.add(command.task)
+                case TaskCommandKind.STOP:
+                    assert command.task in in_force
+                    in_force.remove(command.task)
+                case TaskCommandKind.OVERRULED:
+                    assert command.task in in_force or command.task not in begun
+                    in_force.discard(command.task)
+                case TaskCommandKind.FAILED:
+                    assert scene.after[command.task] in HAS_FAILED
+                    in_force.discard(command.task)
+                case TaskCommandKind.RETRACE:
+                    assert scene.after[command.task] is State.HOLDING
+                    assert command.task in in_force
+            assert (command.by is not None) == (command.kind is TaskCommandKind.OVERRULED)
         left = {task for task, state in enumerate(scene.after) if state in IN_FORCE}
         assert left == in_force - _done(scene)
 
@@ -103,9 +103,9 @@ def _done(scene: Scene) -> set[int]:
 
 @MANY
 @given(reacting_cases())
-def test_no_task_gets_more_than_two_orders_in_one_call(case: ReactingCase) -> None:
+def test_no_task_gets_more_than_two_task_commands_in_one_call(case: ReactingCase) -> None:
     for scene in scenes(case):
-        tasks = [order.task for order in scene.orders]
+        tasks = [command.task for command in scene.task_commands]
         assert max(map(tasks.count, tasks), default=0) <= 2
 
 
@@ -115,10 +115,10 @@ def test_nothing_is_left_of_rules_that_are_released(case: ReactingCase) -> None:
     found = case.machine.reactions
     *_, last = scenes(case)
     released = (False,) * len(found.plans)
-    orders = last.reactor.react(last.event.at_ns, released, last.event.watches)
-    assert {order.kind for order in orders} <= {OrderKind.STOP}
+    task_commands = last.reactor.react(last.event.at_ns, released, last.event.watches)
+    assert {command.kind for command in task_commands} <= {TaskCommandKind.STOP}
     in_force = [task for task, state in enumerate(last.after) if state in IN_FORCE]
-    assert sorted(order.task for order in orders) == in_force
+    assert sorted(command.task for command in task_commands) == in_force
     assert set(last.reactor.states) == {State.IDLE}
     assert last.reactor.next_wake() is None
 
@@ -134,9 +134,9 @@ def test_a_stage_starts_when_all_before_it_has_passed(case: ReactingCase) -> Non
                 any(scene.after[task] is not State.IDLE for task in stage) for stage in plan.stages
             ]
             for number, stage in enumerate(plan.stages):
-                starts = any(order.task in stage and order.kind is OrderKind.START
-                             and scene.before[order.task] is State.IDLE
-                             for order in scene.orders)  # fmt: skip
+                starts = any(command.task in stage and command.kind is TaskCommandKind.START
+                             and scene.before[command.task] is State.IDLE
+                             for command in scene.task_commands)  # fmt: skip
                 if starts:
                     before = [task for part in plan.stages[:number] for task in part]
                     passed = [scene.after[task] in PASSED for task in before]

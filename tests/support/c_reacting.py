@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter import Reactor
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 from support.growing import TICK
 from support.reacting import ReactingCase, look
 
@@ -59,7 +59,7 @@ static void print_bits(double x)
     printf(" %" PRIx64, bits);
 }
 
-PRINT_ORDER
+PRINT_TASK_COMMAND
 
 BOUNDS
 
@@ -67,7 +67,7 @@ int main(void)
 {
     NAME_reactor *r = (NAME_reactor *)malloc(sizeof *r);
     NAME_monitor *m = NULL;
-    if (NAME_reactor_init(r, print_order, r))
+    if (NAME_reactor_init(r, print_task_command, r))
         return EXIT_FAILURE;
     for (int64_t left = read_integer(); left > 0; left--) {
         const int64_t opens = read_integer(), t_ns = read_integer(), task = read_integer();
@@ -114,18 +114,18 @@ double NAME_reading(const NAME_monitor *m, int reading)
 }
 """
 
-_ORDER = """\
-static void print_order(void *user, int task, enum NAME_order order, int by_rule)
+_TASK_COMMAND = """\
+static void print_task_command(void *user, int task, enum NAME_task_command command, int by_rule)
 {
     (void)user;
-    printf("order %d %d %d", (int)order, task, by_rule);
+    printf("command %d %d %d", (int)command, task, by_rule);
     POSE
     printf("\\n");
 }
 """
 
 _POSE = """\
-if (order == NAME_RETRACE) {
+if (command == NAME_RETRACE) {
         double pose[7];
         const int numbers = NAME_retraced((const NAME_reactor *)user, task, pose);
         for (int i = 0; i < numbers; i++)
@@ -166,7 +166,7 @@ def program(machine: ir.Machine) -> str:
     bounds = _BOUNDS.replace("MOST_FIELDS", str(most)).replace("FIELDS", fields)
     text = text.replace("BOUNDS", bounds if found.commands else "")
     pose = _POSE.strip() if found.memories else ""
-    text = text.replace("PRINT_ORDER", _ORDER.replace("POSE", pose))
+    text = text.replace("PRINT_TASK_COMMAND", _TASK_COMMAND.replace("POSE", pose))
     text = text.replace("READING_COUNT", str(len(machine.readings)))
     text = text.replace("READING", _READING if found.memories else "", 1)
     text = text.replace("WATCHED_COUNT", str(len(machine.watches)))
@@ -197,7 +197,7 @@ def wanted(case: ReactingCase) -> list[str]:
     for number, event in enumerate(case.events):
         if number == case.opens_before:
             reactor.open()
-        lines += [_order(order) for order in look(reactor, event)]
+        lines += [_task_command(command) for command in look(reactor, event)]
         wake_ns = reactor.next_wake()
         lines.append(f"wake {2**63 - 1 if wake_ns is None else wake_ns}")
         lines.append(" ".join(["states", *(str(int(state)) for state in reactor.states)]))
@@ -206,12 +206,13 @@ def wanted(case: ReactingCase) -> list[str]:
     return lines
 
 
-def _order(order: ir.Order) -> str:
-    words = f"order {_KINDS.index(order.kind)} {order.task} {-1 if order.by is None else order.by}"
-    return _bits(words, order.pose)
+def _task_command(command: ir.TaskCommand) -> str:
+    by = -1 if command.by is None else command.by
+    words = f"command {_KINDS.index(command.kind)} {command.task} {by}"
+    return _bits(words, command.pose)
 
 
-_KINDS = tuple(OrderKind)
+_KINDS = tuple(TaskCommandKind)
 
 
 def _bounds(found: ir.Reactions, reactor: Reactor, at_ns: int) -> Iterator[str]:

@@ -100,7 +100,7 @@ class GuardObservation:
     """All that a guard shows after a step."""
 
     events: tuple[object, ...]
-    orders: tuple[ir.Order, ...]
+    task_commands: tuple[ir.TaskCommand, ...]
     active: tuple[bool, ...]
     states: tuple[ir.State, ...]
     next_wake: int | None
@@ -150,7 +150,7 @@ def _observed(guard: GuardEngine, machine: ir.Machine, at_ns: int) -> GuardObser
     reported = guard.take()
     return GuardObservation(
         tuple(exactly(event) for event in reported.events),
-        tuple(reported.orders),
+        tuple(reported.task_commands),
         guard.active,
         guard.states,
         guard.next_wake(),

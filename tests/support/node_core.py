@@ -36,10 +36,10 @@ typedef struct node {
 
 static const unsigned char node_resets[] = {RESETS};
 
-static void node_perform(void *user, int task, enum NAME_order order, int by_rule)
+static void node_perform(void *user, int task, enum NAME_task_command command, int by_rule)
 {
     (void)by_rule;
-    if (order == NAME_START && node_resets[task])
+    if (command == NAME_START && node_resets[task])
         ((node *)user)->is_reset_wanted = true;
 }
 

@@ -1,6 +1,7 @@
 """Reactions written down by hand: a draft grows task by task, and a bench drives its reactor.
 
-Times are in seconds, and orders are reported in words: `start 0`, `stop 1`, `overruled 2 by 0`.
+Times are in seconds, and task commands are reported in words: `start 0`, `stop 1`, `overruled 2 by
+0`.
 """
 
 from __future__ import annotations
@@ -175,7 +176,7 @@ class ReactorBench:
         self._rules = len(plans.plans)
 
     def react(self, seconds: float, *engaged: int) -> list[str]:
-        """The orders, if these rules are engaged and no others."""
+        """The task commands, if these rules are engaged and no others."""
         which = [rule in engaged for rule in range(self._rules)]
         return reported(self.reactor.react(ns(seconds), which, self.watches))
 
@@ -198,9 +199,10 @@ class ReactorBench:
         return (found.factor, found.low, found.high)
 
 
-def reported(orders: Sequence[ir.Order]) -> list[str]:
-    """Orders in words."""
+def reported(task_commands: Sequence[ir.TaskCommand]) -> list[str]:
+    """Task commands in words."""
     return [
-        f"{order.kind.value} {order.task}" + ("" if order.by is None else f" by {order.by}")
-        for order in orders
+        f"{task_command.kind.value} {task_command.task}"
+        + ("" if task_command.by is None else f" by {task_command.by}")
+        for task_command in task_commands
     ]

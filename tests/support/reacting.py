@@ -249,7 +249,7 @@ _NUMBERS = (0.0, 0.0, 0.5, 1.0, -1.0, 1 / 3, 1e200, -0.0)
 _SUCCESSES = (True, True, False)
 
 
-def look(reactor: Reactor, event: Look) -> Sequence[ir.Order]:
+def look(reactor: Reactor, event: Look) -> Sequence[ir.TaskCommand]:
     """Let an event happen."""
     if event.report is None:
         return reactor.react(event.at_ns, event.engaged, event.watches, event.readings)

@@ -37,7 +37,7 @@ from heron.tasks import (
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Blockage, Trouble
-from rossmarie.ir import Change, OrderKind
+from rossmarie.ir import Change, TaskCommandKind
 
 LONGEST_S = 300.0
 PATIENT = NavigationParameters(patience=120.0)
@@ -235,6 +235,6 @@ def _reactions(
     """The time from when the base meets an obstacle to the first action of a rule."""
     if guard is None:
         return {}
-    starts = [each.at_ns * 1e-9 for each in guard.occurrences if each.kind is OrderKind.START]
+    starts = [each.at_ns * 1e-9 for each in guard.occurrences if each.kind is TaskCommandKind.START]
     found = onsets(trace, present).items()
     return {hazard: starts[0] - onset for hazard, onset in found if starts}

@@ -39,7 +39,7 @@ from heron.scene import ArmParameters, CellParameters, PersonParameters, build_c
 from heron.tasks import SkillContext, SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Encounter
-from rossmarie.ir import Change, OrderKind
+from rossmarie.ir import Change, TaskCommandKind
 
 LONGEST_S = 120.0
 SPONGE = ArmParameters(block_half=0.032)
@@ -274,7 +274,7 @@ def _reactions(
     """Return the times from the start of each hazard to the first action after it. All rules
     concern contact.
     """
-    starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is OrderKind.START]
+    starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is TaskCommandKind.START]
     found = {}
     for hazard, onset in onsets(trace, present).items():
         after = [at for at in starts if at >= onset]

@@ -33,7 +33,7 @@ from heron.tasks import (
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Passage
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 
 LONGEST_S = 120.0
 BRISK = NavigationParameters(cruise=1.0)
@@ -197,7 +197,7 @@ def _reactions(
     starts = [
         each.at_ns * 1e-9
         for each in guard.occurrences
-        if each.kind is OrderKind.START and each.rule == "stop_when_close"
+        if each.kind is TaskCommandKind.START and each.rule == "stop_when_close"
     ]
     found = {}
     for hazard, onset in onsets(trace, present).items():

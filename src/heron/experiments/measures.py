@@ -15,7 +15,7 @@ from heron.robot.physics import Floats
 from heron.scene import BaseParameters, Course
 from heron.scene.base import AXLES
 from heron.scene.scene import STEP_NS
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 
 _GRAVITY = 9.81
 _BANDWIDTH = 50.0  # Hz; higher frequencies are ringing of the contact model
@@ -129,7 +129,7 @@ def reactions(
         starts = [
             each.at_ns * 1e-9
             for each in occurrences
-            if each.kind is OrderKind.START and hazard in each.rule
+            if each.kind is TaskCommandKind.START and hazard in each.rule
         ]
         onsets = trace.times[flags]
         if len(onsets) and (after := [at for at in starts if at >= onsets[0]]):

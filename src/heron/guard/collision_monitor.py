@@ -17,7 +17,7 @@ from heron.guard.zones import Circle, Rectangle, Zone, ZoneWatch
 from heron.messages import Message
 from heron.robot.arm_controller import SPEED_SCALE
 from heron.topics import COMMAND, Carrier, Topic
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 
 BASE_SPEED = 0.25
 """m/s; up to this speed makers of such bases allow bumps at all (Neobotix MP-500, data sheet: 15 mm
@@ -77,13 +77,13 @@ class _CollisionMonitor:
             return
         for name in self._in_force:
             if name not in before:
-                self._tell(now_ns, name, OrderKind.START)
+                self._tell(now_ns, name, TaskCommandKind.START)
         for name in before:
             if name not in self._in_force:
-                self._tell(now_ns, name, OrderKind.STOP)
+                self._tell(now_ns, name, TaskCommandKind.STOP)
 
-    def _tell(self, now_ns: int, name: str, kind: OrderKind) -> None:
-        what = "activated" if kind is OrderKind.START else "cleared"
+    def _tell(self, now_ns: int, name: str, kind: TaskCommandKind) -> None:
+        what = "activated" if kind is TaskCommandKind.START else "cleared"
         self.reported.append((now_ns, f"{name} {what}"))
         self.occurrences.append(Occurrence(now_ns, name, "scale_speed", kind))
 

@@ -18,7 +18,16 @@ from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, InProcess, Topic
 from rossmarie.guard import UPDATE_PERIOD_NS, CommandFilter, Core
-from rossmarie.ir import Edge, FieldBounds, Machine, Order, OrderKind, Reported, State, Verdict
+from rossmarie.ir import (
+    Edge,
+    FieldBounds,
+    Machine,
+    Reported,
+    State,
+    TaskCommand,
+    TaskCommandKind,
+    Verdict,
+)
 
 PERIOD_NS = 2_000_000  # the longest delay of a timer
 PATIENCE_NS = 5_000_000_000
@@ -220,18 +229,18 @@ class InProcessGuard:
 
     def _carry_out(self, now_ns: int, reported: Reported) -> None:
         self.verdicts += [event for event in reported.events if isinstance(event, Verdict)]
-        for order in reported.orders:
-            self._perform(now_ns, order)
+        for task_command in reported.task_commands:
+            self._perform(now_ns, task_command)
 
-    def _perform(self, now_ns: int, order: Order) -> None:
-        task = self.machine.reactions.tasks[order.task]
-        rule = self.machine.rules[self._rules[order.task]].name
+    def _perform(self, now_ns: int, task_command: TaskCommand) -> None:
+        task = self.machine.reactions.tasks[task_command.task]
+        rule = self.machine.rules[self._rules[task_command.task]].name
         action = self.machine.reactions.actions[task.action].name
-        self.occurrences.append(Occurrence(now_ns, rule, action, order.kind))
-        if order.kind is OrderKind.START:
-            self._performers[order.task].start(now_ns)
+        self.occurrences.append(Occurrence(now_ns, rule, action, task_command.kind))
+        if task_command.kind is TaskCommandKind.START:
+            self._performers[task_command.task].start(now_ns)
         else:
-            self._performers[order.task].stop()
+            self._performers[task_command.task].stop()
 
     def _report(self, task: int, success: bool) -> None:
         """A task has ended: at once, or some time after it was started."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from heron.topics import InProcess
-from rossmarie.ir import Machine, OrderKind
+from rossmarie.ir import Machine, TaskCommandKind
 
 _UNFILTERED = "unfil_"
 
@@ -19,7 +19,7 @@ class Occurrence:
     at_ns: int
     rule: str
     action: str
-    kind: OrderKind
+    kind: TaskCommandKind
 
 
 class Guard(Protocol):

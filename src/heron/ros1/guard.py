@@ -9,7 +9,7 @@ from heron.guard import Occurrence, unfiltered, waiting
 from heron.messages import Message
 from heron.ros1.node import Node, Service, text
 from heron.topics import InProcess, Topic
-from rossmarie.ir import Machine, OrderKind
+from rossmarie.ir import Machine, TaskCommandKind
 from rossmarie.ir.reactions import Publish
 
 _IN_FORCE = ("running", "holding")
@@ -98,7 +98,7 @@ class Ros1Guard:
         }
         at_ns = _nanoseconds(state.at)
         self.occurrences += [
-            Occurrence(at_ns, rule, action, OrderKind.START)
+            Occurrence(at_ns, rule, action, TaskCommandKind.START)
             for rule, action, _ in sorted(begun - self._begun)
         ]
         self._begun = begun

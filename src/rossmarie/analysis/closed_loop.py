@@ -18,9 +18,9 @@ from rossmarie.ir import (
     FieldBounds,
     InputState,
     Machine,
-    Order,
-    OrderKind,
     Path,
+    TaskCommand,
+    TaskCommandKind,
     TruthValue,
 )
 from rossmarie.ir.reactions import Publish, timeout_ns
@@ -202,15 +202,15 @@ class Loop:
         everywhere = [False] * len(self.machine.rules)
         for rule, is_active in zip(self.rules, active, strict=True):
             everywhere[rule] = is_active
-        orders = self._reactor.react(at_ns, everywhere, self._watches)
-        while orders:
-            following: list[Order] = []
-            for order in orders:
-                if order.kind is OrderKind.START:
-                    following += self._start(at_ns, order.task)
-            orders = following
+        task_commands = self._reactor.react(at_ns, everywhere, self._watches)
+        while task_commands:
+            following: list[TaskCommand] = []
+            for command in task_commands:
+                if command.kind is TaskCommandKind.START:
+                    following += self._start(at_ns, command.task)
+            task_commands = following
 
-    def _start(self, at_ns: int, task: int) -> list[Order]:
+    def _start(self, at_ns: int, task: int) -> list[TaskCommand]:
         """Perform a task that starts: the task publishes, or ends at once."""
         effect = self.machine.reactions.tasks[task].effect
         if isinstance(effect, Publish):

@@ -21,10 +21,10 @@ from rossmarie.ir import (
     Event,
     FieldBounds,
     Machine,
-    Order,
-    OrderKind,
     Reported,
     State,
+    TaskCommand,
+    TaskCommandKind,
     Wiring,
     reactions,
 )
@@ -54,7 +54,7 @@ class PythonGuard:
         self._reactor = Reactor(self._machine.reactions)
         self._missing = self._awaited
         self._events: list[Event] = []
-        self._orders: list[Order] = []
+        self._task_commands: list[TaskCommand] = []
         self.now_ns = EARLIEST_NS
         """The current instant in ns; before the first call, an instant out of range."""
 
@@ -128,7 +128,7 @@ class PythonGuard:
         if not 0 <= task < len(self._machine.reactions.tasks):
             raise IndexError(f"there is no task {task}")
         self._events += self._monitor.advance(at_ns)
-        self._orders += self._reactor.report(at_ns, task, success, self._monitor.watches)
+        self._task_commands += self._reactor.report(at_ns, task, success, self._monitor.watches)
         self._follow(at_ns)
 
     def update_call(self, channel: int) -> Callable[..., int]:
@@ -138,13 +138,13 @@ class PythonGuard:
         take = self._monitor.update_call(channel)
 
         def call(at_ns: int, *slots: float) -> int:
-            before = len(self._events) + len(self._orders)
+            before = len(self._events) + len(self._task_commands)
             if take(at_ns, *slots) < 0:
                 return -1
             self._missing -= {channel}
             self._events += self._monitor.take_events()
             self._follow(at_ns)
-            return len(self._events) + len(self._orders) - before
+            return len(self._events) + len(self._task_commands) - before
 
         return call
 
@@ -180,7 +180,7 @@ class PythonGuard:
 
     def save(self) -> object:
         """The whole state, and the task commands that have not been taken."""
-        kept = deepcopy((self._reactor, self._missing, self._orders, self.now_ns))
+        kept = deepcopy((self._reactor, self._missing, self._task_commands, self.now_ns))
         return (self._monitor.save(), kept)
 
     def load(self, saved: object) -> None:
@@ -188,7 +188,7 @@ class PythonGuard:
         assert isinstance(saved, tuple)
         monitor, kept = saved
         self._monitor.load(monitor)
-        self._reactor, self._missing, self._orders, self.now_ns = deepcopy(kept)
+        self._reactor, self._missing, self._task_commands, self.now_ns = deepcopy(kept)
         self._events = []
 
     def step_call(self, wiring: Wiring) -> StepCall:
@@ -206,18 +206,18 @@ class PythonGuard:
 
     def take(self) -> Reported:
         """All events and task commands since the last call."""
-        orders, self._orders = self._orders, []
-        return Reported(self.take_events(), orders)
+        task_commands, self._task_commands = self._task_commands, []
+        return Reported(self.take_events(), task_commands)
 
     @property
     def has_news(self) -> bool:
         """True if there are events or task commands to take."""
-        return bool(self._events or self._orders)
+        return bool(self._events or self._task_commands)
 
     @property
     def begun(self) -> set[int]:
         """The tasks that have started, among the task commands that have not been taken."""
-        return {each.task for each in self._orders if each.kind is OrderKind.START}
+        return {each.task for each in self._task_commands if each.kind is TaskCommandKind.START}
 
     def note(self, said: int) -> bytes:
         """The facts after a step with these events, in the format of `native`."""
@@ -229,12 +229,15 @@ class PythonGuard:
     def _follow(self, at_ns: int) -> None:
         """Run the reactor, and perform its resets of all latched rules."""
         self.now_ns = at_ns
-        while self._ordered(
+        while self._commanded(
             self._reactor.react(at_ns, self.active, self._monitor.watches, self._monitor.readings)
         ):
             self._events += self._monitor.reset(at_ns)
 
-    def _ordered(self, orders: list[Order]) -> bool:
+    def _commanded(self, task_commands: list[TaskCommand]) -> bool:
         """Say whether any of the task commands is a reset."""
-        self._orders += orders
-        return any(each.kind is OrderKind.START and each.task in self._resets for each in orders)
+        self._task_commands += task_commands
+        return any(
+            each.kind is TaskCommandKind.START and each.task in self._resets
+            for each in task_commands
+        )

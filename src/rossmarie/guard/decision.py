@@ -18,8 +18,8 @@ from rossmarie.ir import (
     CommandPart,
     FieldBounds,
     Machine,
-    OrderKind,
     State,
+    TaskCommandKind,
     Verdict,
     Wiring,
     explain,
@@ -75,11 +75,11 @@ class Request:
     """A request of rules beside the action. `kind` tells whether its `effect` starts or stops, or
     whether the effect must be given up because another rule overrules it or because it has failed.
     `task` is its number. The program that starts a task reports the task's end with `Guard.report`.
-    With `OrderKind.RETRACE`, send `pose`: x, y and z in m, and with an orientation its quaternion
-    (x, y, z, w).
+    With `TaskCommandKind.RETRACE`, send `pose`: x, y and z in m, and with an orientation its
+    quaternion (x, y, z, w).
     """
 
-    kind: OrderKind
+    kind: TaskCommandKind
     rule: str
     action: str
     effect: Effect

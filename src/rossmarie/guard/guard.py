@@ -374,7 +374,7 @@ class Guard:
         """Record the reported events and task commands. Returns the requests."""
         reported = self._engine.take()
         self._note(reported.events)
-        return tuple(requests_of(self.machine, reported.orders, self._acted))
+        return tuple(requests_of(self.machine, reported.task_commands, self._acted))
 
     def _note(self, events: list[Event]) -> None:
         causes = dict(self._reasons.causes)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 
 from rossmarie.guard.decision import Request
-from rossmarie.ir import Machine, Order
+from rossmarie.ir import Machine, TaskCommand
 from rossmarie.ir.reactions import (
     Call,
     CancelGoal,
@@ -24,15 +24,15 @@ from rossmarie.ir.reactions import (
 
 
 def requests_of(
-    machine: Machine, orders: Sequence[Order], acted: Collection[int]
+    machine: Machine, task_commands: Sequence[TaskCommand], acted: Collection[int]
 ) -> Iterator[Request]:
     """The task commands that the guard does not perform itself, if actions contain the commands
     `acted`.
     """
     reactions = machine.reactions
     rules = {task: rule for rule, plan in enumerate(reactions.plans) for task in plan.tasks}
-    for order in orders:
-        task = reactions.tasks[order.task]
+    for task_command in task_commands:
+        task = reactions.tasks[task_command.task]
         match task.effect:
             case Limit() | Scale() | Reset():
                 continue
@@ -42,6 +42,13 @@ def requests_of(
                 Publish() | Retrace() | Call() | SetParameter() | SwitchControllers()
                 | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
             ):  # fmt: skip
-                rule = machine.rules[rules[order.task]].name
+                rule = machine.rules[rules[task_command.task]].name
                 action = reactions.actions[task.action].name
-                yield Request(order.kind, rule, action, task.effect, order.task, order.pose)
+                yield Request(
+                    task_command.kind,
+                    rule,
+                    action,
+                    task.effect,
+                    task_command.task,
+                    task_command.pose,
+                )

@@ -15,10 +15,10 @@ from rossmarie.interpreter.filter import Filter
 from rossmarie.interpreter.retracing import Retracing
 from rossmarie.ir import (
     FieldBounds,
-    Order,
-    OrderKind,
     Reactions,
     State,
+    TaskCommand,
+    TaskCommandKind,
     TruthValue,
     overruled,
     reactions,
@@ -68,7 +68,7 @@ class Reactor:
         self._filter = Filter(machine_reactions)
         self._retracing = Retracing(machine_reactions)
         self._now_ns = ir.EARLIEST_NS
-        self._orders: list[Order] = []
+        self._task_commands: list[TaskCommand] = []
         self._failures: list[int] = []
 
     @property
@@ -98,7 +98,7 @@ class Reactor:
         active: Sequence[bool],
         watches: Sequence[TruthValue],
         readings: Sequence[float] = (),
-    ) -> list[Order]:
+    ) -> list[TaskCommand]:
         """The task commands that follow from the active rules at an instant."""
         self._set_clock(at_ns)
         engaged = self._engaged(active)
@@ -116,7 +116,7 @@ class Reactor:
 
     def report(
         self, at_ns: int, task: int, success: bool, watches: Sequence[TruthValue]
-    ) -> list[Order]:
+    ) -> list[TaskCommand]:
         """The task commands that follow from the end of a task; none for a task that is not running
         (R6).
         """
@@ -196,7 +196,7 @@ class Reactor:
             if progress.state in _IN_FORCE and (by := self._overruler(task)) is not None
         }
         for task, by in overruled.items():
-            self._order(OrderKind.OVERRULED, task, by)
+            self._command(TaskCommandKind.OVERRULED, task, by)
             self._give_up(task)
         self._escalate()
         for task, progress in enumerate(self._tasks):
@@ -244,7 +244,7 @@ class Reactor:
             if by is None:
                 self._begin(task)
                 continue
-            self._order(OrderKind.OVERRULED, task, by)
+            self._command(TaskCommandKind.OVERRULED, task, by)
             if reactions.waits(self._effect(task)):
                 self._wait(task)
             else:
@@ -259,7 +259,7 @@ class Reactor:
         is_awaited = reactions.timeout_ns(effect) is not None
         after = State.HOLDING if reactions.is_lasting(effect) else State.DONE
         self._tasks[task] = Progress(State.RUNNING if is_awaited else after, self._now_ns)
-        self._order(OrderKind.START, task)
+        self._command(TaskCommandKind.START, task)
 
     def _fail(self, task: int, state: State = State.FAILED) -> None:
         self._tasks[task].state = state
@@ -271,7 +271,7 @@ class Reactor:
         """
         while self._failures:
             task = self._failures.pop(0)
-            self._order(OrderKind.FAILED, task)
+            self._command(TaskCommandKind.FAILED, task)
             self._start(self._reactions.tasks[task].otherwise)
 
     def _release(self, rule: int) -> None:
@@ -280,12 +280,12 @@ class Reactor:
             return
         for task in reversed(self._engagement(rule).started):
             if self._tasks[task].state in _IN_FORCE:
-                self._order(OrderKind.STOP, task)
+                self._command(TaskCommandKind.STOP, task)
         for task in self._reactions.plans[rule].tasks:
             self._tasks[task] = Progress()
         self._engagements[rule] = None
 
-    def _settle(self, watches: Sequence[TruthValue]) -> list[Order]:
+    def _settle(self, watches: Sequence[TruthValue]) -> list[TaskCommand]:
         """Handle the ends of tasks (R4, R15), then start the next stages (R5). Returns all task
         commands of the call.
         """
@@ -304,9 +304,9 @@ class Reactor:
             while self._is_stage_over(rule):
                 self._engagement(rule).stage += 1
                 self._start_stage(rule)
-        self._orders += self._retracing.orders(self._now_ns, self._holding())
-        orders, self._orders = self._orders, []
-        return orders
+        self._task_commands += self._retracing.task_commands(self._now_ns, self._holding())
+        task_commands, self._task_commands = self._task_commands, []
+        return task_commands
 
     def _holding(self) -> list[int]:
         states = enumerate(self._tasks)
@@ -339,15 +339,15 @@ class Reactor:
 
     # --- task commands -----------------------------------------------------------------------
 
-    def _order(self, kind: OrderKind, task: int, by: int | None = None) -> None:
-        self._orders.append(Order(kind, task, by))
+    def _command(self, kind: TaskCommandKind, task: int, by: int | None = None) -> None:
+        self._task_commands.append(TaskCommand(kind, task, by))
         match kind:
-            case OrderKind.START:
+            case TaskCommandKind.START:
                 self._filter.start(task)
                 self._retracing.begin(task)
-            case OrderKind.STOP:
+            case TaskCommandKind.STOP:
                 self._filter.stop(task, self._now_ns)
-            case OrderKind.OVERRULED | OrderKind.FAILED | OrderKind.RETRACE:
+            case TaskCommandKind.OVERRULED | TaskCommandKind.FAILED | TaskCommandKind.RETRACE:
                 pass
 
     def _effect(self, task: int) -> reactions.Effect:

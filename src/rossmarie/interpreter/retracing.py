@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from rossmarie.ir import Order, OrderKind, Reactions
+from rossmarie.ir import Reactions, TaskCommand, TaskCommandKind
 from rossmarie.ir.reactions import Memory, Retrace
 
 Pose = tuple[float, ...]
@@ -88,7 +88,7 @@ class Retracing:
         """Begin a task. Its first pose is due at once."""
         self._sent_ns.pop(task, None)
 
-    def orders(self, at_ns: int, holding: Sequence[int]) -> list[Order]:
+    def task_commands(self, at_ns: int, holding: Sequence[int]) -> list[TaskCommand]:
         """R17: the pose that each task in force sends now."""
         found = []
         for task in holding:
@@ -96,7 +96,7 @@ class Retracing:
             if due_ns is not None and due_ns <= at_ns:
                 pose = self._memories[self._effects[task].memory].poses.pop()
                 self._sent_ns[task] = at_ns
-                found.append(Order(OrderKind.RETRACE, task, pose=pose))
+                found.append(TaskCommand(TaskCommandKind.RETRACE, task, pose=pose))
         return found
 
     def wakes(self, holding: Sequence[int]) -> list[int]:

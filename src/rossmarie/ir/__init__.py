@@ -84,7 +84,6 @@ from rossmarie.ir.naming import (
     near_name,
     scan_names,
 )
-from rossmarie.ir.orders import FieldBounds, Order, OrderKind, Reported, State
 from rossmarie.ir.path import (
     AXES,
     EACH,
@@ -129,6 +128,7 @@ from rossmarie.ir.support import (
     signal_operands,
     supports,
 )
+from rossmarie.ir.task_commands import FieldBounds, Reported, State, TaskCommand, TaskCommandKind
 from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
@@ -202,8 +202,6 @@ __all__ = [
     "Not",
     "Once",
     "Or",
-    "Order",
-    "OrderKind",
     "Oscillates",
     "Part",
     "Path",
@@ -239,6 +237,8 @@ __all__ = [
     "Support",
     "Supports",
     "Taken",
+    "TaskCommand",
+    "TaskCommandKind",
     "TimeJump",
     "TruthValue",
     "UnreadableMachine",

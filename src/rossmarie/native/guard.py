@@ -20,10 +20,10 @@ from rossmarie.ir import (
     ChannelValues,
     Event,
     FieldBounds,
-    Order,
-    OrderKind,
     Reported,
     State,
+    TaskCommand,
+    TaskCommandKind,
     Wiring,
     require_instant,
 )
@@ -43,7 +43,7 @@ from rossmarie.native.steps import (
 )
 
 _MAINS = Mains("guarding.c", "fastguard.c")
-_KINDS = tuple(OrderKind)
+_KINDS = tuple(TaskCommandKind)
 _STATES = tuple(State)
 _NEVER = 2**63 - 1
 _BYTES = "unsigned char[]"
@@ -55,9 +55,9 @@ void guard_restart(host *);
 size_t guard_memory_size(void);
 void guard_save(host *, unsigned char *);
 void guard_load(host *, unsigned char *, void *, size_t);
-size_t guard_order_count(host *);
-void *guard_orders(host *);
-void guard_forget_orders(host *);
+size_t guard_task_command_count(host *);
+void *guard_task_commands(host *);
+void guard_forget_task_commands(host *);
 bool guard_has_all_inputs(host *);
 void guard_open(host *);
 void guard_follow(host *, int64_t);
@@ -94,7 +94,7 @@ class NativeGuard:
         self._next_wake = library.function("guard_next_wake")
         self._fields = [len(command.fields) for command in machine.reactions.commands]
         self._events: list[Event] = []
-        self._order = _order(machine)
+        self._task_command = _task_command(machine)
 
     def fresh(self) -> NativeGuard:
         """Another guard of the same machine in its initial state."""
@@ -211,7 +211,7 @@ class NativeGuard:
             numbers = dict(zip(slots, map(float, values[:count]), strict=True))
             arrays = dict(zip(carried.arrays, values[count:], strict=True))
             self.update(at_ns, {channel: ChannelValues(numbers, arrays)})
-            if self._events or self.library.function("guard_order_count")(self.host):
+            if self._events or self.library.function("guard_task_command_count")(self.host):
                 return None
             wake_ns = self.next_wake()
             return NEVER_NS if wake_ns is None else wake_ns
@@ -251,18 +251,18 @@ class NativeGuard:
         """The whole state, and the task commands that have not been taken."""
         room = bytearray(self._size)
         self.library.function("guard_save")(self.host, self.library.pointer(_BYTES, room))
-        return bytes(room) + self._order_log()
+        return bytes(room) + self._task_command_log()
 
     def load(self, saved: bytes) -> None:
         """Restore the state of another guard of the same rules. Raises `ValueError` for the state
         of another program.
         """
-        count, left = divmod(len(saved) - self._size, self._order.size)
+        count, left = divmod(len(saved) - self._size, self._task_command.size)
         if count < 0 or left:
             raise ValueError("it was saved by another program")
         memory = self.library.pointer(_BYTES, saved)
-        orders = self.library.pointer(_BYTES, saved[self._size :])
-        self.library.function("guard_load")(self.host, memory, orders, count)
+        task_commands = self.library.pointer(_BYTES, saved[self._size :])
+        self.library.function("guard_load")(self.host, memory, task_commands, count)
         self._events = []
 
     @property
@@ -290,31 +290,31 @@ class NativeGuard:
         """All events and task commands since the last call. If any was lost for lack of memory,
         raises `MemoryError`, also at all later calls.
         """
-        return Reported(self.take_events(), self._orders())
+        return Reported(self.take_events(), self._task_commands())
 
     def _follow(self, at_ns: int) -> None:
         self.library.function("guard_follow")(self.host, at_ns)
 
-    def _orders(self) -> list[Order]:
-        log = self._order_log()
-        self.library.function("guard_forget_orders")(self.host)
+    def _task_commands(self) -> list[TaskCommand]:
+        log = self._task_command_log()
+        self.library.function("guard_forget_task_commands")(self.host)
         return [
-            Order(
+            TaskCommand(
                 _KINDS[kind],
                 task,
                 None if by < 0 else by,
                 tuple(pose[1 : 1 + pose[0]] if pose else ()),
             )
-            for kind, task, by, *pose in self._order.iter_unpack(log)
+            for kind, task, by, *pose in self._task_command.iter_unpack(log)
         ]
 
-    def _order_log(self) -> bytes:
-        count = self.library.function("guard_order_count")(self.host)
-        found = self.library.function("guard_orders")(self.host)
-        return self.library.bytes_at(found, count * self._order.size)
+    def _task_command_log(self) -> bytes:
+        count = self.library.function("guard_task_command_count")(self.host)
+        found = self.library.function("guard_task_commands")(self.host)
+        return self.library.bytes_at(found, count * self._task_command.size)
 
 
-def _order(machine: ir.Machine) -> struct.Struct:
+def _task_command(machine: ir.Machine) -> struct.Struct:
     """A task command in the format of `guard.c`: kind, task, rule, and a pose if the rules retrace
     any.
     """

@@ -120,7 +120,7 @@ static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const 
 }
 
 /* True if a task publishes in the place of this action: it does so still, or it has just begun,
- * which an order that nobody has taken yet says.
+ * which a task command that nobody has taken yet says.
  */
 static bool publishes(const host *h, const guard_publication *one)
 {
@@ -128,7 +128,7 @@ static bool publishes(const host *h, const guard_publication *one)
     if (one->lasts)
         return guard_task_state(h, one->task) == GUARD_HOLDING;
     for (size_t i = 0; i != g->count; i++)
-        if (g->orders[i].task == one->task && g->orders[i].order == GUARD_START)
+        if (g->task_commands[i].task == one->task && g->task_commands[i].command == GUARD_START)
             return true;
     return false;
 }
@@ -271,7 +271,7 @@ void guards_free(host *first, size_t count)
 {
     guard *guards = guard_of(first);
     for (size_t i = 0; i != count; i++) {
-        free(guards[i].orders);
+        free(guards[i].task_commands);
         free(guards[i].base.events);
     }
     free(guards);

@@ -65,11 +65,11 @@ def _event_lines(
     machine: Machine, events: Sequence[Event], start_ns: int, rehearsed: Sequence[Rehearsed]
 ) -> Iterator[str]:
     following = groupby(rehearsed, key=lambda each: each.after)
-    orders = {after: list(those) for after, those in following}
+    task_commands = {after: list(those) for after, those in following}
     for index, placed in enumerate(place(events, start_ns)):
         yield _line(_event(machine, placed))
-        for each in orders.get(index, ()):
-            yield _line(_order(machine, each, placed))
+        for each in task_commands.get(index, ()):
+            yield _line(_task_command(machine, each, placed))
 
 
 def _line(fields: dict[str, object]) -> str:
@@ -131,18 +131,18 @@ def _exemption(rule: Rule) -> dict[str, object] | None:
     return {"rule": exempts.rule, "doing": exempts.doing, "permits": list(exempts.permits)}
 
 
-def _order(machine: Machine, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:
-    order = each.order
-    action, effect = task_words(machine, order.task)
+def _task_command(machine: Machine, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:
+    command = each.command
+    action, effect = task_words(machine, command.task)
     return {
         "type": "order",
-        "order": order.kind.value,
+        "order": command.kind.value,
         "at_ns": placed.at_ns + each.later_ns,
         "time_s": (placed.position_ns + each.later_ns) / 1e9,
         "rule": machine.rules[each.rule].name,
         "action": action,
         "effect": effect,
-        "by": None if order.by is None else machine.rules[order.by].name,
+        "by": None if command.by is None else machine.rules[command.by].name,
     }
 
 

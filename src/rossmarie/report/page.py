@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dslkit.source import SourceFile
-from rossmarie.ir import Order, OrderKind, Rule, TimeJump, Verdict, explain
+from rossmarie.ir import Rule, TaskCommand, TaskCommandKind, TimeJump, Verdict, explain
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.envelope import envelope, share
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
@@ -32,7 +32,7 @@ MOST_DETAILED = 1_000
 _WEIGHT = 2
 """A signal that a reader may add has this many times fewer samples than a displayed signal."""
 
-_MOST_ORDERS = 12
+_MOST_TASK_COMMANDS = 12
 """The most task commands that are shown for one activation."""
 
 _TICKS = 2**32 - 1
@@ -139,25 +139,25 @@ def _done(replay: Replay, placed: list[PlacedEvent]) -> dict[int, list[str]]:
     """
     lines: dict[int, list[str]] = {}
     for each in replay.rehearsed:
-        if each.order.kind is OrderKind.STOP:
+        if each.command.kind is TaskCommandKind.STOP:
             continue
         found = lines.setdefault(each.activation, [])
-        if len(found) < _MOST_ORDERS:
+        if len(found) < _MOST_TASK_COMMANDS:
             at_ns = placed[each.after].position_ns + each.later_ns
             since_ns = at_ns - placed[each.activation].position_ns
-            found.append(_order(replay, each.order, since_ns))
-        elif len(found) == _MOST_ORDERS:
+            found.append(_task_command(replay, each.command, since_ns))
+        elif len(found) == _MOST_TASK_COMMANDS:
             found.append("more is in the verdicts file")
     return lines
 
 
-def _order(replay: Replay, order: Order, since_ns: int) -> str:
-    action, effect = task_words(replay.machine, order.task)
+def _task_command(replay: Replay, command: TaskCommand, since_ns: int) -> str:
+    action, effect = task_words(replay.machine, command.task)
     after = f"after {format_length(since_ns)}, " if since_ns else ""
-    if order.by is not None:
-        ending = f" (overruled by {replay.machine.rules[order.by].name})"
+    if command.by is not None:
+        ending = f" (overruled by {replay.machine.rules[command.by].name})"
     else:
-        ending = " (failed)" if order.kind is OrderKind.FAILED else ""
+        ending = " (failed)" if command.kind is TaskCommandKind.FAILED else ""
     return f"{after}{action}: {effect}{ending}"
 
 

@@ -18,8 +18,8 @@ from rossmarie.ir import (
     Change,
     Event,
     Machine,
-    Order,
-    OrderKind,
+    TaskCommand,
+    TaskCommandKind,
     TimeJump,
     TruthValue,
     Verdict,
@@ -34,7 +34,7 @@ class Rehearsed:
     after that event; `activation` is the place of the verdict that made its rule active.
     """
 
-    order: Order
+    command: TaskCommand
     rule: int
     after: int
     activation: int
@@ -91,9 +91,9 @@ class _Rehearsal:
                 yield from self._rehearsed(look[-1], wake_ns, wake_ns - at_ns)
 
     def _rehearsed(self, after: int, at_ns: int, later_ns: int) -> Iterator[Rehearsed]:
-        for order in self._orders(at_ns):
-            rule = self._rules[order.task]
-            yield Rehearsed(order, rule, after, self._activations[rule], later_ns)
+        for command in self._task_commands(at_ns):
+            rule = self._rules[command.task]
+            yield Rehearsed(command, rule, after, self._activations[rule], later_ns)
 
     def _see(self, place: int, event: Event) -> None:
         if isinstance(event, Verdict):
@@ -101,17 +101,17 @@ class _Rehearsal:
             if event.change is not Change.CLEARED:
                 self._activations[event.rule] = place
 
-    def _orders(self, at_ns: int) -> Iterator[Order]:
+    def _task_commands(self, at_ns: int) -> Iterator[TaskCommand]:
         """The task commands of one look, and the task commands that follow when awaited results
         succeed.
         """
         waiting = self._reactor.react(at_ns, self._engaged, self._confirmed)
         while waiting:
-            order = waiting.pop(0)
-            yield order
-            effect = self._tasks[order.task].effect
-            if order.kind is OrderKind.START and reactions.timeout_ns(effect) is not None:
-                waiting += self._reactor.report(at_ns, order.task, True, self._confirmed)
+            command = waiting.pop(0)
+            yield command
+            effect = self._tasks[command.task].effect
+            if command.kind is TaskCommandKind.START and reactions.timeout_ns(effect) is not None:
+                waiting += self._reactor.report(at_ns, command.task, True, self._confirmed)
 
 
 def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
@@ -156,9 +156,9 @@ def summarize_tasks(machine: Machine, rehearsed: Iterable[Rehearsed]) -> tuple[T
     overruled: dict[int, Counter[str]] = {}
     rules: dict[int, str] = {}
     for each in rehearsed:
-        task, by = each.order.task, each.order.by
+        task, by = each.command.task, each.command.by
         rules[task] = machine.rules[each.rule].name
-        starts[task] += each.order.kind is OrderKind.START
+        starts[task] += each.command.kind is TaskCommandKind.START
         if by is not None:
             overruled.setdefault(task, Counter())[machine.rules[by].name] += 1
     return tuple(

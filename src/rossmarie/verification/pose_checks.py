@@ -88,7 +88,7 @@ class PoseChecks:
         room = "\n".join(
             obligation(
                 f"r->state[{task}] != HOLDING || reported.count[{task}] <= 1",
-                "there is room for the order to send a pose (R17)",
+                "there is room for the task command to send a pose (R17)",
             )
             for task, _ in self._retraces
         )
@@ -283,7 +283,7 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _send(self) -> str:
-        lines = [_ANY_POSES, "    reported = (orders){0};", "    pose_send(&s);"]
+        lines = [_ANY_POSES, "    reported = (task_commands){0};", "    pose_send(&s);"]
         lines += [f"    unsigned kept_{each.index} = old.poses_kept[{each.index}];"
                   for each in self._memories]  # fmt: skip
         for index, (task, effect) in enumerate(self._retraces):

@@ -93,11 +93,12 @@ void ignore_pose_set_back(reactor *r, int64_t t_ns)
 void ignore_pose_forget(reactor *r) {{ (void)r; }}
 
 /* For `decide`. */
-void note_sent(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+void note_sent(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {{
     (void)r;
-    __CPROVER_assert(task < TASKS, "orders are about tasks");
-    __CPROVER_assert(order == {name}_RETRACE && by_rule == -1, "it is the order to send a pose");
+    __CPROVER_assert(task < TASKS, "task commands are about tasks");
+    __CPROVER_assert(command == {name}_RETRACE && by_rule == -1,
+        "it is the task command to send a pose");
     reported.count[task]++;
 }}
 """

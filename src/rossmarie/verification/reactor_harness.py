@@ -14,12 +14,12 @@ from rossmarie.ir import reactions
 from rossmarie.verification.check import Check, Written
 from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, SAME, CommandChecks
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.order_checks import OrderChecks
 from rossmarie.verification.places import name_of
 from rossmarie.verification.pose_checks import PoseChecks
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import overruler
 from rossmarie.verification.reactor_invariants import ReactorInvariants
+from rossmarie.verification.task_command_checks import TaskCommandChecks
 
 
 def reactor_harness(machine: ir.Machine) -> Harness:
@@ -33,7 +33,7 @@ class _Writer:
         self._found = machine.reactions
         self._name = name_of(machine)
         self._invariants = ReactorInvariants(machine.reactions)
-        self._orders = OrderChecks(machine, self._name)
+        self._task_commands = TaskCommandChecks(machine, self._name)
         self._poses = PoseChecks(machine)
 
     def harness(self) -> Harness:
@@ -48,7 +48,7 @@ class _Writer:
             f"static void suppose_fit(const reactor *r)\n{{\n{assumptions(fit)}\n}}\n",
             f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
             self._contracts(),
-            self._orders.text(),
+            self._task_commands.text(),
             SAME,
             CONTRACTS if self._found.commands else "",
             self._poses.text(),
@@ -66,7 +66,7 @@ class _Writer:
         yield from CommandChecks(self._found, self._name).written()
         yield from self._calls()
         yield from self._parts()
-        yield from self._orders.written()
+        yield from self._task_commands.written()
 
     def _without_poses(self, written: Written) -> Written:
         check = written.check
@@ -169,12 +169,12 @@ bool {name}_is_active(const {name}_monitor *m, int rule)
     return active[rule];
 }}
 
-static void perform(void *user, int task, enum {name}_order order, int by_rule)
+static void perform(void *user, int task, enum {name}_task_command command, int by_rule)
 {{
     (void)user;
-    __CPROVER_assert(task >= 0 && task < TASKS, "orders are about tasks");
+    __CPROVER_assert(task >= 0 && task < TASKS, "task commands are about tasks");
     __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "a rule overrules");
-    (void)order;
+    (void)command;
 }}
 
 /* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */

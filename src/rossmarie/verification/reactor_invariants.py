@@ -73,7 +73,9 @@ class ReactorInvariants:
     def at_rest(self) -> list[Sentence]:
         """The sentences that hold between two calls only."""
         return [
-            Sentence("no order is left to be given", "r->decided == 0 && r->failed_count == 0"),
+            Sentence(
+                "no task command is left to be given", "r->decided == 0 && r->failed_count == 0"
+            ),
             *self.owned(),
             *self.in_time(),
         ]

@@ -75,19 +75,23 @@ class Reactor:
         engages = [bool(active >> rule & 1 and not exempted >> rule & 1) for rule in range(RULES)]
         self.goes_on = [*engages[:3], engages[3] and not engages[2]]
 
-    def take(self, orders: Sequence[tuple[int, int, int]]) -> None:
-        """Follow the orders of a call. Raises AssertionError for one that makes no sense."""
-        for task, order, by_rule in orders:
+    def take(self, task_commands: Sequence[tuple[int, int, int]]) -> None:
+        """Follow the task commands of a call. Raises AssertionError for one that makes no sense."""
+        for task, command, by_rule in task_commands:
             assert 0 <= task < len(TASKS), task
-            assert (by_rule >= 0) == (order == OVERRULED), (task, order, by_rule)
-            if order == START:
+            assert (by_rule >= 0) == (command == OVERRULED), (task, command, by_rule)
+            if command == START:
                 assert task not in self.performed, f"task {task} starts twice"
                 self.performed.add(task)
             else:
-                assert order != STOP or task in self.performed, f"task {task} was not started"
+                assert command != STOP or task in self.performed, f"task {task} was not started"
                 self.performed.discard(task)
-        twice = [task for task, _, _ in orders if sum(task == other for other, _, _ in orders) > 2]
-        assert not twice, f"more than two orders for {twice}"
+        twice = [
+            task
+            for task, _, _ in task_commands
+            if sum(task == other for other, _, _ in task_commands) > 2
+        ]
+        assert not twice, f"more than two task commands for {twice}"
 
     def check(self, stand: Stand, t_ns: int, numbers: Sequence[float]) -> None:
         """Compare with how the reactor says that it stands. Raises AssertionError."""

@@ -16,7 +16,7 @@
 #define YIELDING 1
 
 enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_STALE };
-enum fuzzed_order { fuzzed_START, fuzzed_STOP, fuzzed_OVERRULED, fuzzed_FAILED };
+enum fuzzed_task_command { fuzzed_START, fuzzed_STOP, fuzzed_OVERRULED, fuzzed_FAILED };
 enum fuzzed_task_state {
     fuzzed_TASK_IDLE,
     fuzzed_TASK_RUNNING,
@@ -27,12 +27,12 @@ enum fuzzed_task_state {
     fuzzed_TASK_OVERDUE
 };
 
-typedef void (*fuzzed_perform)(void *user, int task, enum fuzzed_order order, int by_rule);
+typedef void (*fuzzed_perform)(void *user, int task, enum fuzzed_task_command command, int by_rule);
 
 typedef struct fuzzed_decision {
     int32_t by_rule;
     uint16_t task;
-    uint16_t order;
+    uint16_t command;
 } fuzzed_decision;
 
 typedef struct fuzzed_reactor {
@@ -116,14 +116,14 @@ static const scale scales[1] = {{5, 0.5, 0.1}};
 /* --- calls --------------------------------------------------------------------------------- */
 
 enum { REACT, REPORT, OPEN, BOUND };
-enum { ORDER = 1, STAND };
+enum { TASK_COMMAND = 1, STAND };
 
-typedef struct order {
+typedef struct task_command {
     int32_t kind;
     int32_t task;
-    int32_t order;
+    int32_t command;
     int32_t by_rule;
-} order;
+} task_command;
 
 /* How a reactor stands after a call, and what lies on the first command then. */
 typedef struct stand {
@@ -141,9 +141,9 @@ typedef struct stand {
 static reactor tried;
 static fuzzed_monitor monitored;
 
-static void tell(void *user, int task, enum fuzzed_order given, int by_rule)
+static void tell(void *user, int task, enum fuzzed_task_command given, int by_rule)
 {
-    const order reported = {ORDER, task, given, by_rule};
+    const task_command reported = {TASK_COMMAND, task, given, by_rule};
     (void)user;
     answer(&reported, sizeof reported);
 }

@@ -180,7 +180,7 @@ def _compare(what: str, found: object, wanted: object) -> None:
 # --- reactors --------------------------------------------------------------------------------
 
 _REACT, _REPORT, _OPEN, _BOUND = range(4)
-_ORDER = struct.Struct("@4i")
+_TASK_COMMAND = struct.Struct("@4i")
 _STAND = struct.Struct("@qqq9q9d3d9B4B4B0q")
 
 
@@ -196,9 +196,9 @@ class _OfReactor:
         return Call(kind, data.instant(now_ns), about, tuple(data.number() for _ in range(3)))
 
     def check(self, call: Call, read: _Read) -> None:
-        orders = []
+        task_commands = []
         while (head := read(4)) == struct.pack("@i", 1):
-            orders.append(_ORDER.unpack(head + read(_ORDER.size - 4))[1:])
+            task_commands.append(_TASK_COMMAND.unpack(head + read(_TASK_COMMAND.size - 4))[1:])
         found = _STAND.unpack(head + read(_STAND.size - 4))
         triples = [(found[i], found[i + 1], found[i + 2]) for i in (12, 15, 18)]
         stand = plans.Stand(
@@ -208,7 +208,7 @@ class _OfReactor:
         if call.kind == _REACT and rules.EARLIEST < call.t_ns < rules.LATEST:
             self._reactor.react(call.about & 15, call.about >> 4 & 15)
         self._reactor.is_open |= call.kind == _OPEN
-        self._reactor.take(orders)
+        self._reactor.take(task_commands)
         self._reactor.check(stand, call.t_ns, call.numbers)
 
 

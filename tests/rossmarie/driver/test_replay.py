@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.replay import replay_file
-from rossmarie.ir import Change, OrderKind, TimeJump, Verdict
+from rossmarie.ir import Change, TaskCommandKind, TimeJump, Verdict
 from rossmarie.report.model import Replay
 from rossmarie.report.spans import summarize
 
@@ -48,8 +48,8 @@ def test_what_actions_would_do_is_reported(tmp_path: Path) -> None:
     rules = RULES.replace("stop;\n", body, 1)
     replay = replayed(tmp_path, rules, "time,volts\n0,12\n1,9\n1.5,12\n")
     assert changes(replay) == [(1, Change.ACTIVATED), (1, Change.CLEARED)]
-    orders = [(each.order.kind, each.after) for each in replay.rehearsed]
-    assert orders == [(OrderKind.START, 0), (OrderKind.STOP, 1)]
+    task_commands = [(each.command.kind, each.after) for each in replay.rehearsed]
+    assert task_commands == [(TaskCommandKind.START, 0), (TaskCommandKind.STOP, 1)]
 
 
 def test_a_clock_that_goes_back_adds_no_silence(tmp_path: Path) -> None:

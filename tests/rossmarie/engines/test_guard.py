@@ -45,7 +45,7 @@ def tell(guard: GuardEngine, at_ns: int, channel: int, value: float) -> list[str
 
 
 def taken(guard: GuardEngine) -> list[str]:
-    return [f"{order.kind.value} {order.task}" for order in guard.take().orders]
+    return [f"{command.kind.value} {command.task}" for command in guard.take().task_commands]
 
 
 RULES = """
@@ -70,7 +70,7 @@ def begun(kind: str, *, is_open: bool = True) -> GuardEngine:
 
 
 @pytest.mark.parametrize("kind", ENGINES)
-def test_orders_follow_at_the_instant_of_a_message(kind: str) -> None:
+def test_task_commands_follow_at_the_instant_of_a_message(kind: str) -> None:
     guard = begun(kind)
     assert tell(guard, 1, SPEED, 1.5) == ["start 0", "start 1"]
     assert guard.active == (True, False, False)

@@ -12,7 +12,7 @@ import pytest
 
 from rossmarie.engines import start_guard
 from rossmarie.guard import Decision, Guard, MappingError
-from rossmarie.ir import OrderKind, reactions
+from rossmarie.ir import TaskCommandKind, reactions
 from rossmarie.native import monitor as native_monitor
 from support.c_compiler import needs_c
 from support.drafts import SECOND
@@ -116,7 +116,7 @@ def test_a_latched_rule_waits_for_an_operator(make: Make) -> None:
 def test_what_rules_want_done_is_for_the_caller(make: Make) -> None:
     guard = make()
     (request,) = step(guard, 0, FAST).requests
-    assert (request.kind, request.rule, request.action) == (OrderKind.START, "fast", "tell")
+    assert (request.kind, request.rule, request.action) == (TaskCommandKind.START, "fast", "tell")
     assert request.effect == reactions.Log(reactions.Level.WARNING, "it is fast")
     assert step(guard, 1, FAST).requests == ()
 
@@ -141,7 +141,7 @@ def test_what_follows_from_a_report_comes_with_the_next_decision(make: Make) -> 
     guard.report(request, success=False)
     decision = step(guard, 1, (1.5,), (0.8,))
     assert decision.action.tolist() == [0.2]
-    assert [each.kind for each in decision.requests] == [OrderKind.FAILED]
+    assert [each.kind for each in decision.requests] == [TaskCommandKind.FAILED]
 
 
 def test_floats_of_32_bits_stay_so_and_never_exceed_a_limit(make: Make) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rossmarie.guard import Guard
-from rossmarie.ir import OrderKind
+from rossmarie.ir import TaskCommandKind
 from support.c_compiler import needs_c
 from support.drafts import SECOND
 from support.engines import load
@@ -44,7 +44,7 @@ def poses(guard: Guard, at_s: float, x: float) -> list[tuple[float, ...]]:
     """The poses that are asked for in a step."""
     seen = np.array([x, 0.0, 0.5, *TURN])
     decision = guard.step(round(at_s * SECOND), seen, np.array([0.4]))
-    asked = [each for each in decision.requests if each.kind is OrderKind.RETRACE]
+    asked = [each for each in decision.requests if each.kind is TaskCommandKind.RETRACE]
     assert all(each.rule == "outside" for each in asked)
     return [each.pose for each in asked]
 

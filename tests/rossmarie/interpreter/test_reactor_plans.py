@@ -20,7 +20,7 @@ from support.plans import (
 )
 
 
-def test_r1_orders_of_one_instant_come_in_the_order_of_the_rules_of_this_page() -> None:
+def test_r1_task_commands_of_one_instant_come_in_the_order_of_the_rules_of_this_page() -> None:
     plans = Plans()
     plans.rule([plans.task(publish(SECOND))])  # 0: stops
     plans.rule([plans.task(publish(SECOND, 1))])  # 1: gets what 0 had

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.interpreter import Reactor, State
-from rossmarie.ir import OrderKind, reactions
+from rossmarie.ir import TaskCommandKind, reactions
 from support.bench import ns
 from support.drafts import SECOND
 from support.plans import Plans, publish, retrace
@@ -26,10 +26,10 @@ class Bench:
         self._rules = len(plans.plans)
 
     def react(self, seconds: float, x: float, *engaged: int, y: float = 0.0) -> list[str]:
-        """The orders, if these rules are engaged: a pose is reported as its x."""
+        """The task commands, if these rules are engaged: a pose is reported as its x."""
         which = [rule in engaged for rule in range(self._rules)]
-        orders = self.reactor.react(ns(seconds), which, [], [x, y, 0.0])
-        return [_words(order) for order in orders]
+        task_commands = self.reactor.react(ns(seconds), which, [], [x, y, 0.0])
+        return [_words(command) for command in task_commands]
 
     def goes(self, *places: float, since: float = 0.0) -> None:
         """The robot is at each place, a second after the one before."""
@@ -42,16 +42,22 @@ class Bench:
         at_ns: int | None = ns(seconds)
         which = [rule in engaged for rule in range(self._rules)]
         while at_ns is not None:
-            orders = self.reactor.react(at_ns, which, [], [99.0, 0.0, 0.0])
-            found += [order.pose[0] for order in orders if order.kind is OrderKind.RETRACE]
+            task_commands = self.reactor.react(at_ns, which, [], [99.0, 0.0, 0.0])
+            found += [
+                command.pose[0]
+                for command in task_commands
+                if command.kind is TaskCommandKind.RETRACE
+            ]
             at_ns = self.reactor.next_wake()
         return found
 
 
-def _words(order: ir.Order) -> str:
-    if order.kind is OrderKind.RETRACE:
-        return f"retrace {order.task} to {order.pose[0]:g}"
-    return f"{order.kind.value} {order.task}" + ("" if order.by is None else f" by {order.by}")
+def _words(command: ir.TaskCommand) -> str:
+    if command.kind is TaskCommandKind.RETRACE:
+        return f"retrace {command.task} to {command.pose[0]:g}"
+    return f"{command.kind.value} {command.task}" + (
+        "" if command.by is None else f" by {command.by}"
+    )
 
 
 def bench(*memories: reactions.Memory, period_ns: int = SECOND) -> Bench:

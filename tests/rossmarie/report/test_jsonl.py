@@ -60,7 +60,7 @@ def test_the_schema_does_not_change_unnoticed(*, bless: bool) -> None:
     assert_golden(GOLDEN / "tank.jsonl", text, bless=bless)
 
 
-def test_orders_follow_the_verdicts_that_lead_to_them(*, bless: bool) -> None:
+def test_task_commands_follow_the_verdicts_that_lead_to_them(*, bless: bool) -> None:
     text = "".join(line + "\n" for line in verdict_lines(docking()))
     assert_golden(GOLDEN / "dock.jsonl", text, bless=bless)
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.ir import Change, Event, OrderKind, TimeJump, Verdict
+from rossmarie.ir import Change, Event, TaskCommandKind, TimeJump, Verdict
 from rossmarie.report.rehearsal import Rehearsed, TaskSummary, rehearse, summarize_tasks
 from support.docking import docking
 from support.drafts import SECOND
@@ -28,9 +28,9 @@ def off(at_s: int, rule: int) -> Verdict:
     return verdict(at_s, rule, Change.CLEARED)
 
 
-def orders(plans: Plans, *events: Event, watches: int = 0) -> list[str]:
+def task_commands(plans: Plans, *events: Event, watches: int = 0) -> list[str]:
     rehearsed = rehearse(plans.machine(watches=watches), events)
-    return reported([each.order for each in rehearsed])
+    return reported([each.command for each in rehearsed])
 
 
 def lamps() -> Plans:
@@ -42,32 +42,32 @@ def lamps() -> Plans:
 
 
 def test_a_rule_that_loses_its_resource_waits_for_it() -> None:
-    found = orders(lamps(), on(1, 1), on(2, 0), off(3, 0), off(4, 1))
+    found = task_commands(lamps(), on(1, 1), on(2, 0), off(3, 0), off(4, 1))
     assert found == ["start 1", "overruled 1 by 0", "start 0", "stop 0", "start 1", "stop 1"]
 
 
 def test_rules_of_one_instant_are_seen_together() -> None:
-    assert orders(lamps(), on(1, 1), on(1, 0)) == ["start 0", "overruled 1 by 0"]
+    assert task_commands(lamps(), on(1, 1), on(1, 0)) == ["start 0", "overruled 1 by 0"]
 
 
 def test_a_rule_that_changes_twice_at_one_instant_is_seen_twice() -> None:
-    assert orders(lamps(), on(1, 0), off(1, 0), on(1, 0)) == ["start 0", "stop 0", "start 0"]
+    assert task_commands(lamps(), on(1, 0), off(1, 0), on(1, 0)) == ["start 0", "stop 0", "start 0"]
 
 
 def test_what_is_stale_counts_as_active() -> None:
-    assert orders(lamps(), verdict(1, 0, Change.ACTIVATED_STALE)) == ["start 0"]
+    assert task_commands(lamps(), verdict(1, 0, Change.ACTIVATED_STALE)) == ["start 0"]
 
 
 def test_what_is_awaited_succeeds_at_once() -> None:
     plans = Plans()
     first, then = plans.task(call()), plans.task(cancel(0))
     plans.rule([first], [then], [plans.task(log())])
-    assert orders(plans, on(1, 0), watches=1) == ["start 0", "start 1", "start 2"]
+    assert task_commands(plans, on(1, 0), watches=1) == ["start 0", "start 1", "start 2"]
 
 
 def test_time_that_jumps_back_changes_nothing() -> None:
     jump = TimeJump(3 * SECOND, 1 * SECOND)
-    assert orders(lamps(), on(2, 0), jump, off(2, 0)) == ["start 0", "stop 0"]
+    assert task_commands(lamps(), on(2, 0), jump, off(2, 0)) == ["start 0", "stop 0"]
 
 
 def test_rules_without_bodies_do_nothing() -> None:
@@ -76,7 +76,7 @@ def test_rules_without_bodies_do_nothing() -> None:
     assert rehearse(plans.machine(), [on(1, 0)]) == ()
 
 
-def test_an_order_knows_its_activation_and_what_it_follows() -> None:
+def test_a_task_command_knows_its_activation_and_what_it_follows() -> None:
     machine = lamps().machine()
     found = rehearse(machine, [on(1, 1), on(2, 0), off(3, 0), on(4, 0), off(4, 1)])
     places = [(each.rule, each.activation, each.after) for each in found]
@@ -113,14 +113,14 @@ def histories(draw: st.DrawFn) -> tuple[ir.Machine, list[Event]]:
 def test_only_what_is_overruled_fails(history: tuple[ir.Machine, list[Event]]) -> None:
     overruled: set[tuple[int, int]] = set()
     for each in rehearse(*history):
-        if each.order.kind is OrderKind.OVERRULED:
-            overruled.add((each.order.task, each.activation))
-        elif each.order.kind is OrderKind.FAILED:
-            assert (each.order.task, each.activation) in overruled
+        if each.command.kind is TaskCommandKind.OVERRULED:
+            overruled.add((each.command.task, each.activation))
+        elif each.command.kind is TaskCommandKind.FAILED:
+            assert (each.command.task, each.activation) in overruled
 
 
 @given(histories())
-def test_every_order_belongs_to_an_activation_before_it(
+def test_every_task_command_belongs_to_an_activation_before_it(
     history: tuple[ir.Machine, list[Event]],
 ) -> None:
     machine, events = history
@@ -130,7 +130,7 @@ def test_every_order_belongs_to_an_activation_before_it(
         assert opened.rule == each.rule
         assert opened.change is not Change.CLEARED
         assert each.activation <= each.after
-        assert each.order.task in machine.reactions.plans[each.rule].tasks
+        assert each.command.task in machine.reactions.plans[each.rule].tasks
         assert has_started_after(each, events)
 
 
@@ -153,7 +153,7 @@ def test_what_waits_too_long_fails_between_two_events() -> None:
     plans.rule([plans.task(cancel(), otherwise=[plans.task(log())])])  # 2, then 1
     events = [on(1, 0), on(1, 1), off(9, 1)]
     found = rehearse(plans.machine(), events)
-    assert reported([each.order for each in found]) == [
+    assert reported([each.command for each in found]) == [
         "start 0", "overruled 2 by 0", "failed 2", "start 1",
     ]  # fmt: skip
     assert [(each.after, each.later_ns) for each in found[2:]] == [(1, 2 * SECOND)] * 2

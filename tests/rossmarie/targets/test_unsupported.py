@@ -40,7 +40,7 @@ def test_more_conditions_than_indexes(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize(
     ("bounds", "most", "said"),
-    [(1, 13, "14 orders of tasks"), (20, 19, "20 bounds of commands")],
+    [(1, 13, "14 task commands"), (20, 19, "20 bounds of commands")],
 )
 def test_more_that_rules_do_than_indexes(
     bounds: int, most: int, said: str, monkeypatch: pytest.MonkeyPatch

@@ -67,8 +67,8 @@ def prover() -> Prover:
     "name",
     ["bounded",
      *deep(["init", "shut", "scaled", "moved", "bounds_0_0", "bounds_0_5", "set_clock",
-            "release", "engaged", "next_wake", "stage_over", "decide", "give_orders", "start",
-            "append_started", "escalate", "pass_on", "settle", "react", "report"])],
+            "release", "engaged", "next_wake", "stage_over", "decide", "give_task_commands",
+            "start", "append_started", "escalate", "pass_on", "settle", "react", "report"])],
 )  # fmt: skip
 def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
@@ -102,7 +102,7 @@ def test_what_fails_at_once_is_what_reactions_mean(
 
 QUICK_FAULTS = (
     ("isfinite(value) ?", "!isnan(value) ?", "bounded", "what passes is finite"),
-    ("r->decided = 0;", "", "give_orders", "none is left"),
+    ("r->decided = 0;", "", "give_task_commands", "none is left"),
 )
 FAULTS = (
     ("lesser(greater(", "greater(lesser(", "bounded", "what passes is"),
@@ -190,7 +190,7 @@ FAULTS_OF_WAITING = (
     ("return is_confirmed(m, task);", "return true;", "settle_ends", "what waits in vain fails"),
 )
 FAULTS_OF_WHAT_IS_LATE = (
-    ("give_up(r, task);", "", "pass_on", "a task in force has the order to start"),
+    ("give_up(r, task);", "", "pass_on", "a task in force has the task command to start"),
     ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
     (
         "is_same && tasks[task].timeout_ns == 0",

@@ -32,8 +32,8 @@ Guard::Guard(Middleware &middleware, const Settings &settings)
         this));
     must_compute(core::reactor_init(
         &reactor_,
-        [](void *guard, int task, core::Order order, int by_rule) {
-            static_cast<Guard *>(guard)->perform(task, order, by_rule);
+        [](void *guard, int task, core::TaskCommand command, int by_rule) {
+            static_cast<Guard *>(guard)->perform(task, command, by_rule);
         },
         this));
     latched_.restore(monitor_);
@@ -254,9 +254,9 @@ void Guard::on_event(const core::Event &event)
         causes_[event.rule] = event;
 }
 
-void Guard::perform(int task, core::Order order, int by_rule)
+void Guard::perform(int task, core::TaskCommand command, int by_rule)
 {
-    if (static_cast<int>(order) == core::RETRACE) {
+    if (static_cast<int>(command) == core::RETRACE) {
         double pose[core::POSE_NUMBERS];
         core::retraced(&reactor_, task, pose);
         performers_.tasks[task]->retrace(clock_.now(), pose);
@@ -264,20 +264,20 @@ void Guard::perform(int task, core::Order order, int by_rule)
     }
     const std::string what = reports::of_task(task);
     has_changed_ = true;
-    if (order == core::START) {
+    if (command == core::START) {
         in_force_[task] = true;
         performers_.tasks[task]->start(clock_.now());
         return;
     }
     const bool was_in_force = std::exchange(in_force_[task], false);
-    if (was_in_force && order == core::FAILED)
+    if (was_in_force && command == core::FAILED)
         performers_.tasks[task]->give_up();
     else if (was_in_force)
         performers_.tasks[task]->stop();
-    if (order == core::OVERRULED) {
+    if (command == core::OVERRULED) {
         overruled_.push_back(what + " by rule " + RULES[by_rule].name);
         say::warning("overruled: " + overruled_.back());
-    } else if (order == core::FAILED) {
+    } else if (command == core::FAILED) {
         say::error("failed: " + what);
     }
 }

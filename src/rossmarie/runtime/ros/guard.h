@@ -78,7 +78,7 @@ private:
     void open_when_ready(int64_t at_ns);
     void end_exemptions(int64_t at_ns);
     void on_event(const core::Event &event);
-    void perform(int task, core::Order order, int by_rule);
+    void perform(int task, core::TaskCommand command, int by_rule);
 
     void reset(const Reset::Request &request, Reset::Response &response);
     void why(Why::Response &response) const;

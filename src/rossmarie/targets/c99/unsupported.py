@@ -48,6 +48,6 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
         "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),
         "numbers of verdicts": sum(len(rule.signals) for rule in machine.rules),
         "inputs of verdicts": sum(len(rule.inputs) for rule in machine.rules),
-        "orders of tasks": 2 * len(effects),
+        "task commands": 2 * len(effects),
         "bounds of commands": bounds,
     }

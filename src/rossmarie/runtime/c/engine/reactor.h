@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The engine of a reactor: it turns the activity of rules into orders to start and to stop tasks.
- * The file that includes it has the rules' own part before this line: tables of tasks and
+/* The engine of a reactor: it turns the activity of rules into task commands to start and to stop
+ * tasks. The file that includes it has the rules' own part before this line: tables of tasks and
  * escalations, in the types of plans.h.
  */
 #ifdef ROSSMARIE_REACTOR
@@ -9,23 +9,23 @@
 #endif
 #define ROSSMARIE_REACTOR
 
-/* --- orders -------------------------------------------------------------------------------- */
+/* --- task commands ------------------------------------------------------------------------- */
 
-/* No task gets more than two orders in one call: overruled and failed. */
-static void decide(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+/* No task gets more than two task commands in one call: overruled and failed. */
+static void decide(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {
     r->decisions[r->decided].task = (index_t)task;
-    r->decisions[r->decided].order = (index_t)order;
+    r->decisions[r->decided].command = (index_t)command;
     r->decisions[r->decided].by_rule = by_rule;
     r->decided++;
 }
 
-/* Give the orders of a call. */
-static void give_orders(reactor *r)
+/* Give the task commands of a call. */
+static void give_task_commands(reactor *r)
 {
     for (unsigned i = 0; i != r->decided; i++) {
         const NAMED(decision) *made = &r->decisions[i];
-        r->perform(r->user, made->task, (enum NAMED(order))made->order, made->by_rule);
+        r->perform(r->user, made->task, (enum NAMED(task_command))made->command, made->by_rule);
     }
     r->decided = 0;
 }
@@ -294,7 +294,7 @@ static void settle(reactor *r, const NAMED(monitor) * m)
 #if RETRACES
     pose_send(r);
 #endif
-    give_orders(r);
+    give_task_commands(r);
 }
 
 #include "commands.h"

@@ -54,8 +54,8 @@ public:
             kept_ = Goal();
     }
 
-    // To be called when all orders of a call have been given, and regularly: what is sent before
-    // the server listens is lost.
+    // To be called when all task commands of a call have been given, and regularly: what is sent
+    // before the server listens is lost.
     void tick()
     {
         if (tasks_.empty() && kept_.is_known() && is_connected())

@@ -57,8 +57,8 @@ public:
             is_resent_ = resend;
     }
 
-    // To be called when all orders of a call have been given, and regularly: a server may not have
-    // listened.
+    // To be called when all task commands of a call have been given, and regularly: a server may
+    // not have listened.
     virtual void tick()
     {
         const bool is_over = std::all_of(listed_.begin(), listed_.end(), Goals::is_over);

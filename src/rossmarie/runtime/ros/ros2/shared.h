@@ -36,7 +36,7 @@ public:
     // A task does not need it any more.
     void release(const Task *task) { tasks_.erase(task); }
 
-    // Call it when all orders of a call have been given, and regularly.
+    // Call it when all task commands of a call have been given, and regularly.
     void tick()
     {
         if (is_changed_ && tasks_.empty()) {

@@ -22,7 +22,7 @@ class State(enum.IntEnum):
     OVERDUE = 6  # overruled for longer than its timeout: it has failed, and starts again later
 
 
-class OrderKind(enum.Enum):
+class TaskCommandKind(enum.Enum):
     """The kind of a task command: an instruction about a task, or a report about it."""
 
     START = "start"
@@ -33,13 +33,13 @@ class OrderKind(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Order:
+class TaskCommand:
     """A task command to the owner of the reactor: an instruction, or a report. `by` is the rule
     that overrules. `pose` is the pose that a `retrace` sends: a position in m, and with an
     orientation its quaternion.
     """
 
-    kind: OrderKind
+    kind: TaskCommandKind
     task: int
     by: int | None = None
     pose: tuple[float, ...] = ()
@@ -49,11 +49,11 @@ class Reported(NamedTuple):
     """The output of a monitor and its reactor, each in order."""
 
     events: list[Event]
-    orders: list[Order]
+    task_commands: list[TaskCommand]
 
     def __bool__(self) -> bool:
         """Say whether there is any output."""
-        return bool(self.events or self.orders)
+        return bool(self.events or self.task_commands)
 
 
 @dataclass(frozen=True)

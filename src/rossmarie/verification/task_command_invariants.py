@@ -20,7 +20,7 @@ from rossmarie.verification.reactor_invariants import (
 )
 
 
-class OrderInvariants:
+class TaskCommandInvariants:
     """Writes these sentences for one reactor."""
 
     def __init__(self, found: reactions.Reactions) -> None:
@@ -43,42 +43,42 @@ class OrderInvariants:
     def _counted(self, task: int) -> Iterator[Sentence]:
         """Limits: no task gets more than two task commands, OVERRULED and FAILED."""
         state, count = f"r->state[{task}]", f"reported.count[{task}]"
-        yield Sentence("no task gets more than two orders", f"{count} <= 2")
-        stops = (
-            f"{count} <= 1 && (reported.last[{task}] == NO_ORDER || reported.last[{task}] == STOP)"
-        )
+        yield Sentence("no task gets more than two task commands", f"{count} <= 2")
+        last = f"reported.last[{task}]"
+        stops = f"{count} <= 1 && ({last} == NO_TASK_COMMAND || {last} == STOP)"
         engaged = f"r->engaged[{self._rules[task]}]"
-        yield Sentence("a task of a rule that is not engaged gets no order except stop",
+        yield Sentence("a task of a rule that is not engaged gets no task command except stop",
                        f"{engaged} || ({stops})")  # fmt: skip
-        yield Sentence("a task that has not begun has no order",
+        yield Sentence("a task that has not begun has no task command",
                        f"!{engaged} || {state} != IDLE || {count} == 0")  # fmt: skip
-        yield Sentence("only a task that fails gets two orders",
+        yield Sentence("only a task that fails gets two task commands",
                        f"{has_failed(task)} || {count} <= 1")  # fmt: skip
         fresh = f"(r->since_ns[{task}] == r->now_ns && !r->reported[{task}])"
-        yield Sentence("a task with the order to start starts now",
+        yield Sentence("a task with the task command to start starts now",
                        f"{state} != RUNNING || {count} == 0 || {fresh}")  # fmt: skip
         is_overruled = f"spec_overruler(r, {task}) >= 0"
         yield Sentence("a task that waits does so for another rule",
                        f"!{lacks(task)} || {count} == 0 || {is_overruled}")  # fmt: skip
         if task in self._can_fail:
-            yield Sentence("a task with an unreported failure has at most one order",
+            yield Sentence("a task with an unreported failure has at most one task command",
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
 
     def _silent(self, task: int) -> Iterator[Sentence]:
         """No task comes into force, or ends, without a task command."""
         last = f"reported.last[{task}]"
         yield Sentence(
-            "orders are counted", f"({last} == NO_ORDER) == (reported.count[{task}] == 0)"
+            "task commands are counted",
+            f"({last} == NO_TASK_COMMAND) == (reported.count[{task}] == 0)",
         )
-        kept = f"({last} == NO_ORDER && reported.was_in_force[{task}])"
-        yield Sentence("a task in force has the order to start",
+        kept = f"({last} == NO_TASK_COMMAND && reported.was_in_force[{task}])"
+        yield Sentence("a task in force has the task command to start",
                        f"!{in_force(task)} || {last} == START || {kept}")  # fmt: skip
-        fine = [f"!reported.was_in_force[{task}]", in_force(task), f"{last} != NO_ORDER"]
+        fine = [f"!reported.was_in_force[{task}]", in_force(task), f"{last} != NO_TASK_COMMAND"]
         fine += [f"r->state[{task}] == DONE", self._is_listed(task)]
         yield Sentence("what is no longer in force was told so, or is done", " || ".join(fine))
         fine = [f"!reported.was_holding[{task}]", f"r->state[{task}] == HOLDING"]
-        fine.append(f"{last} != NO_ORDER")
-        yield Sentence("what holds does not end without an order", " || ".join(fine))
+        fine.append(f"{last} != NO_TASK_COMMAND")
+        yield Sentence("what holds does not end without a task command", " || ".join(fine))
 
     def listed(self) -> Iterator[Sentence]:
         """The failures whose escalations have not started yet."""
@@ -158,10 +158,10 @@ class OrderInvariants:
             yield Sentence("a task that follows from no failure stays as it is",
                            f"{may_begin} || ({_same(task)})")  # fmt: skip
             was_listed = self._is_listed(task).replace("r->", "old->")
-            yield Sentence("a task that has not failed gets no order",
+            yield Sentence("a task that has not failed gets no task command",
                            f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
             if task in self._can_fail:
-                yield Sentence("the last order of a failed task is the failure (R6)",
+                yield Sentence("the last task command of a failed task is the failure (R6)",
                                f"!{was_listed} || reported.last[{task}] == GIVEN_UP")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"

@@ -13,11 +13,11 @@ from collections.abc import Iterable, Iterator
 from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.invariants import Sentence
-from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, REPORTED
-from rossmarie.verification.order_invariants import OrderInvariants
 from rossmarie.verification.program import assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import releases, stages
 from rossmarie.verification.reactor_invariants import ReactorInvariants
+from rossmarie.verification.task_command_contracts import CONTRACTS, PERFORM, REPORTED
+from rossmarie.verification.task_command_invariants import TaskCommandInvariants
 
 _DECIDE = ("decide", "note_decided")
 _ESCALATE = ("escalate", "contract_escalate")
@@ -32,13 +32,13 @@ _STEP = (
     ("escalate", "any_escalate"),
     ("is_stage_over", "is_over"),
     ("start_stage", "start_and_end"),
-    ("give_orders", "end_at_give_orders"),
+    ("give_task_commands", "end_at_give_task_commands"),
 )
 _PASSES = (
     ("escalate", "ignore_reactor"),
     ("is_stage_over", "is_over_or_not"),
     ("start_stage", "ignore_stage"),
-    ("give_orders", "ignore_reactor"),
+    ("give_task_commands", "ignore_reactor"),
 )
 _STARTS = (
     _CLOCK,
@@ -49,7 +49,7 @@ _STARTS = (
 )
 
 
-class OrderChecks:
+class TaskCommandChecks:
     """Writes these checks for one reactor."""
 
     def __init__(self, machine: ir.Machine, name: str) -> None:
@@ -57,38 +57,40 @@ class OrderChecks:
         self._found = found
         self._name = name
         self._names = [rule.name for rule in machine.rules]
-        self._orders = OrderInvariants(found)
+        self._task_commands = TaskCommandInvariants(found)
         self._invariants = ReactorInvariants(found)
 
     # --- what checks refer to ----------------------------------------------------------------
 
     def text(self) -> str:
         """The predicates and contracts that the checks use."""
-        orders = self._orders
-        within = [*self._invariants.always(), *orders.reported()]
+        task_commands = self._task_commands
+        within = [*self._invariants.always(), *task_commands.reported()]
         return "\n".join(
             [
                 REPORTED.format(name=self._name),
                 PERFORM.format(name=self._name),
                 *_both("clock", _REACTOR, self._invariants.clock()),
                 *_both("within", _REACTOR, within),
-                *_both("listed", _REACTOR, orders.listed()),
+                *_both("listed", _REACTOR, task_commands.listed()),
                 *_both("owned", _REACTOR, self._invariants.owned()),
                 *_both("started", _REACTOR, self._invariants.started()),
-                *_both("notable", f"{_REACTOR}, unsigned task", orders.notable()),
+                *_both("notable", f"{_REACTOR}, unsigned task", task_commands.notable()),
                 *_both(
-                    "noted", "const reactor *r, const reactor *old, unsigned task", orders.noted()
+                    "noted",
+                    "const reactor *r, const reactor *old, unsigned task",
+                    task_commands.noted(),
                 ),
-                *_both("kept", _BEFORE, orders.kept()),
-                *_both("escalated", _BEFORE, orders.escalated()),
-                *_both("passed_on", _BEFORE, orders.passed_on()),
-                *_both("stage_started", f"{_BEFORE}, unsigned rule", orders.stage_started()),
-                *_both("startable", f"{_REACTOR}, unsigned rule", orders.startable()),
-                *_both("releasable", f"{_REACTOR}, unsigned rule", orders.releasable()),
-                *_both("untold", _REACTOR, orders.untold()),
-                *_both("unbegun", f"{_REACTOR}, unsigned rule", orders.unbegun()),
+                *_both("kept", _BEFORE, task_commands.kept()),
+                *_both("escalated", _BEFORE, task_commands.escalated()),
+                *_both("passed_on", _BEFORE, task_commands.passed_on()),
+                *_both("stage_started", f"{_BEFORE}, unsigned rule", task_commands.stage_started()),
+                *_both("startable", f"{_REACTOR}, unsigned rule", task_commands.startable()),
+                *_both("releasable", f"{_REACTOR}, unsigned rule", task_commands.releasable()),
+                *_both("untold", _REACTOR, task_commands.untold()),
+                *_both("unbegun", f"{_REACTOR}, unsigned rule", task_commands.unbegun()),
                 *_both("in_time", _REACTOR, self._invariants.in_time()),
-                *_both("ended", "const reactor *r, const reactor *old", orders.ended()),
+                *_both("ended", "const reactor *r, const reactor *old", task_commands.ended()),
                 stages(self._found),
                 CONTRACTS.format(name=self._name, releases=releases(self._found)),
             ]
@@ -98,10 +100,10 @@ class OrderChecks:
 
     def written(self) -> Iterator[Written]:
         """All checks of task commands."""
-        about = "an order is kept until the end of a call"
+        about = "a task command is kept until the end of a call"
         yield self._check("decide", about, (), self._decide())
-        about = "orders are given once each, as they were decided on"
-        yield self._check("give_orders", about, (), _GIVE)
+        about = "task commands are given once each, as they were decided on"
+        yield self._check("give_task_commands", about, (), _GIVE)
         for rule in range(len(self._found.plans)):
             yield self._release(rule)
             for stage in range(len(self._found.plans[rule].stages) + 1):
@@ -148,7 +150,7 @@ class OrderChecks:
         started = [len(stage) for plan in plans for stage in plan.stages]
         started += [len(task.otherwise) for task in tasks]
         return (
-            ("give_orders.0", 2 * len(tasks) + 1),
+            ("give_task_commands.0", 2 * len(tasks) + 1),
             ("append_started.0", longest + 1),
             ("release.0", longest + 1),
             ("release.1", longest + 1),
@@ -203,7 +205,7 @@ class OrderChecks:
 
 
 _REACTOR = "const reactor *r"
-_BEFORE = "const reactor *r, const reactor *old, const orders *was"
+_BEFORE = "const reactor *r, const reactor *old, const task_commands *was"
 
 
 def _both(name: str, parameters: str, sentences: Iterable[Sentence]) -> Iterator[str]:
@@ -219,7 +221,7 @@ def _both(name: str, parameters: str, sentences: Iterable[Sentence]) -> Iterator
 _WITHIN = """\
     reactor s = any();
     const reactor *const r = &s;
-    reported = any_orders();
+    reported = any_task_commands();
     suppose_within(r);"""
 
 # The stage is set rather than assumed, so that the solver knows which tasks start.
@@ -228,20 +230,20 @@ _AT_STAGE = """\
     reactor s = any();
     const reactor *const r = &s;
     s.stage[rule] = {stage};
-    reported = any_orders();
+    reported = any_task_commands();
     suppose_within(r);
     __CPROVER_assume(r->failed_count == 0);"""
 
 _CALL = """\
     const reactor old = s;
-    const orders was = reported;
+    const task_commands was = reported;
     {call};
     must_be_within(r);
     must_be_kept(r, &old, &was);
     __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
     __CPROVER_assert(r->now_ns == old.now_ns && r->opened == old.opened, "no time passes");
     __CPROVER_assert(r->perform == old.perform && r->user == old.user,
-        "orders go where they went");"""
+        "task commands go where they went");"""
 
 _STARTED = """\
     must_be_owned(r);
@@ -299,7 +301,7 @@ _REACT = """\
 
 _REACTS = """\
     reactor s = any();
-    reported = any_orders();
+    reported = any_task_commands();
     before = s;
     looked_at = {rule};
     is_awaited = true;
@@ -324,10 +326,10 @@ _RELEASABLE = """\
     suppose_releasable(r, {rule});"""
 
 _RELEASED = """\
-    const orders was = reported;
+    const task_commands was = reported;
     reactor expected = s;
     spec_release(&expected, {rule});
-    const orders wanted = reported;
+    const task_commands wanted = reported;
     reported = was;
     release(&s, {rule});
     must_be_within(r);
@@ -349,20 +351,20 @@ _ALIKE_RULE = (
 _DECIDED = """\
     reactor s = any();
     const reactor *const r = &s;
-    reported = any_orders();
-    const unsigned task = nondet_number(), order = nondet_number(), other = nondet_number();
+    reported = any_task_commands();
+    const unsigned task = nondet_number(), command = nondet_number(), other = nondet_number();
     const int by_rule = nondet_integer();
-    __CPROVER_assume(task < TASKS && order <= GIVEN_UP && by_rule >= -1 && by_rule < RULES);
+    __CPROVER_assume(task < TASKS && command <= GIVEN_UP && by_rule >= -1 && by_rule < RULES);
     __CPROVER_assume({few} && reported.count[task] < 2);
     __CPROVER_assume(r->decided == {counted} && other < r->decided);
     const reactor old = s;
-    decide(&s, task, order, by_rule);
+    decide(&s, task, command, by_rule);
     __CPROVER_assert(r->decided == old.decided + 1, "it is one more");
     const {name}_decision *made = &r->decisions[old.decided];
-    __CPROVER_assert(made->task == task && made->order == order && made->by_rule == by_rule,
+    __CPROVER_assert(made->task == task && made->command == command && made->by_rule == by_rule,
         "it is kept as it was decided on");
     __CPROVER_assert(r->decisions[other].task == old.decisions[other].task
-        && r->decisions[other].order == old.decisions[other].order
+        && r->decisions[other].command == old.decisions[other].command
         && r->decisions[other].by_rule == old.decisions[other].by_rule,
         "those before are kept");
     reactor expected = old;
@@ -378,7 +380,7 @@ _GIVE = """\
     reactor expected = performing;
     const unsigned decided = r->decided;
     performed = 0;
-    give_orders(r);
+    give_task_commands(r);
     __CPROVER_assert(performed == decided, "each is given");
     __CPROVER_assert(r->decided == 0, "none is left");
     expected.decided = 0;

@@ -8,7 +8,7 @@ enum {{
     STOP = {name}_STOP,
     OVERRULED = {name}_OVERRULED,
     GIVEN_UP = {name}_FAILED,
-    NO_ORDER = 99
+    NO_TASK_COMMAND = 99
 }};
 
 /* What a call has decided on so far, and what was in force when it began. */
@@ -17,14 +17,14 @@ typedef struct {{
     int last[TASKS];
     bool was_in_force[TASKS];
     bool was_holding[TASKS];
-}} orders;
-orders nondet_orders(void);
+}} task_commands;
+task_commands nondet_task_commands(void);
 
-static orders reported;
+static task_commands reported;
 
-static orders any_orders(void)
+static task_commands any_task_commands(void)
 {{
-    orders found = nondet_orders();
+    task_commands found = nondet_task_commands();
     for (unsigned i = 0; i != TASKS; i++) {{
         found.was_in_force[i] = nondet_bool();
         found.was_holding[i] = nondet_bool();
@@ -37,47 +37,47 @@ static void begin_call(const reactor *r)
 {{
     for (unsigned i = 0; i != TASKS; i++) {{
         reported.count[i] = 0;
-        reported.last[i] = NO_ORDER;
+        reported.last[i] = NO_TASK_COMMAND;
         reported.was_holding[i] = r->state[i] == HOLDING;
         reported.was_in_force[i] = reported.was_holding[i] || r->state[i] == RUNNING;
     }}
 }}
 
 /* For `decide`. */
-void note_decided(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+void note_decided(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {{
-    __CPROVER_assert(task < TASKS, "orders are about tasks");
-    __CPROVER_assert(reported.count[task] < 2, "no task gets more than two orders");
-    if (order == OVERRULED) {{
+    __CPROVER_assert(task < TASKS, "task commands are about tasks");
+    __CPROVER_assert(reported.count[task] < 2, "no task gets more than two task commands");
+    if (command == OVERRULED) {{
         __CPROVER_assert(by_rule >= 0 && by_rule == spec_overruler(r, task),
             "the rule that overrules has what is needed (R7, R8)");
     }} else {{
         __CPROVER_assert(by_rule == -1, "nobody overrules");
     }}
-    if (order == START)
+    if (command == START)
         __CPROVER_assert(spec_overruler(r, task) < 0, "what starts has what it needs (R7)");
-    if (order == STOP) {{
+    if (command == STOP) {{
         __CPROVER_assert(r->state[task] == RUNNING || r->state[task] == HOLDING,
             "only what is in force is stopped (R9)");
     }}
-    if (order == GIVEN_UP)
+    if (command == GIVEN_UP)
         __CPROVER_assert(r->state[task] == FAILED || r->state[task] == OVERDUE,
             "what is given up has failed (R6, R15)");
     reported.count[task]++;
-    reported.last[task] = (int)order;
+    reported.last[task] = (int)command;
 }}
 """
 
 CONTRACTS = """\
-/* Any memory and any orders, but for what a part of a call leaves alone. */
+/* Any memory and any task commands, but for what a part of a call leaves alone. */
 static void anything(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = reported;
+    const task_commands was = reported;
     *r = any_reactor();
     r->now_ns = old.now_ns;
     r->opened = old.opened;
-    reported = any_orders();
+    reported = any_task_commands();
     for (unsigned i = 0; i != TASKS; i++) {{
         reported.was_in_force[i] = was.was_in_force[i];
         reported.was_holding[i] = was.was_holding[i];
@@ -154,7 +154,7 @@ void contract_append_started(reactor *r, unsigned task)
 void contract_escalate(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = reported;
+    const task_commands was = reported;
     must_be_within(r);
     must_be_listed(r);
     anything(r);
@@ -168,7 +168,7 @@ void contract_escalate(reactor *r)
 static void anything_started(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = reported;
+    const task_commands was = reported;
     anything(r);
     suppose_within(r);
     suppose_owned(r);
@@ -291,7 +291,7 @@ void start_and_end(reactor *r, unsigned rule)
     __CPROVER_assume(false);
 }}
 
-void end_at_give_orders(reactor *r)
+void end_at_give_task_commands(reactor *r)
 {{
     must_be_within(r);
     must_be_owned(r);
@@ -308,12 +308,12 @@ PERFORM = """\
 static reactor performing;
 static unsigned performed;
 
-static void perform_next(void *user, int task, enum {name}_order order, int by_rule)
+static void perform_next(void *user, int task, enum {name}_task_command command, int by_rule)
 {{
     (void)user;
     const {name}_decision *const made = &performing.decisions[performed];
     __CPROVER_assert(performed < performing.decided, "no more are given than there are");
-    __CPROVER_assert(task == made->task && (unsigned)order == made->order
+    __CPROVER_assert(task == made->task && (unsigned)command == made->command
         && by_rule == made->by_rule, "it is given as it was decided on");
     performed++;
 }}
