@@ -135,8 +135,8 @@ def _task_command(machine: Machine, each: Rehearsed, placed: PlacedEvent) -> dic
     command = each.command
     action, effect = task_words(machine, command.task)
     return {
-        "type": "order",
-        "order": command.kind.value,
+        "type": "task_command",
+        "command": command.kind.value,
         "at_ns": placed.at_ns + each.later_ns,
         "time_s": (placed.position_ns + each.later_ns) / 1e9,
         "rule": machine.rules[each.rule].name,

@@ -149,7 +149,7 @@ def test_a_trace_without_skills_is_refused(tmp_path: Path) -> None:
 
 def test_what_is_not_known_is_passed_over(tmp_path: Path) -> None:
     """Members, events and types may be added to both files."""
-    order = {"type": "order", "order": "start", "at_ns": "?"}
+    order = {"type": "task_command", "command": "start", "at_ns": "?"}
     new = {"type": "rehearsal"}
     found = [header(-1, 6), {**verdict(2), "later": 1}, order, new]
     trace = [*ran(0, 5, "Drive")[:1], event(1, "paused", "Drive"), *ran(0, 5, "Drive")[1:]]
