@@ -112,7 +112,7 @@ def test_what_does_not_run_is_reported(debian: QuickDebian) -> None:
     debian.write("mkdir -p $folder/lib64 $folder/usr/lib/any-linux-gnu; exit 0")
     done = run()
     assert done.returncode == 1
-    assert "what debootstrap made does not run" in done.stderr
+    assert "the programs from debootstrap do not run" in done.stderr
 
 
 def test_two_at_once_make_one(debian: QuickDebian) -> None:
