@@ -186,10 +186,10 @@ def square_of(shape: Polygon | Rectangle) -> Subfunction:
 
 @cache
 def gap_of(circle: Circle) -> Subfunction:
-    """S81: the distance from a circle; 0 inside the circle."""
+    """S81: the distance from a circle; 0 inside the circle, and unknown for an unknown point."""
     gap = Local("gap", square_root(_square_from_centre(circle)) - circle.radius)
     about = f"the distance of ({{0}}, {{1}}) from {circle.about}"
-    return of_point(f"gap_{circle.name}", choose(gap > 0.0, gap, 0.0), about)
+    return of_point(f"gap_{circle.name}", choose(gap < 0.0, 0.0, gap), about)
 
 
 def _square_from_centre(circle: Circle) -> Expression:
@@ -201,7 +201,8 @@ def _from_rectangle(shape: Rectangle) -> Expression:
     """S81: the distance along each axis."""
     ways = []
     for name, number, low, high in zip("xy", (_X, _Y), shape.low, shape.high, strict=True):
-        beyond = choose(number > high, number - high, 0.0)
+        nothing = number - number  # 0; unknown if the number is unknown
+        beyond = choose(number > high, number - high, nothing)
         ways.append(Local(f"d{name}", choose(number < low, low - number, beyond)))
     dx, dy = ways
     return dx * dx + dy * dy

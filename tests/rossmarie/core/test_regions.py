@@ -19,11 +19,12 @@ from rossmarie.core import (
     Region,
     RegionFunction,
     Shape,
+    defined,
     row,
 )
-from rossmarie.core.expressions import Operand
+from rossmarie.core.expressions import Operand, applied_in
 from rossmarie.core.regions import define
-from rossmarie.interpreter.arithmetic import apply
+from rossmarie.interpreter.arithmetic import apply, program
 from support.exact_expressions import holds, value
 
 MAP = 3.0
@@ -240,3 +241,25 @@ def test_a_region_of_points_has_no_function_that_reads_no_operand() -> None:
     asked = define(function(Measure.INSIDE, ((1.0, 1.0),)), (x, y, seen, wanted))
     assert "Subfunction" not in repr(asked)  # compilers warn of parameters that nobody reads
     assert inside(1.0, 1.0, ((1.0, 1.0),)) == 0.0
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        Circle("c", "a circle", (1.0, 2.0), 3.0),
+        Rectangle("b", "a box", (0.0, 0.0), (2.0, 1.0)),
+        Polygon("p", "a polygon", SQUARE),
+        Polygon("q", "a point", ((1.0, 2.0),)),
+    ],
+    ids=lambda shape: shape.about,
+)
+@pytest.mark.parametrize("operands", [(math.nan, 0.5), (0.5, math.nan), (math.nan, math.nan)])
+def test_every_part_of_a_distance_is_unknown_of_an_unknown_point(
+    shape: Shape, operands: tuple[float, float]
+) -> None:
+    """Proofs replace these parts by functions whose result is unknown if an operand is unknown."""
+    whole = RegionFunction(Measure.DISTANCE, Region("r", "the region", (shape,)))
+    parts = applied_in(defined(whole, 4))
+    assert parts
+    for part in parts:
+        assert math.isnan(program(part)(operands)), part.name
