@@ -36,7 +36,11 @@ REFUSED = {
         "0xe9 is not valid in utf-8",
     ),
     "a text in Latin-1": (GOOD + b"x = 'caf\xe9'\n", "12:9", "0xe9 is not valid in utf-8"),
-    "declared as ASCII": (b"# coding: ascii\n# caf\xc3\xa9\n" + GOOD, "2:6", "is not valid in ascii"),
+    "declared as ASCII": (
+        b"# coding: ascii\n# caf\xc3\xa9\n" + GOOD,
+        "2:6",
+        "is not valid in ascii",
+    ),
     "of no encoding": (b"# coding: klingon\n" + GOOD, "1:1", "klingon"),
     "a mark and another encoding": (MARK + b"# coding: latin-1\n" + GOOD, "1:1", "utf-8"),
     "a null byte": (GOOD + b"# \0\n", "12:3", "null byte"),
