@@ -15,7 +15,7 @@ from heron.learning.arm import Command
 from heron.learning.environment import PegInHole
 from heron.learning.episodes import Episode
 from heron.learning.insertion import READINGS
-from heron.learning.runs import Run, environment
+from heron.learning.runs import TrainingRun, environment
 from heron.learning.step_training import StepTraining
 from heron.learning.summary import steps_to_good
 from heron.learning.tree_training import TreeTraining
@@ -65,7 +65,7 @@ def costs() -> Iterator[tuple[str, float]]:
         yield words, least(env.step, lambda env=env: env.reset(seed=0))  # type: ignore[misc]
 
 
-def learned(run: Run) -> tuple[int | None, float]:
+def learned(run: TrainingRun) -> tuple[int | None, float]:
     """The steps until nine of ten episodes end with an insertion, and their time (s)."""
     began = time.monotonic()
     kind = TreeTraining if run.formulation is Formulation.TREE else StepTraining
@@ -83,7 +83,9 @@ def learned(run: Run) -> tuple[int | None, float]:
 def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:
     """The row of one kind of training; the trainings of the seeds run one after another."""
     budget = BUDGETS[formulation]
-    found = [learned(Run(formulation, algorithm, arm, budget, seed)) for seed in range(SEEDS)]
+    found = [
+        learned(TrainingRun(formulation, algorithm, arm, budget, seed)) for seed in range(SEEDS)
+    ]
     good = [steps for steps, _ in found if steps is not None]
     seconds = statistics.median(each for _, each in found)
     steps = f"{statistics.median(good):,.0f}" if good else "-"

@@ -21,7 +21,7 @@ from machine import processor
 from proved_examples import EXAMPLES, LIBRARY
 
 from rossmarie.driver.verifying import prove, queries_of
-from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
+from rossmarie.verification.prover import PROGRAMS, ProofVerdict, Prover
 
 ROOT = Path(__file__).parents[1]
 SECONDS = 120
@@ -54,16 +54,16 @@ def proved(prover: Prover, example: str) -> Proved:
         link(example),
         len(queries.compiled.machine.rules),
         len(proofs.outcomes),
-        verdicts[Verdict.PROVED],
-        verdicts[Verdict.UNDECIDED],
-        verdicts[Verdict.REFUTED],
+        verdicts[ProofVerdict.PROVED],
+        verdicts[ProofVerdict.UNDECIDED],
+        verdicts[ProofVerdict.REFUTED],
         f"{minutes:.0f}",
         digest(example),
     ]
     unproved = (
         f"- {link(example)}: {outcome.check.about}"
         for outcome in proofs.outcomes
-        if outcome.verdict is not Verdict.PROVED
+        if outcome.verdict is not ProofVerdict.PROVED
     )
     return Proved("| " + " | ".join(map(str, cells)) + " |", tuple(unproved))
 

@@ -14,11 +14,11 @@ from crosscheck.robot import Robot
 from crosscheck.situations import Situation
 from crosscheck.trees import TreeRun
 from dslkit.source import Span
-from ezskiros.contracts.knowledge import Change, How, Name, Origin
+from ezskiros.contracts.knowledge import How, Name, Origin, WorldChange
 from ezskiros.contracts.statements import conjuncts, renamed
 from ezskiros.export.statements import statement_of
 from ezskiros.ontology.statements import Statement
-from rossmarie.skills import Child, Condition, Skill
+from rossmarie.skills import ChildSkill, Skill, SkillCondition
 
 Names = Mapping[str, str]
 """The names of the individuals that the parameters of a skill stand for, by parameter."""
@@ -29,7 +29,7 @@ class Said:
     """A statement of a condition, with new names for the parameters of the skill."""
 
     statement: Statement
-    condition: Condition
+    condition: SkillCondition
     span: Span
 
 
@@ -74,7 +74,9 @@ class Beliefs:
         }
         return {**own, **passed}
 
-    def said(self, skill: Skill, conditions: Iterable[Condition], names: Names) -> Iterator[Said]:
+    def said(
+        self, skill: Skill, conditions: Iterable[SkillCondition], names: Names
+    ) -> Iterator[Said]:
         """The statements of conditions of a skill. Raises `UnreadableConditionError`."""
         for each in conditions:
             span = self._robot.span_of(each.place)
@@ -88,22 +90,22 @@ class Beliefs:
                 yield Said(renamed(statement, names), each, span)
 
     def facts(
-        self, skill: Skill, conditions: Iterable[Condition], names: Names
+        self, skill: Skill, conditions: Iterable[SkillCondition], names: Names
     ) -> dict[Statement, Origin]:
         """The statements of a skill's conditions that are true."""
         said = self.said(skill, conditions, names)
         return {each.statement: Origin(each.span, "pre") for each in said}
 
-    def changes(self, skill: Skill, names: Names, how: How) -> list[Change]:
+    def changes(self, skill: Skill, names: Names, how: How) -> list[WorldChange]:
         """The changes that a skill makes when it succeeds."""
         return [
-            Change(each.statement, Origin(each.span, "post"), how)
+            WorldChange(each.statement, Origin(each.span, "post"), how)
             for each in self.said(skill, skill.conditions.post, names)
         ]
 
-    def changes_below(self, skill: Skill, names: Names) -> list[Change]:
+    def changes_below(self, skill: Skill, names: Names) -> list[WorldChange]:
         """The changes that the skills in the trees of a skill may have made."""
-        found: dict[Change, None] = {}
+        found: dict[WorldChange, None] = {}
         known = {_key(skill, names)}
         waiting = [(skill, names)]
         while waiting:
@@ -119,7 +121,9 @@ class Beliefs:
                     waiting.append((below, theirs))
         return list(found)
 
-    def _names_of_child(self, child: Child, skill: Skill, compound: Skill, above: Names) -> Names:
+    def _names_of_child(
+        self, child: ChildSkill, skill: Skill, compound: Skill, above: Names
+    ) -> Names:
         """The names of a child. A parameter that only children share has one name for each
         compound.
         """

@@ -15,7 +15,7 @@ from crosscheck.robot import Robot
 from crosscheck.trees import TreeRun, tree_runs
 from dslkit.diagnostics import Diagnostic, listed
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.skills import Control, Node, Place, Skill, Step
+from rossmarie.skills import Control, Node, Skill, SkillNode, SourcePlace
 from rossmarie.skills.trees import (
     FIRST_FAILURE,
     FIRST_SUCCESS,
@@ -43,7 +43,7 @@ def find_without_deadline(robot: Robot) -> Iterator[Diagnostic]:
     too.
     """
     open_steps = _OpenSteps(robot.skills.skills)
-    reported: set[tuple[str, Place | None]] = set()
+    reported: set[tuple[str, SourcePlace | None]] = set()
     for run in tree_runs(robot):
         found = open_steps.of(run.skill)
         for step in found.steps if found.number >= _FEW else ():
@@ -64,7 +64,7 @@ def find_too_long(robot: Robot) -> Iterator[Diagnostic]:
             yield _too_long(robot, run, time)
 
 
-def _without_deadline(robot: Robot, run: TreeRun, step: Step) -> Diagnostic:
+def _without_deadline(robot: Robot, run: TreeRun, step: SkillNode) -> Diagnostic:
     rule, within = robot.machine.rules[run.rule].name, duration_text(run.goal.timeout_ns)
     found = NoDeadline(step=step.skill, tree=run.skill.name, rule=rule, within=within)
     return found.at(
@@ -94,7 +94,7 @@ class _Open:
     """Steps without a deadline, each once. `number` is the largest number of them on one path."""
 
     number: int
-    steps: tuple[Step, ...]
+    steps: tuple[SkillNode, ...]
 
 
 _NONE = _Open(0, ())
@@ -126,14 +126,14 @@ class _OpenSteps:
         ]
         return _Open(min(sum(each.number for each in found), _FEW), _once(found))
 
-    def _of_step(self, step: Step, level: int) -> _Open:
+    def _of_step(self, step: SkillNode, level: int) -> _Open:
         skill = self.skills.get(step.skill)
         if skill is None or not skill.trees or level > _MOST_LEVELS:
             return _Open(1, (step,))
         return self.of(skill, level)
 
 
-def _once(found: Sequence[_Open]) -> tuple[Step, ...]:
+def _once(found: Sequence[_Open]) -> tuple[SkillNode, ...]:
     """All steps, those at the same place once."""
     return tuple({(each.skill, each.place): each for one in found for each in one.steps}.values())
 
@@ -166,7 +166,7 @@ class _Times:
         return self._known[key]
 
     def _in_tree(self, tree: Control, values: Values, level: int) -> Longest:
-        def of_step(step: Step) -> Longest:
+        def of_step(step: SkillNode) -> Longest:
             skill = self.skills.get(step.skill)
             if skill is None:
                 return longest.STEP
@@ -216,7 +216,7 @@ def _values(skill: Skill, given: Values) -> Values:
     return {name: given.get(name, each.default) for name, each in skill.parameters.items()}
 
 
-def _passed(step: Step, skill: Skill, values: Values) -> Values:
+def _passed(step: SkillNode, skill: Skill, values: Values) -> Values:
     """The numbers that a step gets from its compound."""
     given = {
         name: None if text is None else values[text] if text in values else _number(text)

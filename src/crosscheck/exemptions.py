@@ -11,7 +11,7 @@ from crosscheck.asking import runs
 from crosscheck.errors import ExemptionWithoutTree, NotPermitted, WiderThanPermitted
 from crosscheck.kinds import (
     KINDS,
-    Kind,
+    BehaviorKind,
     by_dimension,
     compared_by,
     is_beyond,
@@ -24,7 +24,7 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.analysis.activity import becomes_active
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.skills import Limit, Permission, Skill
+from rossmarie.skills import Permission, PermissionLimit, Skill
 from rossmarie.syntax import ast
 
 
@@ -72,7 +72,7 @@ def _wider(
     inquiry: Inquiry,
     exempted: Exempted,
     skill: Skill,
-    kind: Kind,
+    kind: BehaviorKind,
     signals: tuple[int, ...],
 ) -> Iterator[Diagnostic]:
     permissions = permissions_of(skill, kind)
@@ -96,8 +96,8 @@ def _is_enforced(
     inquiry: Inquiry,
     skill: Skill,
     signals: tuple[int, ...],
-    limit: Limit,
-    kind: Kind,
+    limit: PermissionLimit,
+    kind: BehaviorKind,
 ) -> bool:
     """Say whether it is proved that some rule acts beyond the limit while a skill runs."""
     machine = robot.machine
@@ -123,9 +123,9 @@ def _unenforced(
     exempted: Exempted,
     skill: Skill,
     permission: Permission,
-    limit: Limit,
+    limit: PermissionLimit,
     signals: tuple[int, ...],
-    kind: Kind,
+    kind: BehaviorKind,
 ) -> Diagnostic:
     sign = "<" if kind.is_least else ">"
     found = WiderThanPermitted(

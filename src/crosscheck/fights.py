@@ -16,7 +16,7 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir.taking import Taking, takings
-from rossmarie.skills import Child, Skill
+from rossmarie.skills import ChildSkill, Skill
 
 
 def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
@@ -36,7 +36,7 @@ def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
                     yield _finding(robot, skill, taking, again)
 
 
-def _started_again(robot: Robot, skill: Skill) -> Child | None:
+def _started_again(robot: Robot, skill: Skill) -> ChildSkill | None:
     """A place in a tree that restarts a skill after it has failed."""
     children = (child for each in robot.skills.skills.values() for child in each.children)
     return next((each for each in children if each.skill == skill.name and each.is_retried), None)
@@ -52,7 +52,7 @@ def _acts_only_with(inquiry: Inquiry, rule: int, skill: str) -> bool:
     return about.is_impossible(acts_without)
 
 
-def _finding(robot: Robot, skill: Skill, taking: Taking, again: Child) -> Diagnostic:
+def _finding(robot: Robot, skill: Skill, taking: Taking, again: ChildSkill) -> Diagnostic:
     rule = robot.machine.rules[taking.rule]
     action = robot.machine.reactions.actions[taking.task.action].name
     ended = Fight.Ended(action=action, skill=skill.name, thing=taking.use.name)

@@ -10,7 +10,7 @@ from crosscheck.asking import runs
 from crosscheck.errors import NotGranted
 from crosscheck.kinds import (
     KINDS,
-    Kind,
+    BehaviorKind,
     by_dimension,
     is_within,
     permissions_of,
@@ -23,7 +23,7 @@ from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 from rossmarie.naming import effect_target
-from rossmarie.skills import Limit, Permission, Skill
+from rossmarie.skills import Permission, PermissionLimit, Skill
 
 
 def find_not_granted(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
@@ -51,7 +51,12 @@ def touched(machine: Machine, rule: int) -> set[str | None]:
 
 
 def _hinders(
-    robot: Robot, inquiry: Inquiry, skill: Skill, rule: int, limit: Limit, kind: Kind
+    robot: Robot,
+    inquiry: Inquiry,
+    skill: Skill,
+    rule: int,
+    limit: PermissionLimit,
+    kind: BehaviorKind,
 ) -> bool:
     """Say whether a rule can be active while a skill runs within its permissions."""
     machine = robot.machine

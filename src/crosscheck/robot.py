@@ -13,7 +13,7 @@ from rossmarie.check import CheckedProgram
 from rossmarie.driver import RulesError
 from rossmarie.driver.pipeline import check_file, compile_checked
 from rossmarie.ir import Machine
-from rossmarie.skills import Place, Skill, SkillFile
+from rossmarie.skills import Skill, SkillFile, SourcePlace
 from rossmarie.syntax import ast
 
 
@@ -31,7 +31,7 @@ class Robot:
         assert self.program.skills is not None, "a robot has skills"
         return self.program.skills.file
 
-    def span_of(self, place: Place | None) -> Span:
+    def span_of(self, place: SourcePlace | None) -> Span:
         """A place in the skills; the start of the skills file if the place cannot be shown."""
         assert self.program.skills is not None
         return self.program.skills.span_at(place) or Span(self.program.skills.source, 0, 0)

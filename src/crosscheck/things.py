@@ -18,7 +18,7 @@ from dslkit.source import Span
 from rossmarie import ir
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.skills import Parameter, Skill
+from rossmarie.skills import Skill, SkillParameter
 
 if TYPE_CHECKING:  # only for users with a scene
     from crosscheck.scene import Scene
@@ -26,7 +26,7 @@ if TYPE_CHECKING:  # only for users with a scene
 
 def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
     """A warning for each class that skills need and that has no individual in the scene."""
-    needed: dict[str, list[tuple[Skill, Parameter]]] = {}
+    needed: dict[str, list[tuple[Skill, SkillParameter]]] = {}
     for skill in robot.skills.skills.values():
         for parameter in _things_of(robot, skill):
             if parameter.is_needed and not scene.things(parameter.type):
@@ -66,7 +66,7 @@ def _possible(robot: Robot, scene: Scene, step: ir.Doing, parameter: str) -> tup
     return scene.things(*dict.fromkeys(each.type for each in found if each is not None))
 
 
-def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
+def _things_of(robot: Robot, skill: Skill) -> Iterator[SkillParameter]:
     """The parameters of a skill that stand for individuals."""
     for each in skill.parameters.values():
         if each.type in robot.skills.classes:

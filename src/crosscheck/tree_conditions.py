@@ -30,11 +30,11 @@ from dslkit.diagnostics import Diagnostic, Label
 from ezskiros.check.inference import names as names_in
 from ezskiros.contracts.changing import changed, failed
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, How, Known, Origin
+from ezskiros.contracts.knowledge import How, KnownFacts, Origin, WorldChange
 from ezskiros.contracts.statements import renamed
 from ezskiros.ontology.statements import Statement
 from rossmarie.analysis.inquiry import Inquiry
-from rossmarie.skills import Condition, Skill
+from rossmarie.skills import Skill, SkillCondition
 
 _REPLAN, _RETRY = "replan", "retry"
 
@@ -120,7 +120,7 @@ class _Tree:
         asked = list(beliefs.said(tree, conditions, names))
         held, others, changes = self._facts(beliefs, running)
         judge = Judge(self.classes.ontology.model, beliefs.names)
-        before = Known({**held, **others}, _bound(beliefs, running))
+        before = KnownFacts({**held, **others}, _bound(beliefs, running))
         known = failed(before, changes, judge).assuming(held)
         free = self._free(names, beliefs)
         found = judge.choice(known, [each.statement for each in asked], free)
@@ -132,13 +132,13 @@ class _Tree:
 
     def _facts(
         self, beliefs: Beliefs, running: Mapping[str, Names]
-    ) -> tuple[dict[Statement, Origin], dict[Statement, Origin], list[Change]]:
+    ) -> tuple[dict[Statement, Origin], dict[Statement, Origin], list[WorldChange]]:
         """The facts that running skills hold, the facts that they needed at their start, and the
         changes that skills in their trees may have made.
         """
         held: dict[Statement, Origin] = {}
         needed: dict[Statement, Origin] = {}
-        changes: list[Change] = []
+        changes: list[WorldChange] = []
         for skill in self.situation.skills:
             names = running[skill.name]
             held |= beliefs.facts(skill, skill.conditions.hold, names)
@@ -157,7 +157,12 @@ class _Tree:
         ]
 
     def _not_known(
-        self, said: Said, statement: Statement, known: Known, judge: Judge, beliefs: Beliefs
+        self,
+        said: Said,
+        statement: Statement,
+        known: KnownFacts,
+        judge: Judge,
+        beliefs: Beliefs,
     ) -> Diagnostic:
         rule = self.robot.machine.rules[self.run.rule].name
         tree, condition = self.run.skill.name, said.condition.text
@@ -187,7 +192,7 @@ class _Tree:
     def _afterwards(
         self,
         skill: Skill,
-        conditions: Sequence[Condition],
+        conditions: Sequence[SkillCondition],
         own: Situation,
         looked_for: Iterable[str] = (),
     ) -> Iterator[Diagnostic]:
@@ -206,7 +211,7 @@ class _Tree:
             perhaps += beliefs.changes_below(skill, running[skill.name])
         done = beliefs.changes(self.run.skill, names, How.DONE)
         judge = Judge(self.classes.ontology.model, beliefs.names)
-        known = failed(Known(facts, _bound(beliefs, running)), perhaps, judge)
+        known = failed(KnownFacts(facts, _bound(beliefs, running)), perhaps, judge)
         after = changed(known, done, judge)
         free = {running[skill.name][each] for each in looked_for}
         for said in beliefs.said(skill, conditions, running[skill.name]):
@@ -236,7 +241,7 @@ def _bound(beliefs: Beliefs, running: Mapping[str, Names]) -> frozenset[str]:
     return frozenset(name for name in names if name in beliefs.names)
 
 
-def _ended(change: Change | None, beliefs: Beliefs) -> Iterator[Label]:
+def _ended(change: WorldChange | None, beliefs: Beliefs) -> Iterator[Label]:
     if change is not None:
         span = change.origin.span
         yield EndedHere(skill=beliefs.owners[span]).at(span)

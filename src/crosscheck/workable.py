@@ -13,7 +13,7 @@ from dslkit.diagnostics import Diagnostic, Remark, listed
 from rossmarie.analysis.finding import witness_note
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Read
 from rossmarie.ir.taking import Taking, takings
@@ -71,7 +71,7 @@ def _shown(about: Inquiry, skill: str) -> list[Remark]:
         and not step.is_ahead
     ]
 
-    def in_trace(trace: Trace) -> z3.BoolRef:
+    def in_trace(trace: SymbolicTrace) -> z3.BoolRef:
         first = trace.moments[0]
         return z3.And(runs(first, skill), first.proposition(condition).true)
 

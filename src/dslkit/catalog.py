@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 
 from dslkit.diagnostics import Template
-from dslkit.diagnostics.render_sarif import Rule, Tool
+from dslkit.diagnostics.render_sarif import SarifRule, Tool
 
 
 class UnknownCodeError(Exception):
@@ -49,7 +49,9 @@ class Catalog:
     def sarif_tool(self, version: str) -> Tool:
         """The description of the tool in a SARIF log: its `version` and all its diagnostics."""
         rules = [
-            Rule(found.code, found.name, found.severity, self._summary(found), self._read(found))
+            SarifRule(
+                found.code, found.name, found.severity, self._summary(found), self._read(found)
+            )
             for found in self.diagnostics
         ]
         return Tool(self.tool, version, rules)

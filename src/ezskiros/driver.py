@@ -32,7 +32,7 @@ from ezskiros.ontology.read import read
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.load import load_skills, module_files, roots
 from ezskiros.skills.load_errors import NoFile, NoSkills
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.trees.library import LaunchValues, Library
 from ezskiros.trees.tree import Tree
 
@@ -236,9 +236,9 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
         shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_thing else "")
         if parameter.is_output:
             yield f"{shown}  set by the skill"
-        elif parameter.kind is not Kind.INFERRED:
+        elif parameter.kind is not ParameterKind.INFERRED:
             origin = "given" if parameter.default is None else f"given, or {parameter.default!r}"
-            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'optional'}"
+            yield f"{shown}  {origin if parameter.kind is ParameterKind.REQUIRED else 'optional'}"
         elif parameter.name in steps:
             step = steps[parameter.name]
             place = step.clause.span

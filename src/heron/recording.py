@@ -14,8 +14,8 @@ from rosbags.typesys import Stores
 
 from dslkit.writing import replacing_text
 from ezskiros.engine.events import Event
-from ezskiros.engine.tracing import Trace
-from heron.experiments import Node
+from ezskiros.engine.tracing import TraceWriter
+from heron.experiments import SimulatedNode
 from heron.guard import Guard
 from heron.messages import Message, store
 from heron.robot.physics import Physics
@@ -32,7 +32,12 @@ class Recorder:
         self._topics: dict[Topic, None] = {}
         self._heard: list[tuple[str, int, bytes]] = []
 
-    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
+    def attend(
+        self,
+        physics: Physics,
+        carrier: InProcess,
+        guard: Guard | None,  # noqa: ARG002
+    ) -> Sequence[SimulatedNode]:
         """Subscribe to all topics."""
         self.listen(carrier, lambda: self._began_ns + physics.elapsed_ns)
         return []
@@ -75,7 +80,7 @@ def write_trace(
     """
     start_s = events[0][0]
     with replacing_text(path) as file:
-        trace = Trace(file, began_ns + round(start_s * 1e9), "heron")
+        trace = TraceWriter(file, began_ns + round(start_s * 1e9), "heron")
         for at_s, event in events:
             tick = 1 + round((at_s - start_s) * 1e9 / period_ns)
             trace.write(event, tick, at_s - start_s)

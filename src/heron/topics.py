@@ -48,7 +48,7 @@ class TopicTypeError(TypeError):
 
 
 @dataclass(frozen=True)
-class Parameter:
+class NodeParameter:
     """A number that can be set while a node runs."""
 
     get: Callable[[], float]
@@ -70,10 +70,10 @@ class Carrier(Protocol):
     def server(self, name: str) -> Server:
         """An action server. Raises `KeyError` if it is not there."""
 
-    def declare(self, name: str, parameter: Parameter) -> None:
+    def declare(self, name: str, parameter: NodeParameter) -> None:
         """Offer a parameter. Its name begins with the name of its node."""
 
-    def parameter(self, name: str) -> Parameter:
+    def parameter(self, name: str) -> NodeParameter:
         """A parameter. Raises `KeyError` if it is not there."""
 
 
@@ -83,7 +83,7 @@ class InProcess:
     def __init__(self) -> None:
         self._types: dict[str, str] = {}
         self._servers: dict[str, Server] = {}
-        self._parameters: dict[str, Parameter] = {}
+        self._parameters: dict[str, NodeParameter] = {}
         self._listeners: defaultdict[str, list[Callable[[Message], None]]] = defaultdict(list)
 
     @property
@@ -115,11 +115,11 @@ class InProcess:
         """An action server. Raises `KeyError` if it is not there."""
         return self._servers[name]
 
-    def declare(self, name: str, parameter: Parameter) -> None:
+    def declare(self, name: str, parameter: NodeParameter) -> None:
         """Offer a parameter."""
         self._parameters[name] = parameter
 
-    def parameter(self, name: str) -> Parameter:
+    def parameter(self, name: str) -> NodeParameter:
         """A parameter. Raises `KeyError` if it is not there."""
         return self._parameters[name]
 
@@ -152,11 +152,11 @@ class Remapped:
         """An action server. Raises `KeyError` if it is not there."""
         return self.carrier.server(self.names.get(name, name))
 
-    def declare(self, name: str, parameter: Parameter) -> None:
+    def declare(self, name: str, parameter: NodeParameter) -> None:
         """Offer a parameter."""
         self.carrier.declare(name, parameter)
 
-    def parameter(self, name: str) -> Parameter:
+    def parameter(self, name: str) -> NodeParameter:
         """A parameter. Raises `KeyError` if it is not there."""
         return self.carrier.parameter(name)
 

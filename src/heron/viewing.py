@@ -13,7 +13,7 @@ import mujoco
 import mujoco.viewer
 
 from heron.appearance import Camera, Stage, moment_of
-from heron.experiments import Node
+from heron.experiments import SimulatedNode
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess
@@ -59,7 +59,12 @@ class Window:
         for thread in self._drawing:
             thread.join(_PATIENCE_S)
 
-    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
+    def attend(
+        self,
+        physics: Physics,
+        carrier: InProcess,  # noqa: ARG002
+        guard: Guard | None,  # noqa: ARG002
+    ) -> Sequence[SimulatedNode]:
         """Open the window; another scene gets another one."""
         if self._handle is not None:
             if not self._handle.is_running():

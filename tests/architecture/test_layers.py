@@ -75,7 +75,7 @@ def test_the_page_names_all_that_a_package_has(package: str) -> None:
 
 DATA_OF_MESSAGES = {
     "Assignment", "Bound", "CommandField", "CommandTopic", "FieldPath", "Interrupted", "Level",
-    "Scalar", "Target",
+    "ExclusiveTarget", "Scalar",
 }  # fmt: skip
 """The types of reactions that the checker may use: facts about messages and resources."""
 

@@ -11,7 +11,7 @@ from hypothesis import given
 
 from dslkit.diagnostics import Diagnostic, Severity
 from dslkit.diagnostics.render_json import render_json
-from dslkit.diagnostics.render_sarif import Rule, Tool, render_sarif
+from dslkit.diagnostics.render_sarif import SarifRule, Tool, render_sarif
 from dslkit.source import SourceFile
 from support.findings import any_finding, place, unit_mismatch, warning
 from support.golden import assert_golden
@@ -26,9 +26,9 @@ TOOL = Tool(
     "rossmarie",
     "0.1.0",
     (
-        Rule("ROSS301", "unit-mismatch", Severity.ERROR, "units do not match", "# ROSS301"),
-        Rule("ROSS401", "unused", Severity.WARNING, "not used", "# ROSS401"),
-        Rule("ROSS999", "anything", Severity.WARNING, "anything", "# ROSS999"),
+        SarifRule("ROSS301", "unit-mismatch", Severity.ERROR, "units do not match", "# ROSS301"),
+        SarifRule("ROSS401", "unused", Severity.WARNING, "not used", "# ROSS401"),
+        SarifRule("ROSS999", "anything", Severity.WARNING, "anything", "# ROSS999"),
     ),
 )
 

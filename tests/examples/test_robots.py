@@ -21,7 +21,7 @@ from rossmarie.driver import check_file
 from rossmarie.driver.build import build_files
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
-from rossmarie.driver.robots import ROBOTS, Robot, robots
+from rossmarie.driver.robots import ROBOTS, BuiltInRobot, robots
 from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.ir import Change, Verdict
 from rossmarie.recordings.opening import open_recording
@@ -50,13 +50,13 @@ def test_there_are_five() -> None:
 
 
 @of_each_robot
-def test_nothing_is_found(robot: Robot) -> None:
+def test_nothing_is_found(robot: BuiltInRobot) -> None:
     for path in robot.folder.glob("*.ross"):
         assert [one.title for one in check_file(path).diagnostics] == []
 
 
 @of_each_robot
-def test_rules_are_short_and_in_the_one_layout(robot: Robot) -> None:
+def test_rules_are_short_and_in_the_one_layout(robot: BuiltInRobot) -> None:
     text = robot.rules.read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if line and not line.startswith("//")]
     assert len(lines) < MOST_LINES
@@ -65,7 +65,7 @@ def test_rules_are_short_and_in_the_one_layout(robot: Robot) -> None:
 
 
 @of_each_robot
-def test_the_generated_tests_are_those_beside_the_rules(robot: Robot, bless: bool) -> None:
+def test_the_generated_tests_are_those_beside_the_rules(robot: BuiltInRobot, bless: bool) -> None:
     written = generated_tests(robot.rules)
     beside = robot.rules.with_suffix(".tests.ross")
     if bless:
@@ -74,7 +74,7 @@ def test_the_generated_tests_are_those_beside_the_rules(robot: Robot, bless: boo
 
 
 @of_each_robot
-def test_they_pass_and_reach_all_of_mc_dc(robot: Robot) -> None:
+def test_they_pass_and_reach_all_of_mc_dc(robot: BuiltInRobot) -> None:
     found = outcome(robot)
     assert [one.title for ran in found.ran for one in ran.found] == []
     missing = set(found.coverage.goals) - found.coverage.reached
@@ -82,13 +82,13 @@ def test_they_pass_and_reach_all_of_mc_dc(robot: Robot) -> None:
 
 
 @cache
-def outcome(robot: Robot) -> RanTests:
+def outcome(robot: BuiltInRobot) -> RanTests:
     return run_test_file(robot.rules)
 
 
 @of_each_robot
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
-def test_a_node_comes_of_the_rules(robot: Robot, target: str, tmp_path: Path) -> None:
+def test_a_node_comes_of_the_rules(robot: BuiltInRobot, target: str, tmp_path: Path) -> None:
     written = build_files(robot.rules, target, tmp_path).written
     assert tmp_path / "src" / "rules.cpp" in written
 
@@ -97,7 +97,7 @@ def test_a_node_comes_of_the_rules(robot: Robot, target: str, tmp_path: Path) ->
 
 
 @of_each_robot
-def test_the_recording_is_what_the_simulation_says(robot: Robot, bless: bool) -> None:
+def test_the_recording_is_what_the_simulation_says(robot: BuiltInRobot, bless: bool) -> None:
     store, reported = simulated(robot.name)
     expected = list(reported)
     if bless:
@@ -113,7 +113,7 @@ def test_the_recording_is_what_the_simulation_says(robot: Robot, bless: bool) ->
     assert different <= MOST_DIFFERENT * len(expected)
 
 
-def recorded(robot: Robot) -> Iterator[tuple[str, int, str, bytes]]:
+def recorded(robot: BuiltInRobot) -> Iterator[tuple[str, int, str, bytes]]:
     """The messages of a recording, as they are stored, in the order in which they stand there."""
     with AnyReader([robot.recording]) as reader:
         for connection, at_ns, content in reader.messages():
@@ -134,7 +134,7 @@ def is_near(found: Any, wanted: Any) -> bool:
 
 
 @of_each_robot
-def test_topics_are_those_of_the_system_model(robot: Robot) -> None:
+def test_topics_are_those_of_the_system_model(robot: BuiltInRobot) -> None:
     declared = dict(DECLARED.findall((robot.folder / "system.ross").read_text(encoding="utf-8")))
     with open_recording(robot.recording) as opened:
         reported = {topic.name: topic.message_type for topic in opened.topics.values()}
@@ -143,7 +143,7 @@ def test_topics_are_those_of_the_system_model(robot: Robot) -> None:
 
 
 @of_each_robot
-def test_the_recording_makes_each_rule_active_and_clears_it(robot: Robot) -> None:
+def test_the_recording_makes_each_rule_active_and_clears_it(robot: BuiltInRobot) -> None:
     replay, found = replay_file(robot.rules, robot.recording, topic_map={})
     assert [one.title for one in found] == []
     changes: dict[str, list[Change]] = {rule.name: [] for rule in replay.machine.rules}

@@ -12,7 +12,7 @@ import pytest
 from rossmarie.driver import check_file, compile_file
 from rossmarie.driver.build import build_files
 from rossmarie.driver.replay import replay_file
-from rossmarie.ir import Kind, Machine, Verdict, field_names
+from rossmarie.ir import FieldKind, Machine, Verdict, field_names
 
 THESIS = Path(__file__).parents[2] / "examples" / "thesis"
 LISTINGS = ("arm", "mobile_base", "peg_in_hole")
@@ -93,7 +93,7 @@ def drive(machine: Machine) -> str:
         topic = machine.channels[machine.inputs[slot.input].channel].topic
         swing = 40.0 * np.sin(2 * np.pi * TIMES / (17.0 + index))
         course = next((COURSES[name] for name in names[index] if name in COURSES), swing)
-        values = (course > 0).astype(float) if slot.kind is Kind.FLAG else course
+        values = (course > 0).astype(float) if slot.kind is FieldKind.FLAG else course
         columns[".".join([topic, *map(str, slot.path)])] = values
     for array in machine.arrays:
         topic = machine.channels[machine.inputs[array.input].channel].topic

@@ -19,7 +19,7 @@ from heron.guard.collision_monitor import BASE_SPEED
 from heron.guard.zones import MIN_POINTS, Circle, Rectangle
 from heron.messages import Message
 from heron.robot.arm_controller import SPEED_SCALE
-from heron.topics import COMMAND, SCAN, InProcess, Parameter, Topic
+from heron.topics import COMMAND, SCAN, InProcess, NodeParameter, Topic
 from heron.variants import Arm, Person, Terrain
 
 MS = 1_000_000
@@ -127,7 +127,9 @@ def test_a_scanner_that_is_silent_stops_the_robot() -> None:
 
 def test_an_arm_gets_the_speed_of_the_strictest_zone() -> None:
     carrier, scale = InProcess(), [1.0]
-    carrier.declare(SPEED_SCALE, Parameter(lambda: scale[0], lambda value: scale.insert(0, value)))
+    carrier.declare(
+        SPEED_SCALE, NodeParameter(lambda: scale[0], lambda value: scale.insert(0, value))
+    )
     monitor = ArmCollisionMonitor(carrier)
     publish = carrier.publisher(SCAN)
     for now_ms, distance, expected in (

@@ -25,7 +25,7 @@ from heron.cli import main
 from heron.cli.main import app
 from heron.demo import Shot, page_of, shoot
 from heron.demo.charts import chart_of, time_ticks
-from heron.demo.frames import Frames
+from heron.demo.frames import DemoFrames
 from heron.demo.lanes import rules_of, tree_of
 from heron.evaluation import Folder
 from heron.experiments import EXPERIMENTS, run_placing
@@ -144,7 +144,7 @@ def made_up(arm: Arm, rules: dict[str, list[tuple[float, float]]]) -> Shot:
             signal.label: [(0.0, -1e-9), (1.0, 42.0), (2.0, 3.0)]
             for signal in EXPERIMENTS["place"].signals
         },
-        frames=Frames((PICTURE,) * 3, 1.0),
+        frames=DemoFrames((PICTURE,) * 3, 1.0),
     )
 
 

@@ -18,9 +18,9 @@ from typer.testing import CliRunner
 from dslkit.campaign import Journal, Value
 from heron.cli.main import app
 from heron.evaluation import (
+    EpisodeRow,
     Folder,
     Results,
-    Row,
     StudyRow,
     keys_of,
     page_of,
@@ -29,7 +29,7 @@ from heron.evaluation import (
     sources,
     write_page,
 )
-from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
@@ -43,12 +43,12 @@ PLACING = EXPERIMENTS["place"]
 COMMON = {"duration": 10.0, "completed": 1.0, "interventions": 0.0, "peak_force": 50.0}
 
 
-def row(arm: Arm, seed: int, variant: str = "high", **numbers: float) -> Row:
+def row(arm: Arm, seed: int, variant: str = "high", **numbers: float) -> EpisodeRow:
     every = {measure.name: 0.0 for measure in PLACING.measures}
-    return Row(variant, arm.value, seed, every | COMMON | numbers)
+    return EpisodeRow(variant, arm.value, seed, every | COMMON | numbers)
 
 
-def as_expected(seeds: Iterable[int]) -> list[Row]:
+def as_expected(seeds: Iterable[int]) -> list[EpisodeRow]:
     """The results of the thesis, in numbers."""
     found = []
     for seed in seeds:
@@ -61,7 +61,7 @@ def as_expected(seeds: Iterable[int]) -> list[Row]:
     return found
 
 
-def verdicts(rows: list[Row], variant: str = "high") -> dict[str, Verdict]:
+def verdicts(rows: list[EpisodeRow], variant: str = "high") -> dict[str, ExpectationVerdict]:
     (sample,) = (one for one in samples_of(PLACING, rows) if one.variant == variant)
     return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
@@ -69,7 +69,7 @@ def verdicts(rows: list[Row], variant: str = "high") -> dict[str, Verdict]:
 def test_what_the_thesis_says_is_as_expected() -> None:
     rows = as_expected(range(10))
     found = {**verdicts(rows), **verdicts(rows, "expected")}
-    assert set(found.values()) == {Verdict.HOLDS}
+    assert set(found.values()) == {ExpectationVerdict.HOLDS}
     assert len(found) == 13
 
 
@@ -100,13 +100,13 @@ def test_what_is_otherwise_is_not(
         for one in as_expected(range(10))
     ]
     found = verdicts(rows, variant)
-    assert {name for name, verdict in found.items() if verdict is Verdict.FAILS} == {key}
+    assert {name for name, verdict in found.items() if verdict is ExpectationVerdict.FAILS} == {key}
 
 
 def test_few_episodes_tell_nothing() -> None:
     found = verdicts(as_expected(range(2)))
-    assert found["harm rossmarie peak_force"] is Verdict.OPEN
-    assert verdicts(as_expected(range(1)))["safe deros peak_force"] is Verdict.OPEN
+    assert found["harm rossmarie peak_force"] is ExpectationVerdict.OPEN
+    assert verdicts(as_expected(range(1)))["safe deros peak_force"] is ExpectationVerdict.OPEN
 
 
 # --- a collision monitor beside them ---------------------------------------------------------
@@ -114,14 +114,14 @@ def test_few_episodes_tell_nothing() -> None:
 HUMAN = EXPERIMENTS["human"]
 
 
-def visit(arm: Arm, seed: int, **numbers: float) -> Row:
+def visit(arm: Arm, seed: int, **numbers: float) -> EpisodeRow:
     """An episode with somebody in the room, as safe as can be, and 40 s long."""
     every = {measure.name: 0.0 for measure in HUMAN.measures}
     usual = {"completed": 1.0, "duration": 40.0, "gives_way": 0.1 + 0.001 * seed}
-    return Row(Person.INSIDE.value, arm.value, seed, every | usual | numbers)
+    return EpisodeRow(Person.INSIDE.value, arm.value, seed, every | usual | numbers)
 
 
-def of_visits(**changed: dict[str, float]) -> dict[str, Verdict]:
+def of_visits(**changed: dict[str, float]) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten visits in each arm; numbers of an arm are changed by its name."""
     rows = [
         visit(arm, seed, **changed.get(arm.value, {})) for seed in range(10) for arm in HUMAN.arms
@@ -133,19 +133,21 @@ def of_visits(**changed: dict[str, float]) -> dict[str, Verdict]:
 @pytest.mark.parametrize(
     ("key", "arm", "numbers", "verdict"),
     [
-        ("does as much", "rossmarie", {"duration": 43.0}, Verdict.HOLDS),
-        ("does as much", "rossmarie", {"duration": 45.0}, Verdict.FAILS),
-        ("does as much", "rossmarie", {"completed": 0.0}, Verdict.FAILS),
-        ("does as much", "collision_monitor", {"completed": 0.0}, Verdict.HOLDS),
-        ("safe collision_monitor risk", "rossmarie", {"risk": 0.1}, Verdict.FAILS),
-        ("safe collision_monitor risk", "collision_monitor", {"risk": 0.1}, Verdict.HOLDS),
+        ("does as much", "rossmarie", {"duration": 43.0}, ExpectationVerdict.HOLDS),
+        ("does as much", "rossmarie", {"duration": 45.0}, ExpectationVerdict.FAILS),
+        ("does as much", "rossmarie", {"completed": 0.0}, ExpectationVerdict.FAILS),
+        ("does as much", "collision_monitor", {"completed": 0.0}, ExpectationVerdict.HOLDS),
+        ("safe collision_monitor risk", "rossmarie", {"risk": 0.1}, ExpectationVerdict.FAILS),
+        ("safe collision_monitor risk", "collision_monitor", {"risk": 0.1},
+         ExpectationVerdict.HOLDS),
         ("better collision_monitor gives_way", "collision_monitor", {"gives_way": 0.0},
-         Verdict.HOLDS),
-        ("better collision_monitor gives_way", "rossmarie", {"gives_way": 0.0}, Verdict.FAILS),
+         ExpectationVerdict.HOLDS),
+        ("better collision_monitor gives_way", "rossmarie", {"gives_way": 0.0},
+         ExpectationVerdict.FAILS),
     ],
 )  # fmt: skip
 def test_rossmarie_is_compared_with_the_collision_monitor(
-    key: str, arm: str, numbers: dict[str, float], verdict: Verdict
+    key: str, arm: str, numbers: dict[str, float], verdict: ExpectationVerdict
 ) -> None:
     assert of_visits(**{arm: numbers})[key] is verdict
 

@@ -15,7 +15,7 @@ require(MUJOCO)
 from rosbags.typesys import Stores, get_typestore
 
 from heron import messages
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import SimulatedNode, run
 from heron.guard import InProcessGuard
 from heron.messages import Message
 from heron.robot import (
@@ -34,7 +34,7 @@ from heron.variants import Terrain
 from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Machine, Verdict
-from rossmarie.recordings.extraction import Wanted, compile_extractor
+from rossmarie.recordings.extraction import WantedParts, compile_extractor
 
 Said = tuple[int, int, object]
 
@@ -49,7 +49,7 @@ def readers(machine: Machine) -> dict[str, tuple[int, Callable[[Message], Channe
             for number, slot in enumerate(machine.slots)
             if machine.inputs[slot.input].channel == index
         }
-        wanted = Wanted(slots, {})
+        wanted = WantedParts(slots, {})
         read = compile_extractor(store, channel.message_type, wanted, machine.texts).read
         found[channel.topic] = (index, read)
     return found
@@ -83,7 +83,7 @@ def test_verdicts_are_those_of_the_interpreter(rules: str) -> None:
         carrier.subscribe(topic, partial(carry, topic.name))
     generator = np.random.default_rng(7)
     guard = InProcessGuard(machine, carrier, lambda: physics.now_ns)
-    nodes: list[Node] = [
+    nodes: list[SimulatedNode] = [
         Imu(physics, carrier, generator, ImuParameters()),
         WheelOdometry(physics, carrier, generator, base, WheelOdometryParameters()),
         Drive(physics, carrier, base, DriveParameters()),

@@ -19,7 +19,7 @@ from heron.guard import InProcessGuard
 from heron.robot.arm_controller import SPEED_SCALE
 from heron.scene import RoomParameters
 from heron.tasks import Status
-from heron.topics import SCAN, InProcess, Parameter
+from heron.topics import SCAN, InProcess, NodeParameter
 from heron.variants import Arm, Person
 
 SEED = 3
@@ -113,7 +113,7 @@ def test_close_is_as_near_as_the_rules_say(beyond: float, is_close: bool) -> Non
     ranges = np.full(720, np.inf, dtype=np.float32)
     ranges[:10] = RoomParameters().close + beyond
     carrier = InProcess()
-    carrier.declare(SPEED_SCALE, Parameter(lambda: 1.0, lambda _: None))
+    carrier.declare(SPEED_SCALE, NodeParameter(lambda: 1.0, lambda _: None))
     guard = InProcessGuard(machine_of(HUMAN_RULES[Arm.ROSSMARIE]), carrier, lambda: 0)
     scan = messages.laser_scan(0, (-np.pi, np.pi, np.radians(0.5)), (0.1, 30.0), ranges)
     carrier.publisher(SCAN)(scan)

@@ -10,8 +10,8 @@ from support.parts import MUJOCO, require
 
 require(MUJOCO)
 
-from heron.evaluation import Row
-from heron.evaluation.expectation import Verdict
+from heron.evaluation import EpisodeRow
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
@@ -22,7 +22,7 @@ IN_THE_WAY = {Trouble.LASTING: 103.0, Trouble.PASSING: 45.0}
 FREE, ALWAYS = 39.0, 62.0
 
 
-def delivered(arm: Arm, trouble: Trouble, seed: int) -> Row:
+def delivered(arm: Arm, trouble: Trouble, seed: int) -> EpisodeRow:
     """An episode as it is expected; in every fifth, nothing stands in the way."""
     is_blocked = trouble is not Trouble.NONE and seed % 5 > 0
     goes_straight_on = trouble is Trouble.NONE or arm is Arm.TREES
@@ -35,12 +35,12 @@ def delivered(arm: Arm, trouble: Trouble, seed: int) -> Row:
         "activations": float(is_met),
         "touched": 0.0,
     }
-    return Row(trouble.value, arm.value, seed, numbers)
+    return EpisodeRow(trouble.value, arm.value, seed, numbers)
 
 
 def of_trouble(
     trouble: Trouble, changed: Arm | None = None, **numbers: float
-) -> dict[str, Verdict]:
+) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [delivered(arm, trouble, seed) for seed in range(10) for arm in SECOND.arms]
     rows = [
@@ -52,7 +52,7 @@ def of_trouble(
 
 def test_what_is_expected_of_learning_is_as_expected() -> None:
     found = [of_trouble(trouble) for trouble in Trouble]
-    assert [set(each.values()) for each in found] == [{Verdict.HOLDS}] * 3
+    assert [set(each.values()) for each in found] == [{ExpectationVerdict.HOLDS}] * 3
     assert [len(each) for each in found] == [7, 7, 4]
     assert "sooner" in found[0]
     assert "later" in found[1]
@@ -75,4 +75,4 @@ def test_what_is_expected_of_learning_is_as_expected() -> None:
 def test_what_is_otherwise_is_not_as_expected(
     key: str, trouble: Trouble, arm: Arm, numbers: dict[str, float]
 ) -> None:
-    assert of_trouble(trouble, arm, **numbers)[key] is Verdict.FAILS
+    assert of_trouble(trouble, arm, **numbers)[key] is ExpectationVerdict.FAILS

@@ -10,8 +10,8 @@ from support.parts import MUJOCO, require
 
 require(MUJOCO)
 
-from heron.evaluation import Row
-from heron.evaluation.expectation import Verdict
+from heron.evaluation import EpisodeRow
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
@@ -21,19 +21,19 @@ CORRIDOR = EXPERIMENTS["corridor"]
 TIMES = {Arm.NONE: 58.0, Arm.ROSSMARIE: 60.0, Arm.SKILL_AWARE: 110.0, Arm.PROACTIVE: 65.0}
 
 
-def driven(arm: Arm, passage: Passage, seed: int) -> Row:
+def driven(arm: Arm, passage: Passage, seed: int) -> EpisodeRow:
     """An episode as it is expected."""
     numbers = {"completed": 1.0, "duration": TIMES[arm] + 0.01 * seed, "interventions": 0.0}
     numbers |= {"restricted": 0.0, "restricted_without_need": 0.0}
     if passage is Passage.CHILD:
         speed = {Arm.NONE: 1.0, Arm.ROSSMARIE: 0.4 + 0.01 * seed}.get(arm, 0.0)
         numbers |= {"nearest": 0.1, "fastest_near": speed, "impact": speed}
-    return Row(passage.value, arm.value, seed, numbers)
+    return EpisodeRow(passage.value, arm.value, seed, numbers)
 
 
 def of_children(
     passage: Passage, changed: Arm | None = None, **numbers: float
-) -> dict[str, Verdict]:
+) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [driven(arm, passage, seed) for seed in range(10) for arm in CORRIDOR.arms]
     rows = [
@@ -45,7 +45,7 @@ def of_children(
 
 def test_what_is_expected_of_places_is_as_expected() -> None:
     found = [of_children(passage) for passage in Passage]
-    assert [set(each.values()) for each in found] == [{Verdict.HOLDS}] * 2
+    assert [set(each.values()) for each in found] == [{ExpectationVerdict.HOLDS}] * 2
     assert [len(each) for each in found] == [10, 3]
 
 
@@ -64,4 +64,4 @@ def test_what_is_expected_of_places_is_as_expected() -> None:
 def test_what_is_otherwise_is_not_as_expected(
     key: str, arm: Arm, numbers: dict[str, float]
 ) -> None:
-    assert of_children(Passage.CHILD, arm, **numbers)[key] is Verdict.FAILS
+    assert of_children(Passage.CHILD, arm, **numbers)[key] is ExpectationVerdict.FAILS

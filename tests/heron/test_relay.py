@@ -7,7 +7,7 @@ from pathlib import Path
 
 from heron.goals import Goal
 from heron.guard import InProcessGuard
-from heron.topics import Parameter
+from heron.topics import NodeParameter
 from support.guarding import Guarded
 
 SECOND = 1_000_000_000
@@ -54,7 +54,7 @@ class Scene:
         self.stiffness = 500.0
         self.results: list[bool] = []
         self.guarded.carrier.serve("/arm", self.arm)
-        parameter = Parameter(lambda: self.stiffness, self._set)
+        parameter = NodeParameter(lambda: self.stiffness, self._set)
         self.guarded.carrier.declare("/arm_controller.stiffness", parameter)
         self.guard: InProcessGuard = self.guarded.start(path)
         self.guarded.speed(0.0)

@@ -10,8 +10,8 @@ from support.parts import MUJOCO, require
 
 require(MUJOCO)
 
-from heron.evaluation import Row
-from heron.evaluation.expectation import Verdict
+from heron.evaluation import EpisodeRow
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
@@ -20,7 +20,7 @@ from heron.variants import Arm, Encounter
 CONTACT = EXPERIMENTS["contact"]
 
 
-def touched(arm: Arm, encounter: Encounter, seed: int) -> Row:
+def touched(arm: Arm, encounter: Encounter, seed: int) -> EpisodeRow:
     """An episode as it is expected."""
     is_aware, is_guarded = arm is Arm.SKILL_AWARE, arm is not Arm.NONE
     numbers = {measure.name: 0.0 for measure in CONTACT.measures if "reaction" not in measure.name}
@@ -37,12 +37,12 @@ def touched(arm: Arm, encounter: Encounter, seed: int) -> Row:
             numbers |= {"reaction_jam": 0.1} if is_guarded else {}
         case Encounter.MEANT:
             pass
-    return Row(encounter.value, arm.value, seed, numbers)
+    return EpisodeRow(encounter.value, arm.value, seed, numbers)
 
 
 def of_contacts(
     encounter: Encounter, changed: Arm | None = None, **numbers: float
-) -> dict[str, Verdict]:
+) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [touched(arm, encounter, seed) for seed in range(10) for arm in CONTACT.arms]
     rows = [
@@ -54,7 +54,7 @@ def of_contacts(
 
 def test_what_is_expected_of_skills_is_as_expected() -> None:
     found = [of_contacts(encounter) for encounter in Encounter]
-    assert [set(each.values()) for each in found] == [{Verdict.HOLDS}] * 3
+    assert [set(each.values()) for each in found] == [{ExpectationVerdict.HOLDS}] * 3
     assert [len(each) for each in found] == [9, 3, 3]
 
 
@@ -77,7 +77,7 @@ def test_what_is_not_as_expected_of_skills_is_reported(
     key: str, encounter: Encounter, arm: Arm, numbers: dict[str, float]
 ) -> None:
     found = of_contacts(encounter, arm, **numbers)
-    assert {name for name, verdict in found.items() if verdict is Verdict.FAILS} == {key}
+    assert {name for name, verdict in found.items() if verdict is ExpectationVerdict.FAILS} == {key}
 
 
 def test_a_contact_that_nobody_acts_on_is_reported() -> None:
@@ -87,4 +87,4 @@ def test_a_contact_that_nobody_acts_on_is_reported() -> None:
     (expectation,) = (
         one for one in expectations_of(sample) if one.key == "stops skill_aware collision"
     )
-    assert (expectation.found, expectation.verdict) == ("in 9 of 10", Verdict.FAILS)
+    assert (expectation.found, expectation.verdict) == ("in 9 of 10", ExpectationVerdict.FAILS)

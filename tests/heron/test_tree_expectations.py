@@ -10,8 +10,8 @@ from support.parts import MUJOCO, require
 
 require(MUJOCO)
 
-from heron.evaluation import Row
-from heron.evaluation.expectation import Verdict
+from heron.evaluation import EpisodeRow
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
@@ -21,7 +21,7 @@ BLOCKED = EXPERIMENTS["blocked"]
 TIMES = {Arm.NONE: 90.0, Arm.ROSSMARIE: 100.0, Arm.TREES: 107.0}
 
 
-def delivered(arm: Arm, blockage: Blockage, seed: int) -> Row:
+def delivered(arm: Arm, blockage: Blockage, seed: int) -> EpisodeRow:
     """An episode as it is expected."""
     is_short = blockage is Blockage.TROLLEY and arm is Arm.TREES
     numbers = {
@@ -34,12 +34,12 @@ def delivered(arm: Arm, blockage: Blockage, seed: int) -> Row:
         "restricted": 0.0,
         "restricted_without_need": 0.0,
     }
-    return Row(blockage.value, arm.value, seed, numbers)
+    return EpisodeRow(blockage.value, arm.value, seed, numbers)
 
 
 def of_obstacles(
     blockage: Blockage, changed: Arm | None = None, **numbers: float
-) -> dict[str, Verdict]:
+) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [delivered(arm, blockage, seed) for seed in range(10) for arm in BLOCKED.arms]
     rows = [
@@ -51,7 +51,7 @@ def of_obstacles(
 
 def test_what_is_expected_of_trees_is_as_expected() -> None:
     found = [of_obstacles(blockage) for blockage in Blockage]
-    assert [set(each.values()) for each in found] == [{Verdict.HOLDS}] * 3
+    assert [set(each.values()) for each in found] == [{ExpectationVerdict.HOLDS}] * 3
     assert [len(each) for each in found] == [5, 4, 5]
 
 
@@ -70,4 +70,4 @@ def test_what_is_expected_of_trees_is_as_expected() -> None:
 def test_what_is_otherwise_is_not_as_expected(
     key: str, blockage: Blockage, arm: Arm, numbers: dict[str, float]
 ) -> None:
-    assert of_obstacles(blockage, arm, **numbers)[key] is Verdict.FAILS
+    assert of_obstacles(blockage, arm, **numbers)[key] is ExpectationVerdict.FAILS

@@ -14,7 +14,7 @@ from rosbags import rosbag1
 from rosbags.typesys import Stores
 
 from rossmarie.driver import compile_file
-from rossmarie.driver.robots import Robot, robots
+from rossmarie.driver.robots import BuiltInRobot, robots
 from support.live import Ros, Wanted
 from support.live_replay import Changes, replayed, says
 from support.message_packages import write_packages
@@ -60,7 +60,7 @@ def test_a_node_says_what_a_replay_says(
     assert of_each_rule(reported) == of_each_rule(wanted)
 
 
-def of_ros2(robot: Robot, folder: Path) -> Path:
+def of_ros2(robot: BuiltInRobot, folder: Path) -> Path:
     """The topics of the robot that the rules read."""
     topics = {channel.topic for channel in compile_file(robot.rules).machine.channels}
     store, reported = simulated(robot.name)
@@ -68,7 +68,7 @@ def of_ros2(robot: Robot, folder: Path) -> Path:
     return folder
 
 
-def of_ros1(robot: Robot, path: Path) -> Path:
+def of_ros1(robot: BuiltInRobot, path: Path) -> Path:
     """The same as a bag of ROS 1."""
     topics = {channel.topic for channel in compile_file(robot.rules).machine.channels}
     ros2, reported = simulated(robot.name)

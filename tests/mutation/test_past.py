@@ -81,7 +81,7 @@ def sent(at_ms: int, **numbers: float) -> Update:
 def message(machine: ir.Machine, random: Random, channel: int) -> ir.ChannelValues:
     """Numbers at the limit of all rules, beside it, and none; lists of none to too many."""
     slots = {
-        index: random.choice(FLAGS) if slot.kind is ir.Kind.FLAG else number(random)
+        index: random.choice(FLAGS) if slot.kind is ir.FieldKind.FLAG else number(random)
         for index, slot in enumerate(machine.slots)
         if machine.inputs[slot.input].channel == channel
     }
@@ -92,7 +92,7 @@ def message(machine: ir.Machine, random: Random, channel: int) -> ir.ChannelValu
         if machine.inputs[array.input].channel == channel
     }
     for index in arrays:
-        if machine.arrays[index].kind is ir.Kind.TEXT:
+        if machine.arrays[index].kind is ir.FieldKind.TEXT:
             arrays[index] = [random.choice((0.0, -1.0)) for _ in range(count)]
     return ir.ChannelValues(slots, arrays)
 

@@ -110,7 +110,7 @@ def _message(machine: ir.Machine, random: Random, channel: int) -> ChannelValues
     slots = {}
     for index, slot in enumerate(machine.slots):
         if machine.inputs[slot.input].channel == channel:
-            if slot.kind is not ir.Kind.REAL:
+            if slot.kind is not ir.FieldKind.REAL:
                 slots[index] = random.choice((0.0, 1.0))
             elif slot.path[0] == "orientation":
                 slots[index] = orientation["xyzw".index(str(slot.path[1]))]

@@ -355,7 +355,7 @@ def test_a_field_of_whole_numbers_may_hold_all_of_them(data: st.DataObject) -> N
     scale, offset = data.draw(scales)
     draft = Draft()
     x = draft.signal(
-        ir.Read(draft.slot(draft.input(draft.channel()), ir.Kind.REAL, scale, offset, limits))
+        ir.Read(draft.slot(draft.input(draft.channel()), ir.FieldKind.REAL, scale, offset, limits))
     )
     raw = data.draw(st.one_of(st.sampled_from(limits), st.integers(*map(int, limits)).map(float)))
     equal = draft.proposition(

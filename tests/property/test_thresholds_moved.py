@@ -14,7 +14,7 @@ from rossmarie.testing.cone import cone_of, reported_by
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.margins import Reported, moved, thresholds
 from rossmarie.testing.places import compared_with_constants, seen_by
-from rossmarie.testing.play import Step
+from rossmarie.testing.play import InstantEvents
 from support.depth import examples
 from support.growing import NUMBERS, TICK
 from support.machines import Update, machines, traces
@@ -57,7 +57,7 @@ def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
     assume(trace)
     end_ns = trace[-1].at_ns + data.draw(st.integers(0, 8)) * TICK
     watcher = Watcher(machine, kept=compared_with_constants(machine))
-    steps = [Step(step.at_ns, step.messages) for step in trace]
+    steps = [InstantEvents(step.at_ns, step.messages) for step in trace]
     history = watcher.watch(steps, end_ns, from_zero=False)
     cone = cone_of(machine, threshold.propositions)
     assert cone is not None

@@ -9,7 +9,7 @@ import pytest
 from rossmarie.driver.testing import run_test_file
 from rossmarie.driver.verifying import prove, queries_of
 from rossmarie.testing.goals import Aspect
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.command_line import run
 from support.generated import generated_tests
 from support.library import BOUNDARIES, LABELS, library_files, name_of, paragraphs, rules_of
@@ -96,5 +96,5 @@ def test_the_generated_tests_are_those_of_the_rules(path: Path, bless: bool) -> 
 @of_rules
 def test_the_generated_c_of_a_file_is_proved(path: Path) -> None:
     proofs = prove(queries_of(path), Prover(), seconds=120)
-    unproved = [each for each in proofs.outcomes if each.verdict is not Verdict.PROVED]
+    unproved = [each for each in proofs.outcomes if each.verdict is not ProofVerdict.PROVED]
     assert [outcome.check.about for outcome in unproved] == []

@@ -37,7 +37,7 @@ def thresholds() -> ir.Machine:
     draft = Draft()
     channel = draft.channel()
     speed = draft.signal(ir.Read(draft.slot(draft.input(channel))), "speed", "m/s")
-    docked = draft.signal(ir.Read(draft.slot(draft.input(channel), ir.Kind.FLAG)), "docked")
+    docked = draft.signal(ir.Read(draft.slot(draft.input(channel), ir.FieldKind.FLAG)), "docked")
     fast = draft.proposition(ir.Held(draft.above(speed, 0.5), 2 * SECOND), "drive.fast")
     away = draft.proposition(ir.Not(draft.proposition(ir.Flag(docked))))
     slow = draft.proposition(

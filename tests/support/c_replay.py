@@ -197,7 +197,7 @@ def program(machine: ir.Machine) -> str:
         lacking = [
             f"isnan(v.{name}.{field.name})"
             for field in types.fields_of(machine, channel)
-            if field.slot is not None and machine.slots[field.slot].kind is not ir.Kind.REAL
+            if field.slot is not None and machine.slots[field.slot].kind is not ir.FieldKind.REAL
         ]
         alone = " && ".join([f"v.has_{name}", *(f"!{other}" for other in [*others, *lacking])])
         arguments = ["m", "t_ns", *_arguments(machine, channel, f"v.{name}.")]
@@ -215,13 +215,13 @@ def program(machine: ir.Machine) -> str:
     return text.replace("NAME", layout.name)
 
 
-def _is_column(machine: ir.Machine, field: types.Field) -> bool:
+def _is_column(machine: ir.Machine, field: types.StructField) -> bool:
     return field.array is not None and machine.arrays[field.array].list is not None
 
 
 def _arguments(machine: ir.Machine, channel: int, prefix: str) -> list[str]:
     """The fields of a message as the public function of its channel takes them."""
-    casts = {ir.Kind.REAL: "", ir.Kind.FLAG: "(bool)", ir.Kind.TEXT: "(int32_t)"}
+    casts = {ir.FieldKind.REAL: "", ir.FieldKind.FLAG: "(bool)", ir.FieldKind.TEXT: "(int32_t)"}
     arguments = []
     for field in types.fields_of(machine, channel):
         cast = "" if field.slot is None else casts[machine.slots[field.slot].kind]
@@ -267,7 +267,9 @@ def table_bytes(columns: Columns) -> bytes:
     )
 
 
-def _message(machine: ir.Machine, fields: Sequence[types.Field], values: ir.ChannelValues) -> bytes:
+def _message(
+    machine: ir.Machine, fields: Sequence[types.StructField], values: ir.ChannelValues
+) -> bytes:
     parts = []
     for field in fields:
         if field.slot is not None:

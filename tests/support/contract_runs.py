@@ -15,7 +15,7 @@ from itertools import product
 from ezskiros.ontology.statements import AnyOf, Relation
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference
 from support.contract_trees import OWN, RELATIONS, THINGS, Drawn, Facts, holds
@@ -170,7 +170,7 @@ class Run:
             return False
         self.started.append(call)
         for parameter in skill.parameters:
-            if parameter.kind is Kind.INFERRED:
+            if parameter.kind is ParameterKind.INFERRED:
                 self.names[parameter.name] = things[parameter.name]
         try:
             if not place.is_again and self.chance.random() < 0.5:

@@ -13,7 +13,7 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.statements import AnyOf, Relation, Statement
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference
 from support.ontologies import START, turtle
@@ -144,7 +144,7 @@ class Drawing:
         self._count += 1
         return Span(FILE, self._count, self._count + 1)
 
-    def parameter(self, name: str, kind: Kind) -> Parameter:
+    def parameter(self, name: str, kind: ParameterKind) -> Parameter:
         return Parameter(name, kind, self.rules.ontology.class_of(START + "T"), self.span())
 
     def relation(self, names: Sequence[str]) -> Relation:
@@ -162,7 +162,7 @@ class Drawing:
         said = dict.fromkeys(self.statement(names) for _ in range(count))
         return [Clause(each, self.span()) for each in said]
 
-    def skill(self, name: str, kinds: Mapping[str, Kind], most: int = 1) -> SkillInterface:
+    def skill(self, name: str, kinds: Mapping[str, ParameterKind], most: int = 1) -> SkillInterface:
         parameters = [self.parameter(each, kind) for each, kind in kinds.items()]
         pre, post = self.clauses([*kinds], 0, most), self.clauses([*kinds], 1, 2)
         hold = self.clauses([*kinds], 1, 1) if self.chance.random() < 0.2 else []
@@ -173,9 +173,9 @@ class Drawing:
         known: list[Any] = [*self.skills.known]
         called = self.chance.choice([*known, None, None])
         if called is None:
-            kinds = {"X": Kind.REQUIRED, "Y": Kind.REQUIRED}
+            kinds = {"X": ParameterKind.REQUIRED, "Y": ParameterKind.REQUIRED}
             if self.chance.random() < 0.3:
-                kinds["I"] = Kind.INFERRED
+                kinds["I"] = ParameterKind.INFERRED
             called = type(f"S{len(known)}", (), {})
             self.skills.known[called] = self.skill(called.__name__, kinds)
         given = {name: ThingReference(self.chance.choice(compound.parameters)) for name in "XY"}
@@ -199,5 +199,5 @@ def drawn(chance: random.Random) -> Drawn:
     kinds = tuple(frozenset(chance.sample(KINDS, chance.randint(0, 1))) for _ in RELATIONS)
     rules = Rules((kinds[0], kinds[1]), frozenset(chance.sample(BETWEEN, chance.randint(0, 1))))
     drawing = Drawing(chance, rules)
-    compound = drawing.skill("Compound", dict.fromkeys(OWN, Kind.REQUIRED), most=4)
+    compound = drawing.skill("Compound", dict.fromkeys(OWN, ParameterKind.REQUIRED), most=4)
     return Drawn(rules, drawing.skills, compound, drawing.node(compound, 2))

@@ -49,7 +49,7 @@ class Draft:
     def slot(
         self,
         used: int,
-        kind: ir.Kind = ir.Kind.REAL,
+        kind: ir.FieldKind = ir.FieldKind.REAL,
         scale: float = 1.0,
         offset: float = 0.0,
         limits: tuple[float, float] | None = None,
@@ -61,7 +61,7 @@ class Draft:
     def query(self, used: int, step: ir.SkillStep) -> int:
         """A slot that is a query to the skills that run."""
         is_flag = isinstance(step, ir.Doing) or step.is_boolean
-        kind = ir.Kind.FLAG if is_flag else ir.Kind.REAL
+        kind = ir.FieldKind.FLAG if is_flag else ir.FieldKind.REAL
         self.slots.append(ir.Slot(used, (step,), kind, 1.0, 0.0, ""))
         return len(self.slots) - 1
 
@@ -84,7 +84,7 @@ class Draft:
     def column(
         self,
         its_list: int,
-        kind: ir.Kind = ir.Kind.REAL,
+        kind: ir.FieldKind = ir.FieldKind.REAL,
         scale: float = 1.0,
         offset: float = 0.0,
         limits: tuple[float, float] | None = None,
@@ -112,7 +112,7 @@ class Draft:
     def apply(self, function: ir.AnyFunction, *operands: int) -> int:
         return self.signal(ir.Apply(function, operands))
 
-    def read(self, timeout_ns: int | None = None, kind: ir.Kind = ir.Kind.REAL) -> int:
+    def read(self, timeout_ns: int | None = None, kind: ir.FieldKind = ir.FieldKind.REAL) -> int:
         """A signal that reads a slot of an input on a channel of its own."""
         return self.signal(ir.Read(self.slot(self.input(self.channel(), timeout_ns), kind)))
 

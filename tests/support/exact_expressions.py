@@ -10,13 +10,13 @@ from rossmarie.core.expressions import (
     Chosen,
     Computed,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsEqual,
     IsLess,
     IsUnknown,
     Local,
-    Number,
     Operand,
     Primitive,
 )
@@ -25,7 +25,7 @@ from rossmarie.core.expressions import (
 def value(expression: Expression, operands: list[Fraction]) -> Fraction:
     """An expression in exact numbers."""
     match expression:
-        case Number(value=number):
+        case ConstantNumber(value=number):
             return Fraction(number)
         case Operand(index=index):
             return operands[index]

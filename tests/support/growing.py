@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from rossmarie.core import (
     Circle,
-    Measure,
     Polygon,
     Rectangle,
     Region,
     RegionFunction,
+    RegionMeasure,
     row,
     sampling_row,
 )
@@ -107,7 +107,9 @@ class Growing:
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
-        kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array", "list"))
+        kinds = st.sampled_from(
+            (*ir.FieldKind, ir.FieldKind.REAL, ir.FieldKind.REAL, "array", "list")
+        )
         for kind in self.draw(st.lists(kinds, max_size=3)):
             scale, offset = self.draw(scales)
             limits = self.draw(whole_limits)
@@ -116,7 +118,7 @@ class Growing:
             elif isinstance(kind, str):
                 array = self.draft.array(used, scale, offset, limits)
                 self.element_numbers[array] = [self.draft.signal(ir.Element(array))]
-            elif kind is ir.Kind.REAL:
+            elif kind is ir.FieldKind.REAL:
                 slot = self.draft.slot(used, kind, scale, offset, limits)
                 self.numbers.append(self.draft.signal(ir.Read(slot)))
             else:
@@ -131,7 +133,7 @@ class Growing:
         for is_text in (False, *self.draw(st.lists(kinds, max_size=2))):
             scale, offset = self.draw(scales)
             settings = () if is_text else (scale, offset, self.draw(whole_limits))
-            kind = ir.Kind.TEXT if is_text else ir.Kind.REAL
+            kind = ir.FieldKind.TEXT if is_text else ir.FieldKind.REAL
             column = self.draft.column(its_list, kind, *settings)
             first = column if first is None else first
             known = self.element_texts if is_text else self.element_numbers
@@ -144,7 +146,7 @@ class Growing:
         grow += [self._timed]
         if self.element_numbers:
             grow += [self._fold, self._fold, self._count]
-        if self._slots_of(ir.Kind.TEXT):
+        if self._slots_of(ir.FieldKind.TEXT):
             grow += [self._distance, self._seen]
         self.numbers.append(self.draw(st.sampled_from(grow))())
 
@@ -161,21 +163,21 @@ class Growing:
         return self.draw(st.integers(declared.least, declared.most or 3))
 
     def _distance(self) -> int:
-        return self._of_region(Measure.DISTANCE)
+        return self._of_region(RegionMeasure.DISTANCE)
 
     def _seen(self) -> int:
         """Any number, where a text says a frame (S77)."""
-        slot = self.draw(st.sampled_from(self._slots_of(ir.Kind.TEXT)))
+        slot = self.draw(st.sampled_from(self._slots_of(ir.FieldKind.TEXT)))
         seen = self.draft.signal(ir.Read(slot))
         wanted = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self.draft.apply(ir.Function.SEEN, self.one_of(self.numbers), seen, wanted)
 
-    def _of_region(self, measure: Measure, x: int | None = None) -> int:
+    def _of_region(self, measure: RegionMeasure, x: int | None = None) -> int:
         """A function of a region, of any two numbers, with a text for their frame; with `x`, of the
         element at hand.
         """
         function = RegionFunction(measure, self.draw(regions))
-        slot = self.draw(st.sampled_from(self._slots_of(ir.Kind.TEXT)))
+        slot = self.draw(st.sampled_from(self._slots_of(ir.FieldKind.TEXT)))
         point = [self.one_of(self.numbers), self.one_of(self.numbers)]
         if x is not None:
             point = [x, self._beside()]
@@ -183,7 +185,7 @@ class Growing:
         wanted = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self.draft.apply(function, *point, seen, wanted)
 
-    def _slots_of(self, kind: ir.Kind) -> list[int]:
+    def _slots_of(self, kind: ir.FieldKind) -> list[int]:
         return [index for index, slot in enumerate(self.draft.slots) if slot.kind is kind]
 
     def _rate(self) -> int:
@@ -220,8 +222,8 @@ class Growing:
         known = self.element_numbers[array]
         if self.draw(st.booleans()):
             return self.one_of(known)
-        if self._slots_of(ir.Kind.TEXT) and self.draw(st.integers(0, 3)) == 0:
-            known.append(self._of_region(Measure.DISTANCE, self.one_of(known)))
+        if self._slots_of(ir.FieldKind.TEXT) and self.draw(st.integers(0, 3)) == 0:
+            known.append(self._of_region(RegionMeasure.DISTANCE, self.one_of(known)))
             return known[-1]
         function = self.draw(st.sampled_from(FUNCTIONS))
         operands = [self._beside() for _ in range(self._arity(function))]
@@ -266,9 +268,9 @@ class Growing:
         grow = [self._compare, self._compare, self._between, self._age, self._oscillates]
         if self.element_numbers:
             grow += [self._quantified, self._quantified]
-        if any(slot.kind is not ir.Kind.REAL for slot in self.draft.slots):
+        if any(slot.kind is not ir.FieldKind.REAL for slot in self.draft.slots):
             grow += [self._flag_or_text]
-        if self._slots_of(ir.Kind.TEXT):
+        if self._slots_of(ir.FieldKind.TEXT):
             grow += [self._inside]
         if self.propositions:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
@@ -312,17 +314,17 @@ class Growing:
         return self._add(ir.Quantified(quantifier, self._element_proposition(self._array())))
 
     def _flag_or_text(self) -> int:
-        slots = [i for i, slot in enumerate(self.draft.slots) if slot.kind is not ir.Kind.REAL]
+        slots = [i for i, slot in enumerate(self.draft.slots) if slot.kind is not ir.FieldKind.REAL]
         slot = self.draw(st.sampled_from(slots))
         read = self.draft.signal(ir.Read(slot))
-        if self.draft.slots[slot].kind is ir.Kind.FLAG:
+        if self.draft.slots[slot].kind is ir.FieldKind.FLAG:
             return self._add(ir.Flag(read))
         comparison = self.draw(equalities)
         text = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self._add(ir.Compare(comparison, read, text))
 
     def _inside(self) -> int:
-        return self._add(ir.Flag(self._of_region(Measure.INSIDE)))
+        return self._add(ir.Flag(self._of_region(RegionMeasure.INSIDE)))
 
     def _doing(self) -> int:
         slot = self.draw(st.sampled_from(self.queries))

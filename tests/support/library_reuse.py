@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from rossmarie.driver.robots import Robot, robots
+from rossmarie.driver.robots import BuiltInRobot, robots
 from rossmarie.driver.workspace import LIBRARY, SYSTEM_MODEL
 from rossmarie.syntax import ast
 from support.library import library_files, module_of, name_of, parameters_of, rules_of
@@ -51,7 +51,7 @@ class _Use:
 class _Reported:
     """A robot, and the contents of its rules."""
 
-    robot: Robot
+    robot: BuiltInRobot
 
     @cached_property
     def uses(self) -> dict[str, _Use]:

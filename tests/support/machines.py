@@ -139,7 +139,7 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
             if machine.inputs[slot.input].channel == channel and draw(_IS_PRESENT)
         },
         arrays={
-            index: draw(st.lists(raw(ir.Kind.REAL, array.limits), max_size=4))
+            index: draw(st.lists(raw(ir.FieldKind.REAL, array.limits), max_size=4))
             for index, array in enumerate(machine.arrays)
             if machine.inputs[array.input].channel == channel and array.list is None
         }
@@ -179,17 +179,17 @@ def columns(draw: st.DrawFn, machine: ir.Machine, channel: int) -> dict[int, lis
 _IS_PRESENT = st.sampled_from((True,) * 9 + (False,))
 
 
-def raw(kind: ir.Kind, limits: tuple[float, float] | None = None) -> st.SearchStrategy[float]:
+def raw(kind: ir.FieldKind, limits: tuple[float, float] | None = None) -> st.SearchStrategy[float]:
     """A number as a message carries it; NaN if it is lacking."""
     if limits is not None:
         whole = st.integers(*map(int, limits)).map(float)
         return st.one_of(st.sampled_from((*limits, NAN)), whole)
     match kind:
-        case ir.Kind.FLAG:
+        case ir.FieldKind.FLAG:
             return st.sampled_from((0.0, 1.0, 0.0, 1.0, NAN))
-        case ir.Kind.TEXT:
+        case ir.FieldKind.TEXT:
             return st.sampled_from((0.0, 1.0, -1.0, 0.0, 1.0, NAN))
-        case ir.Kind.REAL:
+        case ir.FieldKind.REAL:
             broken = st.sampled_from((NAN, INFINITY, -INFINITY, *EXTREMES))
             return st.one_of(
                 st.sampled_from(NUMBERS),

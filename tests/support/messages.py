@@ -12,8 +12,8 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_typestore
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Array, Kind, Slot
-from rossmarie.recordings.extraction import Wanted
+from rossmarie.ir import Array, FieldKind, Slot
+from rossmarie.recordings.extraction import WantedParts
 
 TEXTS = ("docked", "höher", "")
 TIME = "builtin_interfaces/msg/Time"
@@ -113,7 +113,7 @@ def _stored_as(name: str) -> str:
 # --- what can be read ------------------------------------------------------------------------
 
 
-def all_fields(of: Described) -> Wanted:
+def all_fields(of: Described) -> WantedParts:
     """Everything in a message that a rule could read; elements of arrays, and one beyond them."""
     slots: list[Slot] = []
     arrays: list[Array] = []
@@ -121,9 +121,9 @@ def all_fields(of: Described) -> Wanted:
         if description[0] in (Nodetype.ARRAY, Nodetype.SEQUENCE):
             arrays.append(Array(0, path, 1.0, 0.0, ""))
         else:
-            kind = Kind.TEXT if description[1][0] == "string" else Kind.REAL
+            kind = FieldKind.TEXT if description[1][0] == "string" else FieldKind.REAL
             slots.append(Slot(0, path, kind, 1.0, 0.0, ""))
-    return Wanted(dict(enumerate(slots)), dict(enumerate(arrays)))
+    return WantedParts(dict(enumerate(slots)), dict(enumerate(arrays)))
 
 
 def _paths(

@@ -174,7 +174,7 @@ class NodeCore:
         return executed
 
 
-def _numbers(part: ir.Part, numbers: Sequence[float] | Floats) -> list[float]:
+def _numbers(part: ir.FieldPart, numbers: Sequence[float] | Floats) -> list[float]:
     """The numbers of a part in the units of a message."""
     given = [float(numbers[place]) for place in part.places]
     if part.is_flag:
@@ -184,5 +184,5 @@ def _numbers(part: ir.Part, numbers: Sequence[float] | Floats) -> list[float]:
     return [each * part.scale + part.offset for each in given]
 
 
-def _first(part: ir.Part, numbers: Sequence[float] | Floats) -> float:
+def _first(part: ir.FieldPart, numbers: Sequence[float] | Floats) -> float:
     return next(iter(_numbers(part, numbers)), math.nan)

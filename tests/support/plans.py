@@ -149,7 +149,7 @@ def reacting(found: ir.Reactions, watches: int) -> ir.Machine:
     used = draft.input(draft.channel())
     flags = []
     for _ in range(len(found.plans) + watches):
-        slot = draft.slot(used, ir.Kind.FLAG)
+        slot = draft.slot(used, ir.FieldKind.FLAG)
         flags.append(draft.proposition(ir.Flag(draft.signal(ir.Read(slot)))))
     for flag in flags[: len(found.plans)]:
         draft.rule(flag)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rossmarie import ir
 from rossmarie.guard import Decision, Guard, Place
-from rossmarie.ir import Kind, field_names
+from rossmarie.ir import FieldKind, field_names
 from support.growing import NUMBERS
 from support.guards import guarded_machines
 from support.machines import instants, raw
@@ -65,7 +65,7 @@ def _with_margins(draw: st.DrawFn, machine: ir.Machine) -> ir.Machine:
         index
         for index, signal in enumerate(machine.signals)
         if arrays[index] is None
-        and ir.kind_of(machine, index) is Kind.REAL
+        and ir.kind_of(machine, index) is FieldKind.REAL
         and not isinstance(signal.node, ir.Constant)
     ]
     rules = []
@@ -84,11 +84,11 @@ def _observed(draw: st.DrawFn, machine: ir.Machine) -> tuple[dict[str, Place], i
     observe: dict[str, Place] = {}
     size = 0
     for names, slot in zip(slots, machine.slots, strict=True):
-        is_there = slot.kind is not Kind.TEXT and draw(st.integers(0, 7)) > 0
+        is_there = slot.kind is not FieldKind.TEXT and draw(st.integers(0, 7)) > 0
         observe[min(names)] = size if is_there else None
         size += is_there
     # Texts are no numbers of an observation, and a list is observed as a whole.
-    assume(all(array.kind is not Kind.TEXT for array in machine.arrays))
+    assume(all(array.kind is not FieldKind.TEXT for array in machine.arrays))
     lengths = [draw(st.integers(1, 3)) for _ in machine.lists]
     for names, array in zip(arrays, machine.arrays, strict=True):
         length = draw(st.integers(1, 3)) if array.list is None else lengths[array.list]
@@ -109,7 +109,7 @@ def _acted(draw: st.DrawFn, machine: ir.Machine) -> tuple[dict[str, Place], int]
 
 @st.composite
 def _steps(draw: st.DrawFn, machine: ir.Machine, observed: int, acted: int) -> list[Step]:
-    seen = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(NUMBERS), raw(Kind.REAL))
+    seen = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(NUMBERS), raw(FieldKind.REAL))
     dtype = draw(st.sampled_from((np.float64, np.float32)))
     tasks = len(machine.reactions.tasks)
     report = st.tuples(st.integers(0, tasks - 1), st.booleans()) if tasks else st.none()

@@ -19,9 +19,9 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import (
     ProofOutcome,
+    ProofVerdict,
     Prover,
     ProverError,
-    Verdict,
 )
 from support.damage import damaged
 from support.parts import PROVER, require
@@ -68,7 +68,7 @@ def asked(
 
 def refuted(proofs: Proofs) -> list[str]:
     """The sentences that do not hold."""
-    return [reason for each in proofs.having(Verdict.REFUTED) for reason in each.reasons]
+    return [reason for each in proofs.having(ProofVerdict.REFUTED) for reason in each.reasons]
 
 
 @dataclass(frozen=True)
@@ -104,13 +104,13 @@ class StandIn(Prover):
         if check.name == self.hangs:
             self._hang()
         for verdict, those in (
-            (Verdict.REFUTED, self.refuted),
-            (Verdict.UNDECIDED, self.undecided),
+            (ProofVerdict.REFUTED, self.refuted),
+            (ProofVerdict.UNDECIDED, self.undecided),
         ):
             reasons = tuple(reason for name, reason in those if name == check.name)
             if reasons:
                 return ProofOutcome(check, verdict, reasons)
-        return ProofOutcome(check, Verdict.PROVED)
+        return ProofOutcome(check, ProofVerdict.PROVED)
 
     def _hang(self) -> None:
         with subprocess.Popen(["sleep", "120"], start_new_session=True) as beside:

@@ -17,7 +17,7 @@ from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Input, Kind, List, Machine, Slot, Step
+from rossmarie.ir import Array, Channel, FieldKind, Input, List, Machine, Slot, Step
 from rossmarie.recordings.batches import updates_in
 from rossmarie.recordings.model import Update
 from rossmarie.recordings.opening import open_recording
@@ -39,7 +39,7 @@ def span_of(text: str) -> Span:
     return Span(RULES, start, start + len(text))
 
 
-def slot(reader: int, *path: Step, kind: Kind = Kind.REAL) -> Slot:
+def slot(reader: int, *path: Step, kind: FieldKind = FieldKind.REAL) -> Slot:
     return Slot(reader, path, kind, 1.0, 0.0, "")
 
 

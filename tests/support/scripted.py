@@ -18,7 +18,7 @@ from py_trees.common import Status
 from ezskiros import SkillDescription
 from ezskiros.engine.build import behavior
 from ezskiros.engine.execution_context import ExecutionContext
-from ezskiros.engine.grounding import Names
+from ezskiros.engine.grounding import SharedValues
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
 from ezskiros.session import NOWHERE
@@ -92,7 +92,7 @@ def tree(described: str) -> Node:
 def traced(root: Node, *, compatible: bool, ticks: int = MOST_TICKS) -> list[str]:
     """The events, tick by tick, until there is a result."""
     execution = ExecutionContext(Library({}), World(Ontology(())), compatible=compatible)
-    running = behavior(root, Names({}), execution, None)
+    running = behavior(root, SharedValues({}), execution, None)
     found = []
     for _ in range(ticks):
         scripted.log.clear()

@@ -49,7 +49,7 @@ def tables(draw: st.DrawFn, machine: ir.Machine, most: int = 16) -> Table:
         table.columns[name] = draw(_SHAPES[slot.kind])(machine, values)
     for names, array, rows in zip(array_names, machine.arrays, arrays, strict=True):
         column: np.ndarray = np.array(rows).reshape(len(times), -1)
-        if array.kind is ir.Kind.TEXT:
+        if array.kind is ir.FieldKind.TEXT:
             column = _as_strings(machine, column.reshape(-1).tolist()).reshape(column.shape)
         table.columns[draw(st.sampled_from(sorted(names)))] = column
     given = {name: used for name, used in ir.arrival_names(machine).items() if draw(st.booleans())}
@@ -58,19 +58,21 @@ def tables(draw: st.DrawFn, machine: ir.Machine, most: int = 16) -> Table:
     return table
 
 
-def _column(draw: st.DrawFn, kind: ir.Kind, rows: int) -> list[float]:
-    if kind is ir.Kind.TEXT:  # a column of strings has no missing ones
+def _column(draw: st.DrawFn, kind: ir.FieldKind, rows: int) -> list[float]:
+    if kind is ir.FieldKind.TEXT:  # a column of strings has no missing ones
         return draw(st.lists(st.sampled_from((0.0, 1.0, -1.0)), min_size=rows, max_size=rows))
     return draw(st.lists(raw(kind), min_size=rows, max_size=rows))
 
 
 def _array(
-    draw: st.DrawFn, rows: int, width: int | None = None, kind: ir.Kind = ir.Kind.REAL
+    draw: st.DrawFn, rows: int, width: int | None = None, kind: ir.FieldKind = ir.FieldKind.REAL
 ) -> list[list[float]]:
     if width is None:
         width = draw(st.integers(0, 3))
     known = st.sampled_from((0.0, 1.0, -1.0))
-    row = st.lists(known if kind is ir.Kind.TEXT else raw(kind), min_size=width, max_size=width)
+    row = st.lists(
+        known if kind is ir.FieldKind.TEXT else raw(kind), min_size=width, max_size=width
+    )
     return draw(st.lists(row, min_size=rows, max_size=rows))
 
 
@@ -124,8 +126,8 @@ def _as_objects(machine: ir.Machine, values: list[float]) -> np.ndarray:
     return _as_strings(machine, values).astype(object)
 
 
-_SHAPES: dict[ir.Kind, st.SearchStrategy[_Shape]] = {
-    ir.Kind.REAL: st.sampled_from((_as_doubles, _as_every_other)),
-    ir.Kind.FLAG: st.sampled_from((_as_doubles, _as_flags)),
-    ir.Kind.TEXT: st.sampled_from((_as_strings, _as_objects)),
+_SHAPES: dict[ir.FieldKind, st.SearchStrategy[_Shape]] = {
+    ir.FieldKind.REAL: st.sampled_from((_as_doubles, _as_every_other)),
+    ir.FieldKind.FLAG: st.sampled_from((_as_doubles, _as_flags)),
+    ir.FieldKind.TEXT: st.sampled_from((_as_strings, _as_objects)),
 }

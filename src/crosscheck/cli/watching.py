@@ -13,7 +13,7 @@ import typer
 from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
 from crosscheck.live.facts import facts_of
-from crosscheck.live.model import Change
+from crosscheck.live.model import LiveChange
 from crosscheck.live.ros import Ears, NoRosError, listen
 from crosscheck.live.watch import Reported, Watch
 from dslkit import signals
@@ -116,7 +116,7 @@ def _times(count: int) -> str:
 
 def _tell_json(reported: Reported) -> None:
     line = {"time": _now().isoformat(timespec="milliseconds")}
-    if isinstance(reported, Change):
+    if isinstance(reported, LiveChange):
         typer.echo(
             json.dumps(
                 {**line, "change": reported.kind.value, "text": reported.text, **reported.names}

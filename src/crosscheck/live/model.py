@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
-class Running:
+class RunningCall:
     """A call of a skill: `goal` is its name, `things` are pairs of a parameter and its value."""
 
     skill: str
@@ -17,13 +17,13 @@ class Running:
 
 
 @dataclass(frozen=True)
-class Context:
+class RunningContext:
     """The running skills, and the digest of their export. If the rules reject the message,
     `problem` gives the reason, whatever the digest is, and the message has no skills.
     """
 
     digest: str
-    running: tuple[Running, ...] = ()
+    running: tuple[RunningCall, ...] = ()
     problem: str | None = None
 
 
@@ -40,10 +40,10 @@ class Alive:
     """A heartbeat of the node."""
 
 
-Message = Context | NodeState | Alive
+Message = RunningContext | NodeState | Alive
 
 
-class Kind(enum.Enum):
+class ChangeKind(enum.Enum):
     """The kind of a change."""
 
     SKILL_STARTS = "skill-starts"
@@ -60,9 +60,9 @@ class Kind(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Change:
+class LiveChange:
     """A change in words, and its names for programs."""
 
-    kind: Kind
+    kind: ChangeKind
     text: str
     names: Mapping[str, str] = field(default_factory=dict)

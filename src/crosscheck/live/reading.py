@@ -8,7 +8,7 @@ import itertools
 from collections.abc import Iterable
 from typing import Any
 
-from crosscheck.live.model import Context, NodeState, Running
+from crosscheck.live.model import NodeState, RunningCall, RunningContext
 from dslkit.diagnostics.visible import visible
 from rossmarie.ir.skills import MOST_ARGUMENTS, MOST_RUNNING
 
@@ -19,19 +19,19 @@ MOST_RULES = 10_000
 """The most rules of a state that are read."""
 
 
-def context_of(message: Any) -> Context:
+def context_of(message: Any) -> RunningContext:
     """The context in a `skill_context_msgs/SkillContext` of any ROS library."""
     digest = _text(message.digest)
     if len(message.running) > MOST_RUNNING:
-        return Context(digest, problem=f"more than {MOST_RUNNING} skills run")
+        return RunningContext(digest, problem=f"more than {MOST_RUNNING} skills run")
     if any(len(each.arguments) > MOST_ARGUMENTS for each in message.running):
-        return Context(digest, problem=f"a skill has more than {MOST_ARGUMENTS} arguments")
-    return Context(digest, tuple(map(_running, message.running)))
+        return RunningContext(digest, problem=f"a skill has more than {MOST_ARGUMENTS} arguments")
+    return RunningContext(digest, tuple(map(_running, message.running)))
 
 
-def _running(message: Any) -> Running:
+def _running(message: Any) -> RunningCall:
     things = {_text(each.parameter): _text(each.value or each.type) for each in message.arguments}
-    return Running(_text(message.skill), _text(message.goal), tuple(things.items()))
+    return RunningCall(_text(message.skill), _text(message.goal), tuple(things.items()))
 
 
 def state_of(message: Any) -> NodeState:

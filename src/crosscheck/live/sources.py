@@ -9,7 +9,7 @@ FIRST_PATIENCE = 5.0
 
 
 @dataclass
-class Source:
+class LiveSource:
     """A source that counts as silent after `patience` seconds. `heard` is the time of the last
     message; before the first message, the time of the subscription.
     """

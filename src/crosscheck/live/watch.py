@@ -10,8 +10,16 @@ from collections.abc import Iterable, Iterator
 
 from crosscheck.live import errors
 from crosscheck.live.facts import Facts
-from crosscheck.live.model import Alive, Change, Context, Kind, Message, NodeState, Running
-from crosscheck.live.sources import Source
+from crosscheck.live.model import (
+    Alive,
+    ChangeKind,
+    LiveChange,
+    Message,
+    NodeState,
+    RunningCall,
+    RunningContext,
+)
+from crosscheck.live.sources import LiveSource
 from crosscheck.live.tally import Count, Tally
 from dslkit.diagnostics import Diagnostic, Severity, Template, listed
 from dslkit.source import Span
@@ -19,7 +27,7 @@ from dslkit.source import Span
 NODE_PATIENCE = 3.0
 """The seconds after which a node counts as silent. It reports diagnostics once a second."""
 
-Reported = Change | Diagnostic
+Reported = LiveChange | Diagnostic
 _Call = tuple[str, str]
 """A skill, and the name of its call."""
 
@@ -29,8 +37,8 @@ class Watch:
 
     def __init__(self, facts: Facts, start: float) -> None:
         self._facts, self.start, self.now = facts, start, start
-        self._context = Source(facts.timeout, start)
-        self._node = Source(NODE_PATIENCE, start)
+        self._context = LiveSource(facts.timeout, start)
+        self._node = LiveSource(NODE_PATIENCE, start)
         self._exempted: frozenset[str] = frozenset()
         self._taken: frozenset[tuple[str, str, str]] = frozenset()
         self._reported: set[type[Template]] = set()
@@ -49,7 +57,7 @@ class Watch:
 
     def _take(self, message: Message) -> Iterator[Reported]:
         match message:
-            case Context():
+            case RunningContext():
                 yield from self._take_context(message)
             case NodeState():
                 yield from self._take_state(message)
@@ -95,7 +103,7 @@ class Watch:
 
     # --- skills -----------------------------------------------------------------------------------
 
-    def _take_context(self, context: Context) -> Iterator[Reported]:
+    def _take_context(self, context: RunningContext) -> Iterator[Reported]:
         self._context.speaks(self.now)
         yield from self._over(errors.SilentContext, f"{self._facts.topic} is reported again")
         yield from self._unusable(context)
@@ -111,7 +119,7 @@ class Watch:
         yield from self._not_exported()
         yield from self._compare_takings()
 
-    def _unusable(self, context: Context) -> Iterator[Reported]:
+    def _unusable(self, context: RunningContext) -> Iterator[Reported]:
         digest = self._facts.robot.skills.digest
         reason = context.problem
         if reason is None and context.digest != digest:
@@ -124,15 +132,17 @@ class Watch:
         )
         yield from self._tell(errors.UnusableContext, wrong.at(self._facts.declaration))
 
-    def _starts(self, running: Running) -> Change:
+    def _starts(self, running: RunningCall) -> LiveChange:
         self.skills.begin((running.skill, running.goal), running.skill, self.now)
         things = ", ".join(f"{name} = {value}" for name, value in running.things)
         text = f"{running.skill} starts" + (f": {things}" if things else "")
-        return Change(Kind.SKILL_STARTS, text, {"skill": running.skill, "goal": running.goal})
+        return LiveChange(
+            ChangeKind.SKILL_STARTS, text, {"skill": running.skill, "goal": running.goal}
+        )
 
-    def _ends(self, call: _Call) -> Change:
+    def _ends(self, call: _Call) -> LiveChange:
         text = f"{call[0]} ends after {self.skills.end(call, self.now):.3g} s"
-        return Change(Kind.SKILL_ENDS, text, {"skill": call[0], "goal": call[1]})
+        return LiveChange(ChangeKind.SKILL_ENDS, text, {"skill": call[0], "goal": call[1]})
 
     def _not_exported(self) -> Iterator[Reported]:
         known = self._facts.robot.skills.skills
@@ -149,12 +159,12 @@ class Watch:
         yield from self._tell(errors.SilentContext, silent.at(facts.declaration))
         yield from self._forget_skills(self._context.heard)
 
-    def _forget_skills(self, at: float) -> Iterator[Change]:
+    def _forget_skills(self, at: float) -> Iterator[LiveChange]:
         """Forget the running skills, which were known until a time."""
         for call in list(self.skills.since):
             self.skills.end(call, at)
             text = f"it is unknown whether {call[0]} still runs"
-            yield Change(Kind.UNKNOWN, text, {"skill": call[0], "goal": call[1]})
+            yield LiveChange(ChangeKind.UNKNOWN, text, {"skill": call[0], "goal": call[1]})
         self._taken = frozenset()
 
     # --- rules ------------------------------------------------------------------------------------
@@ -180,29 +190,35 @@ class Watch:
         else:
             yield from self._over(errors.OtherRules, f"{self._facts.node} reports these rules")
 
-    def _activates(self, name: str) -> Change:
+    def _activates(self, name: str) -> LiveChange:
         self.rules.begin(name, name, self.now)
         exempts = self._facts.rules[name].exempts
         if exempts is None:
-            return Change(Kind.RULE_ACTIVATES, f"{name} is active", {"rule": name})
+            return LiveChange(ChangeKind.RULE_ACTIVATES, f"{name} is active", {"rule": name})
         permitted = self._facts.permitted(name, (skill for skill, _ in self.skills.since))
         text = f"{name} is used: {exempts.rule} is not applied, as {permitted}"
-        return Change(Kind.EXEMPTION_BEGINS, text, {"rule": name, "exempted": exempts.rule})
+        return LiveChange(
+            ChangeKind.EXEMPTION_BEGINS, text, {"rule": name, "exempted": exempts.rule}
+        )
 
-    def _clears(self, name: str) -> Change:
+    def _clears(self, name: str) -> LiveChange:
         lasted = self.rules.end(name, self.now)
         exempts = self._facts.rules[name].exempts
         if exempts is None:
-            return Change(Kind.RULE_CLEARS, f"{name} clears after {lasted:.3g} s", {"rule": name})
+            return LiveChange(
+                ChangeKind.RULE_CLEARS, f"{name} clears after {lasted:.3g} s", {"rule": name}
+            )
         text = f"{name} is no longer used, after {lasted:.3g} s"
-        return Change(Kind.EXEMPTION_ENDS, text, {"rule": name, "exempted": exempts.rule})
+        return LiveChange(ChangeKind.EXEMPTION_ENDS, text, {"rule": name, "exempted": exempts.rule})
 
-    def _operators(self, exempted: frozenset[str]) -> Iterator[Change]:
+    def _operators(self, exempted: frozenset[str]) -> Iterator[LiveChange]:
         for name in sorted(self._exempted - exempted):
             text = f"the operator no longer exempts {name}"
-            yield Change(Kind.OPERATOR_ENDS, text, {"rule": name})
+            yield LiveChange(ChangeKind.OPERATOR_ENDS, text, {"rule": name})
         for name in sorted(exempted - self._exempted):
-            yield Change(Kind.OPERATOR_EXEMPTS, f"the operator exempts {name}", {"rule": name})
+            yield LiveChange(
+                ChangeKind.OPERATOR_EXEMPTS, f"the operator exempts {name}", {"rule": name}
+            )
         self._exempted = exempted
 
     def _node_is_silent(self, seconds: float) -> Iterator[Reported]:
@@ -212,12 +228,12 @@ class Watch:
         for rule in list(self.rules.since):
             self.rules.end(rule, self._node.heard)
             text = f"it is unknown whether {rule} is still active"
-            yield Change(Kind.UNKNOWN, text, {"rule": rule})
+            yield LiveChange(ChangeKind.UNKNOWN, text, {"rule": rule})
         self._taken = frozenset()
 
     # --- both -------------------------------------------------------------------------------------
 
-    def _compare_takings(self) -> Iterator[Change]:
+    def _compare_takings(self) -> Iterator[LiveChange]:
         """Compare the resources that active rules take with those that running skills need."""
         machine = self._facts.robot.machine
         found = {
@@ -231,7 +247,9 @@ class Watch:
                 self.takings[key] = self.takings.get(key, 0) + 1
                 rule, thing, skill = key
                 text = f"{rule} takes {thing} from {skill} ({taking.task.span})"
-                yield Change(Kind.TAKES, text, {"rule": rule, "thing": thing, "skill": skill})
+                yield LiveChange(
+                    ChangeKind.TAKES, text, {"rule": rule, "thing": thing, "skill": skill}
+                )
         self._taken = frozenset(found)
 
     # --- findings ---------------------------------------------------------------------------------
@@ -242,10 +260,10 @@ class Watch:
             self._reported.add(kind)
             yield found
 
-    def _over(self, kind: type[Template], text: str) -> Iterator[Change]:
+    def _over(self, kind: type[Template], text: str) -> Iterator[LiveChange]:
         if kind in self._reported:
             self._reported.remove(kind)
-            yield Change(Kind.OVER, text, {"code": kind.code})
+            yield LiveChange(ChangeKind.OVER, text, {"code": kind.code})
 
     def _counted(self, found: Iterable[Reported]) -> list[Reported]:
         reported = [*found]

@@ -7,18 +7,18 @@ on disk, and an interrupted campaign continues where it stopped.
 from dslkit.campaign.journal import BusyError, ForeignError, Journal
 from dslkit.campaign.processes import Processes, undisturbed
 from dslkit.campaign.progress import Bar
-from dslkit.campaign.runner import Campaign, Failure, run
-from dslkit.campaign.workers import Result, Scalar, UnreachableError, Value, Work, Workers
+from dslkit.campaign.runner import Campaign, FailedEpisode, run
+from dslkit.campaign.workers import EpisodeResult, Scalar, UnreachableError, Value, Work, Workers
 
 __all__ = [
     "Bar",
     "BusyError",
     "Campaign",
-    "Failure",
+    "EpisodeResult",
+    "FailedEpisode",
     "ForeignError",
     "Journal",
     "Processes",
-    "Result",
     "Scalar",
     "UnreachableError",
     "Value",

@@ -14,7 +14,7 @@ from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from threading import Thread
 
-from dslkit.campaign.workers import Result, Work
+from dslkit.campaign.workers import EpisodeResult, Work
 
 # Spawn, not fork, because the progress bar in this process has threads.
 _CONTEXT = multiprocessing.get_context("spawn")
@@ -36,7 +36,7 @@ class Processes:
         """The number of processes that can run at a time."""
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
-    def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
+    def results(self, work: Work, keys: Sequence[str]) -> Generator[EpisodeResult, None, None]:
         """Yield one result for each key, in the order of completion."""
         waiting = deque(keys)
         busy: list[_Process] = []
@@ -75,13 +75,13 @@ class _Process:
         with suppress(OSError):  # the process has ended, which `result` reports
             self.pipe.send(key)
 
-    def result(self) -> Result | None:
+    def result(self) -> EpisodeResult | None:
         """The result of the episode; None while the episode runs."""
         has_ended = not self.is_alive()  # checked first: the process may send a result and then end
         with suppress(EOFError, OSError):  # the process ended while it sent
             while self.pipe.poll():
                 said = self.pipe.recv()
-                if isinstance(said, Result):
+                if isinstance(said, EpisodeResult):
                     return said
                 self._begun_s = time.monotonic()
         if has_ended:
@@ -108,15 +108,15 @@ class _Process:
             return False
         return time.monotonic() - self._begun_s > self._limit_s
 
-    def _failed(self, why: str) -> Result:
-        return Result(self._key, None, why)
+    def _failed(self, why: str) -> EpisodeResult:
+        return EpisodeResult(self._key, None, why)
 
 
 _BEGUN = None
 """The message of a process that has started an episode."""
 
 
-def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
+def _serve(work: Work, pipe: Connection[EpisodeResult | None, str]) -> None:
     """Run the episodes that arrive, until no sender is left."""
     Thread(target=_end_with_parent, daemon=True).start()
     with suppress(EOFError, OSError):
@@ -124,9 +124,9 @@ def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
             key = pipe.recv()
             pipe.send(_BEGUN)
             try:
-                result = Result(key, work(key))
+                result = EpisodeResult(key, work(key))
             except Exception as error:  # a failed episode is a result; the others continue
-                result = Result(key, None, f"{type(error).__name__}: {error}")
+                result = EpisodeResult(key, None, f"{type(error).__name__}: {error}")
             pipe.send(result)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from dslkit.campaign.workers import Result
+from dslkit.campaign.workers import EpisodeResult
 
 
 class Bar:
@@ -34,7 +34,7 @@ class Bar:
         if done:
             self._progress.console.print(f"{done} of {count} are already done", highlight=False)
 
-    def hear(self, result: Result) -> None:
+    def hear(self, result: EpisodeResult) -> None:
         """Count one more result."""
         if result.value is None:
             words = f"{result.key} failed: {result.failure}"

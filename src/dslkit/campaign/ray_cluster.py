@@ -14,7 +14,7 @@ from typing import Any
 
 import ray
 
-from dslkit.campaign.workers import Result, UnreachableError, Work
+from dslkit.campaign.workers import EpisodeResult, UnreachableError, Work
 
 _RETRIES = 3
 _PERIOD_S = 5.0
@@ -27,7 +27,7 @@ class RayCluster:
 
     address: str
 
-    def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
+    def results(self, work: Work, keys: Sequence[str]) -> Generator[EpisodeResult, None, None]:
         """Yield one result for each key, in the order of completion. Raises `UnreachableError`."""
         try:
             self._knock()
@@ -70,10 +70,10 @@ class RayCluster:
         socket.create_connection((host, int(port)), timeout=5).close()
 
 
-def _result(key: str, done: Any) -> Result:
+def _result(key: str, done: Any) -> EpisodeResult:
     try:
-        return Result(key, ray.get(done))
+        return EpisodeResult(key, ray.get(done))
     except ray.exceptions.RayTaskError as error:
-        return Result(key, None, f"{type(error.cause).__name__}: {error.cause}")
+        return EpisodeResult(key, None, f"{type(error.cause).__name__}: {error.cause}")
     except ray.exceptions.RayError as error:
-        return Result(key, None, f"{type(error).__name__}: {str(error).splitlines()[0]}")
+        return EpisodeResult(key, None, f"{type(error).__name__}: {str(error).splitlines()[0]}")

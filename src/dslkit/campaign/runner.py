@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from dslkit.campaign.journal import Journal
-from dslkit.campaign.workers import Result, Value, Work, Workers
+from dslkit.campaign.workers import EpisodeResult, Value, Work, Workers
 
 
 @dataclass(frozen=True)
-class Failure:
+class FailedEpisode:
     """An episode that did not finish. The journal does not contain it, so a later run tries it
     again.
     """
@@ -28,7 +28,7 @@ class Campaign:
     """The outcome: rows by key, in the order of the keys."""
 
     values: Mapping[str, Value]
-    failures: tuple[Failure, ...]
+    failures: tuple[FailedEpisode, ...]
 
 
 class Witness(Protocol):
@@ -37,7 +37,7 @@ class Witness(Protocol):
     def begin(self, count: int, done: int) -> None:
         """Begin with `count` episodes, of which `done` were in the journal."""
 
-    def hear(self, result: Result) -> None:
+    def hear(self, result: EpisodeResult) -> None:
         """Take one more result."""
 
 
@@ -51,7 +51,7 @@ def run(
     with closing(workers.results(work, missing)) as results:
         for result in results:
             if result.value is None:
-                failures.append(Failure(result.key, result.failure))
+                failures.append(FailedEpisode(result.key, result.failure))
             else:
                 journal.append(result.key, result.value)
             witness.hear(result)

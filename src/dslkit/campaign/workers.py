@@ -19,7 +19,7 @@ class UnreachableError(Exception):
 
 
 @dataclass(frozen=True)
-class Result:
+class EpisodeResult:
     """The end of an episode: its row, or the reason why there is no row."""
 
     key: str
@@ -30,7 +30,7 @@ class Result:
 class Workers(Protocol):
     """Processes, on this machine or elsewhere."""
 
-    def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
+    def results(self, work: Work, keys: Sequence[str]) -> Generator[EpisodeResult, None, None]:
         """Yield one result for each key, in the order of completion. Closing the generator ends all
         running episodes.
         """

@@ -19,7 +19,7 @@ _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 @dataclass(frozen=True)
-class Rule:
+class SarifRule:
     """The meaning of a code; `help` is its page, in Markdown."""
 
     code: str
@@ -37,7 +37,7 @@ class Tool:
 
     name: str
     version: str
-    rules: Sequence[Rule]
+    rules: Sequence[SarifRule]
 
 
 def render_sarif(diagnostics: Sequence[Diagnostic], tool: Tool) -> str:
@@ -57,7 +57,7 @@ def render_sarif(diagnostics: Sequence[Diagnostic], tool: Tool) -> str:
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 
 
-def _rule(rule: Rule) -> Json:
+def _rule(rule: SarifRule) -> Json:
     return {
         "id": rule.code,
         "name": "".join(word.capitalize() for word in rule.name.split("-")),

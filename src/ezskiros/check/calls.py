@@ -15,18 +15,18 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Model, Union
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from ezskiros.ontology.things import Unknown, described
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import calls
 from ezskiros.skills.syntax import argument_places, class_span
 from ezskiros.skills.values import SymbolicValue
@@ -181,7 +181,7 @@ class _Checker:
             yield from self._never_holds(parameter, given, span, model)
             return
         is_wider = model.is_a(parameter.iri, given.iri)
-        if is_wider and parameter.kind is Kind.OPTIONAL:
+        if is_wider and parameter.kind is ParameterKind.OPTIONAL:
             return  # the compound queries the outputs of the child
         kind = errors.PassedMayNotFit if is_wider else errors.PassedMisfit
         found = kind(
@@ -237,7 +237,7 @@ def _needed(
                 yield from ((iri, union) for union in model.domain(iri))
             if is_asked and other == name:
                 yield from ((iri, union) for union in wanted(skill, model, subject, iri))
-        case HasProperty(subject, iri, is_true) | Comparison(subject, iri, _, _, is_true):
+        case HasProperty(subject, iri, is_true) | ValueComparison(subject, iri, _, _, is_true):
             if is_true and subject == name:
                 yield from ((iri, union) for union in model.domain(iri))
         case AnyOf() | OfType() | Specified() | Generated():

@@ -30,7 +30,7 @@ def places_of(clauses: Iterable[Clause]) -> Places:
 
 
 @dataclass(frozen=True)
-class Moment:
+class ClashMoment:
     """The time at which conditions hold together, and the consequence if they cannot."""
 
     kind: str
@@ -48,7 +48,7 @@ class ClashFindings:
         """Statements as users wrote them."""
         return listed([spelled(each, self._model) for each in said])
 
-    def found(self, clash: Clash, moment: Moment, places: Places) -> Diagnostic:
+    def found(self, clash: Clash, moment: ClashMoment, places: Places) -> Diagnostic:
         """Report that conditions cannot hold together at a moment."""
         found = clash.kind(
             together=self.listed(_in_order(clash, places)),

@@ -14,12 +14,12 @@ from typing import TypeAlias
 from dslkit.diagnostics import DeclaredHere, Diagnostic, Label, Severity
 from ezskiros.check import errors, world_errors
 from ezskiros.check.clash import Clash, Reason
-from ezskiros.check.clash_findings import ClashFindings, Moment, Places, places_of
+from ezskiros.check.clash_findings import ClashFindings, ClashMoment, Places, places_of
 from ezskiros.check.entailed import Fact
 from ezskiros.check.relations import misfit, simple, wanted
 from ezskiros.check.spelled import spelled_iri
 from ezskiros.check.thing_classes import class_clashes
-from ezskiros.check.worlds import Literals, World, alternatives, known_classes
+from ezskiros.check.worlds import Literals, PossibleWorld, alternatives, known_classes
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Union
 from ezskiros.ontology.statements import Relation, Statement
@@ -53,11 +53,11 @@ class _Consistency:
         self._facts: dict[Fact, Reason] = {}
         """The facts that hold at any time: the classes of individuals never change."""
         name = skill.name
-        self._before = Moment("pre", f"before `{name}`", "the skill can never start")
-        self._during = Moment(
+        self._before = ClashMoment("pre", f"before `{name}`", "the skill can never start")
+        self._during = ClashMoment(
             "hold", f"while `{name}` runs", "the skill fails as soon as it starts"
         )
-        self._after = Moment("post", f"after `{name}`", "the skill can never succeed")
+        self._after = ClashMoment("post", f"after `{name}`", "the skill can never succeed")
 
     def check(self) -> Iterator[Diagnostic]:
         skill = self._skill
@@ -74,7 +74,7 @@ class _Consistency:
             yield from self._ended((*skill.hold, *skill.post), [*before, *after])
 
     def _checked(
-        self, moment: Moment, clauses: Sequence[Clause], reported: list[Said]
+        self, moment: ClashMoment, clauses: Sequence[Clause], reported: list[Said]
     ) -> Iterator[Diagnostic]:
         places = places_of(clauses)
         world = self._world(places)
@@ -86,8 +86,8 @@ class _Consistency:
         if ors and not self._is_impossible(world):
             yield from self._alternatives(moment, ors, places, reported)
 
-    def _world(self, said: Iterable[Statement]) -> World:
-        return World(self._declared, self._model, said)
+    def _world(self, said: Iterable[Statement]) -> PossibleWorld:
+        return PossibleWorld(self._declared, self._model, said)
 
     # --- classes, which never change --------------------------------------------------------------
 
@@ -130,7 +130,7 @@ class _Consistency:
 
     def _alternatives(
         self,
-        moment: Moment,
+        moment: ClashMoment,
         ors: Sequence[Clause],
         places: Places,
         reported: list[Said],
@@ -155,10 +155,10 @@ class _Consistency:
                 reported.append(frozenset({clause.statement}))
                 yield self._none_left(clause, moment, places, others)
 
-    def _is_impossible(self, world: World) -> bool:
+    def _is_impossible(self, world: PossibleWorld) -> bool:
         return next(self._impossible(world), None) is not None
 
-    def _impossible(self, world: World) -> Iterator[Clash]:
+    def _impossible(self, world: PossibleWorld) -> Iterator[Clash]:
         """Find the reasons why no world model satisfies the conditions."""
         yield from filter(_is_error, world.clashes())
         yield from class_clashes(world.facts, world.classes, self._model)
@@ -166,7 +166,7 @@ class _Consistency:
     def _none_left(
         self,
         clause: Clause,
-        moment: Moment,
+        moment: ClashMoment,
         places: Places,
         others: Sequence[Clause],
     ) -> Diagnostic:

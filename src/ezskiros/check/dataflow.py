@@ -14,7 +14,7 @@ from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
@@ -54,7 +54,7 @@ def _known(skill: SkillInterface) -> Iterator[str]:
     """The names that have a value when the compound starts."""
     yield from skill.unclear
     for parameter in skill.parameters:
-        has_value = parameter.kind is not Kind.OPTIONAL or parameter.default is not None
+        has_value = parameter.kind is not ParameterKind.OPTIONAL or parameter.default is not None
         if not parameter.is_output and has_value:
             yield parameter.name
 
@@ -64,7 +64,7 @@ def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
     output, or if the parameter is optional and an implementation sets it, as SkiROS2 skills often
     do.
     """
-    if parameter.is_output or parameter.kind is not Kind.OPTIONAL:
+    if parameter.is_output or parameter.kind is not ParameterKind.OPTIONAL:
         return parameter.is_output
     doing = library.doing(call)
     sets = any(parameter.name in set_in(each) or hasattr(each, "expandBT") for each in doing)
@@ -73,7 +73,11 @@ def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
 
 def reads(parameter: Parameter) -> bool:
     """Say whether the skill requires a value."""
-    return parameter.kind is Kind.REQUIRED and parameter.default is None and not parameter.is_output
+    return (
+        parameter.kind is ParameterKind.REQUIRED
+        and parameter.default is None
+        and not parameter.is_output
+    )
 
 
 @dataclass
@@ -165,7 +169,7 @@ class _Dataflow:
             elif writes(call, shared.parameter, self.library):
                 if shared.parameter.is_output:
                     self._writers.setdefault(shared.shared, call)
-            elif shared.parameter.kind is Kind.INFERRED:
+            elif shared.parameter.kind is ParameterKind.INFERRED:
                 self._read.add(shared.shared)  # it was given, or the world model provides it
             else:
                 continue
@@ -198,7 +202,7 @@ class _Dataflow:
             if other is not call and any(
                 each.shared == name
                 and (
-                    each.parameter.kind is Kind.INFERRED
+                    each.parameter.kind is ParameterKind.INFERRED
                     or writes(other, each.parameter, self.library)
                 )
                 for each in self._shared(other)

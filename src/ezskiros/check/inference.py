@@ -12,7 +12,7 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import AnyOf, Relation, Statement
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 
 _MOST_NAMED = 3
 
@@ -31,8 +31,12 @@ def chains(skill: SkillInterface) -> dict[str, Step]:
 
     A relation that has to hold leads from one of its ends to the other (Paper IV, section 5).
     """
-    known = [each.name for each in skill.parameters if each.is_thing and each.kind is Kind.REQUIRED]
-    inferred = {each.name for each in skill.parameters if each.kind is Kind.INFERRED}
+    known = [
+        each.name
+        for each in skill.parameters
+        if each.is_thing and each.kind is ParameterKind.REQUIRED
+    ]
+    inferred = {each.name for each in skill.parameters if each.kind is ParameterKind.INFERRED}
     found: dict[str, Step] = {}
     while known:
         source = known.pop(0)
@@ -66,7 +70,7 @@ def check_inference(
     for parameter in skill.parameters:
         if parameter.iri is None:
             continue
-        if parameter.kind is Kind.INFERRED and parameter.name not in reached:
+        if parameter.kind is ParameterKind.INFERRED and parameter.name not in reached:
             if individuals.are_several(parameter.iri, ontology.model):
                 yield _not_inferable(parameter, ontology.model, individuals)
         elif parameter.name not in used and not parameter.options:

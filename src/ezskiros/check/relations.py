@@ -17,13 +17,13 @@ from ezskiros.ontology.model import DataProperty, Model, Union
 from ezskiros.ontology.python_names import identifier
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.syntax import compared_value, names_in
@@ -82,7 +82,7 @@ class _Checker:
                 yield from wrong
             case HasProperty(subject=subject, property=iri):
                 yield from self._fits(subject, iri, self._model.domain(iri), clause)
-            case Comparison(subject=subject, property=iri):
+            case ValueComparison(subject=subject, property=iri):
                 yield from self._fits(subject, iri, self._model.domain(iri), clause)
                 yield from self._value(statement, clause)
             case OfType() | Specified() | Generated() | AnyOf():
@@ -125,7 +125,7 @@ class _Checker:
     def _spelled(self, iri: str) -> str:
         return self._model.short(iri).replace(":", ".")
 
-    def _value(self, statement: Comparison, clause: Clause) -> Iterator[Diagnostic]:
+    def _value(self, statement: ValueComparison, clause: Clause) -> Iterator[Diagnostic]:
         declared = self._model.values.get(statement.property)
         if declared is None:
             return
@@ -145,7 +145,11 @@ class _Checker:
             yield found_order.at(clause.span)
 
     def _unlisted(
-        self, statement: Comparison, declared: DataProperty, known: frozenset[str], clause: Clause
+        self,
+        statement: ValueComparison,
+        declared: DataProperty,
+        known: frozenset[str],
+        clause: Clause,
     ) -> Diagnostic:
         found = errors.UnlistedValue(
             property=self._spelled(declared.iri),

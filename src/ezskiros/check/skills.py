@@ -17,7 +17,7 @@ from ezskiros.check.repeated import repeated
 from ezskiros.ontology import Ontology
 from ezskiros.skills import SkillDescription, tree_errors
 from ezskiros.skills.calls import SkillClass
-from ezskiros.skills.describe import Described, describe
+from ezskiros.skills.describe import DescribedSkill, describe
 from ezskiros.skills.errors import HasKey
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import attributes_in, class_span
@@ -28,10 +28,10 @@ CHECKS = (check_relations, check_consistency, check_outputs)
 
 def check_skills(
     skills: Iterable[SkillClass], scenes: Sequence[Path] = ()
-) -> dict[SkillClass, Described]:
+) -> dict[SkillClass, DescribedSkill]:
     """The interfaces of skills. Mistakes are reported. `scenes` provide the individuals."""
     individuals = Individuals(scenes)
-    found: dict[SkillClass, Described] = {}
+    found: dict[SkillClass, DescribedSkill] = {}
     names: dict[str, SkillClass] = {}
     for skill in skills:
         _report_implementing(skill)
@@ -51,7 +51,7 @@ def check_skills(
     return found
 
 
-def _report_directions(described: Iterable[Described]) -> None:
+def _report_directions(described: Iterable[DescribedSkill]) -> None:
     """Report relations that are reversed in a few conditions, among the skills of one ontology."""
     skills: dict[Ontology, list[SkillInterface]] = {}
     for each in described:
@@ -75,7 +75,7 @@ def _report_implementing(skill: SkillClass) -> None:
 
 def _findings(
     skill: SkillClass,
-    described: Described,
+    described: DescribedSkill,
     ontology: Ontology,
     individuals: Individuals,
 ) -> Iterator[Diagnostic]:

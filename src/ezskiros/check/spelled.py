@@ -7,13 +7,13 @@ from ezskiros.ontology.model import Model
 from ezskiros.ontology.python_names import identifier
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
     negated,
 )
 
@@ -32,7 +32,7 @@ def spelled(statement: Statement, model: Model) -> str:
         case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):
             found = f"{subject}.{_bare(iri)}({other})"
             return f"abstract({found})" if is_abstract else found
-        case Comparison(subject=subject, property=iri, operator=operator, value=value):
+        case ValueComparison(subject=subject, property=iri, operator=operator, value=value):
             return f"{subject}.{_bare(iri)} {'==' if operator == '=' else operator} {value!r}"
         case HasProperty(subject=subject, property=iri):
             return f"{subject}.{_bare(iri)}"
@@ -47,9 +47,9 @@ def spelled(statement: Statement, model: Model) -> str:
 
 
 def _denied(opposite: Statement, text: str) -> str:
-    if isinstance(opposite, Comparison) and opposite.operator == "=":
+    if isinstance(opposite, ValueComparison) and opposite.operator == "=":
         return text.replace(" == ", " != ", 1)
-    return f"~({text})" if isinstance(opposite, (Comparison, AnyOf)) else f"~{text}"
+    return f"~({text})" if isinstance(opposite, (ValueComparison, AnyOf)) else f"~{text}"
 
 
 def _bare(iri: str) -> str:

@@ -20,9 +20,9 @@ from ezskiros.check.limits import limits
 from ezskiros.check.spelled import spelled_iri
 from ezskiros.check.values import WHOLE, spelled_types
 from ezskiros.ontology.model import Model
-from ezskiros.ontology.statements import TURNED, Comparison, HasProperty, negated
+from ezskiros.ontology.statements import TURNED, HasProperty, ValueComparison, negated
 
-Said: TypeAlias = Comparison | HasProperty
+Said: TypeAlias = ValueComparison | HasProperty
 _COMPARES = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
@@ -108,7 +108,7 @@ class _Asked:
     """The demands of some conditions on the values of an individual."""
 
     def __init__(self, said: Iterable[Said]) -> None:
-        compared = [each for each in said if isinstance(each, Comparison)]
+        compared = [each for each in said if isinstance(each, ValueComparison)]
         self.equal = {each.value for each in compared if each.operator == "=" and each.is_true}
         self.unequal = {
             each.value for each in compared if each.operator == "=" and not each.is_true

@@ -17,13 +17,13 @@ from ezskiros.check.value_clashes import value_clashes
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
     negated,
 )
 
@@ -61,7 +61,7 @@ def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownCla
     return found
 
 
-class World:
+class PossibleWorld:
     """Statements that hold together, about individuals with declared classes."""
 
     def __init__(self, declared: KnownClasses, model: Model, said: Iterable[Statement]) -> None:
@@ -78,7 +78,9 @@ class World:
         yield from self._opposites()
         forbidden = [each for each in self._relations if not each.is_true]
         yield from relation_clashes(self.facts, forbidden, self.classes, self._model)
-        values = (each for each in self._present if isinstance(each, (Comparison, HasProperty)))
+        values = (
+            each for each in self._present if isinstance(each, (ValueComparison, HasProperty))
+        )
         yield from value_clashes(values, self.classes, self._model)
 
     def _opposites(self) -> Iterator[Clash]:

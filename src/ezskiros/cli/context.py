@@ -42,7 +42,7 @@ def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
     output.fail("nothing was run, because rules could not know which skills run", exit_code=2)
 
 
-class Context:
+class ContextPublisher:
     """Publisher of the skills of a task that run or can start next: to a `Voice`, and to listeners
     of each change.
     """

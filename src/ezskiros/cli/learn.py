@@ -15,7 +15,7 @@ from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # imported late, because every command would wait for these imports
-    from ezskiros.learning.runs import Run
+    from ezskiros.learning.runs import TaskRun
     from ezskiros.learning.scene import Map
 
 
@@ -89,7 +89,7 @@ def _places(scene: Path | None) -> Map:
     return found
 
 
-def _runs(files: Sequence[Path]) -> Sequence[Run]:
+def _runs(files: Sequence[Path]) -> Sequence[TaskRun]:
     """The runs in some files. The command ends if a file has errors."""
     from ezskiros.learning.runs import read_runs
 

@@ -11,7 +11,7 @@ from rich.live import Live
 from rich.text import Text
 
 from ezskiros.engine.events import Event, Happened
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.engine.task import Task
 
 _STATES = {
@@ -70,7 +70,7 @@ class LiveTree:
         mark, style = _MARKS[node.status]
         text = ""
         below = list(node.children)
-        if isinstance(node, RunningSkill):
+        if isinstance(node, SkillChild):
             text = self._texts.get(node.path, "")
             below += [node.tree] if node.tree is not None else []
         yield Text.assemble("  " * depth, (mark, style), f" {node.name}  ", (text, "dim"), "\n")

@@ -19,7 +19,7 @@ from dslkit.ownership import Comment
 from dslkit.writing import reason, replacing_text
 from ezskiros.cli.arguments import Folders, name_ontology, of_skills
 from ezskiros.cli.checking import checked, file_count
-from ezskiros.cli.context import Context, export_for
+from ezskiros.cli.context import ContextPublisher, export_for
 from ezskiros.cli.guards import guarded, guards_for
 from ezskiros.cli.output import output
 from ezskiros.cli.recovery import recoveries
@@ -31,7 +31,7 @@ if TYPE_CHECKING:  # the engine is loaded only when needed
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.inference import Solution
     from ezskiros.engine.task import TaskOutcome
-    from ezskiros.engine.tracing import Trace
+    from ezskiros.engine.tracing import TraceWriter
     from ezskiros.export import Export
     from ezskiros.runner import Ready
     from ezskiros.skills.calls import SkillCall
@@ -221,8 +221,8 @@ class _Run:
         )
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
-        self._trace: Trace | None = None
-        self._context: Context | None = None
+        self._trace: TraceWriter | None = None
+        self._context: ContextPublisher | None = None
         self._start, self._start_ns = execution.clock(), time.time_ns()
         self._is_interrupted = False
 
@@ -231,7 +231,7 @@ class _Run:
         published, and rules can request trees.
         """
         from ezskiros.engine.task import run
-        from ezskiros.engine.tracing import Trace
+        from ezskiros.engine.tracing import TraceWriter
         from ezskiros.skills.stand_ins import without_stand_ins
 
         self._execution.tell = self._tell
@@ -244,14 +244,16 @@ class _Run:
                 stack.enter_context(guarded(self._guards, self._execution))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
-                self._trace = Trace(stack.enter_context(replacing_text(trace)), self._start_ns)
+                self._trace = TraceWriter(
+                    stack.enter_context(replacing_text(trace)), self._start_ns
+                )
             stack.enter_context(self._interruptible())
             if self._live is not None:
                 self._live.start()
                 stack.callback(self._live.stop)
             wait: Callable[[float], object] = time.sleep
             if self._export is not None:
-                self._context = Context(self._export, self.task, self._note)
+                self._context = ContextPublisher(self._export, self.task, self._note)
                 stack.enter_context(self._context.reported())
                 wait = self._context.wait
                 if not self._execution.simulate:

@@ -6,11 +6,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, Known, Origin, Renewed, later
+from ezskiros.contracts.knowledge import KnownFacts, Origin, Renewed, WorldChange, later
 from ezskiros.ontology.statements import Specified, Statement
 
 
-def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
+def changed(known: KnownFacts, changes: Sequence[WorldChange], judge: Judge) -> KnownFacts:
     """The knowledge after some changes have been made together."""
     said: dict[Statement, Origin] = {
         each.made: each.origin
@@ -25,7 +25,7 @@ def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
     return judge.merged(known)
 
 
-def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
+def failed(known: KnownFacts, changes: Sequence[WorldChange], judge: Judge) -> KnownFacts:
     """The knowledge after any subset of some changes may have been made, in any order."""
     if not changes:
         return known
@@ -34,8 +34,8 @@ def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
 
 
 def _forgetting(
-    known: Known, changes: Sequence[Change], judge: Judge, kept: Collection[Statement]
-) -> Known:
+    known: KnownFacts, changes: Sequence[WorldChange], judge: Judge, kept: Collection[Statement]
+) -> KnownFacts:
     """The knowledge without the facts that changes may end, alone or together with known facts."""
     for change in changes:
         if isinstance(change.made, Renewed):
@@ -44,7 +44,7 @@ def _forgetting(
     return replace(known.without(lost), changes=later(known.changes, changes))
 
 
-def join(ways: Sequence[Known], judge: Judge) -> Known:
+def join(ways: Sequence[KnownFacts], judge: Judge) -> KnownFacts:
     """The knowledge where several paths meet: the facts that hold on every path that is not
     dead.
     """
@@ -53,7 +53,7 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
     if not others:
         return first
     facts: dict[Statement, Origin] = {}
-    changes: dict[Change, None] = {}
+    changes: dict[WorldChange, None] = {}
     for way in alive:
         changes |= way.changes
         for fact, origin in way.facts.items():
@@ -64,7 +64,7 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
         if all(judge.entails(each, fact) for each in alive)
     }
     common = [pair for pair in first.same.items() if all(pair in w.same.items() for w in others)]
-    return Known(
+    return KnownFacts(
         facts,
         first.bound.intersection(*(each.bound for each in others)),
         frozenset().union(*(each.bound | each.perhaps for each in alive)),
@@ -75,7 +75,7 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
     )
 
 
-def _common(ways: Sequence[Known]) -> tuple[str, ...]:
+def _common(ways: Sequence[KnownFacts]) -> tuple[str, ...]:
     """The common beginning of the descriptions of some paths."""
     found = []
     for steps in zip(*(each.trail for each in ways), strict=False):

@@ -7,19 +7,19 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ezskiros.check.inference import names as names_of
-from ezskiros.contracts.knowledge import Change, How, Known, Made, Name, Origin, Renewed
+from ezskiros.contracts.knowledge import How, KnownFacts, Made, Name, Origin, Renewed, WorldChange
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.ontology.statements import Generated, Specified
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 from ezskiros.trees.names import shared_names
 
 SkillOf = Callable[[SkillCall], SkillInterface]
 
 
 @dataclass(frozen=True)
-class Child:
+class BoundChild:
     """A child, at a point where some names stand for the individuals of other names."""
 
     call: SkillCall
@@ -32,9 +32,9 @@ class Child:
         """The name of the child in messages."""
         return self.skill.name
 
-    def asked(self, known: Known) -> list[Asked]:
+    def asked(self, known: KnownFacts) -> list[Asked]:
         """The conditions that must hold at the start, about names that have a value."""
-        optional = (self.names[each.name] for each in self._of_kind(Kind.OPTIONAL))
+        optional = (self.names[each.name] for each in self._of_kind(ParameterKind.OPTIONAL))
         absent = {name for name in optional if known.is_free(name)}
         return [each for each in self._conditions if absent.isdisjoint(names_of(each.statement))]
 
@@ -45,16 +45,16 @@ class Child:
             *asked(self.skill.hold, "hold", self.names),
         ]
 
-    def inferred(self, known: Known) -> list[str]:
+    def inferred(self, known: KnownFacts) -> list[str]:
         """The names for which the child infers an individual at its start."""
-        names = (self.names[each.name] for each in self._of_kind(Kind.INFERRED))
+        names = (self.names[each.name] for each in self._of_kind(ParameterKind.INFERRED))
         return [name for name in dict.fromkeys(names) if known.is_free(name)]
 
     def bound(self) -> Iterable[str]:
         """The names that have a value after the start of the child."""
         return (
             self.names[each.name]
-            for kind in (Kind.REQUIRED, Kind.INFERRED)
+            for kind in (ParameterKind.REQUIRED, ParameterKind.INFERRED)
             for each in self._of_kind(kind)
         )
 
@@ -62,9 +62,9 @@ class Child:
         """The names that have a new value after the child has succeeded."""
         return (self.names[each.name] for each in self._things() if each.is_output)
 
-    def changes(self, how: How) -> list[Change]:
+    def changes(self, how: How) -> list[WorldChange]:
         """The changes by a success of the child, in order."""
-        return [Change(made, origin, how) for made, origin in self._made]
+        return [WorldChange(made, origin, how) for made, origin in self._made]
 
     @cached_property
     def _made(self) -> list[tuple[Made, Origin]]:
@@ -83,7 +83,7 @@ class Child:
         for said in asked(self.skill.post, "post", self.names):
             yield said.statement, Origin(said.clause.span, "post", self.call)
 
-    def _of_kind(self, kind: Kind) -> Iterator[Parameter]:
+    def _of_kind(self, kind: ParameterKind) -> Iterator[Parameter]:
         return (each for each in self._things() if each.kind is kind and not each.is_output)
 
     def _things(self) -> Iterator[Parameter]:
@@ -97,16 +97,16 @@ class Children:
 
     def __init__(self, skill_of: SkillOf) -> None:
         self._skill_of = skill_of
-        self._known: dict[tuple[SkillCall, frozenset[tuple[str, str]]], Child] = {}
+        self._known: dict[tuple[SkillCall, frozenset[tuple[str, str]]], BoundChild] = {}
 
-    def of(self, call: SkillCall, known: Known) -> Child:
+    def of(self, call: SkillCall, known: KnownFacts) -> BoundChild:
         """The child of a call at a point of the tree."""
         key = call, frozenset(known.same.items())
         if key not in self._known:
             skill = self._skill_of(call)
             shared = shared_names(call, skill)
             names = {each.parameter.name: known.one(each.shared) for each in shared}
-            self._known[key] = Child(call, skill, names)
+            self._known[key] = BoundChild(call, skill, names)
         return self._known[key]
 
 

@@ -13,7 +13,7 @@ from ezskiros.check.dataflow import check_dataflow
 from ezskiros.contracts.children import Children, SkillOf, names_of_tree
 from ezskiros.contracts.findings import Findings, Missing
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Known, Origin
+from ezskiros.contracts.knowledge import KnownFacts, Origin
 from ezskiros.contracts.remarks import Branch
 from ezskiros.contracts.repairs import Repairs, in_order
 from ezskiros.contracts.statements import Asked, asked
@@ -105,7 +105,9 @@ def _branch(tree: Tree, trees: Sequence[Tree]) -> Branch | None:
     return Branch(children=names)
 
 
-def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Findings) -> None:
+def _check_end(
+    said: Asked, endings: Sequence[KnownFacts], judge: Judge, findings: Findings
+) -> None:
     """Check a post-condition of the compound at the points where its tree may have succeeded."""
     clashes = {
         index: judge.clash(ending, said.statement)
@@ -117,12 +119,12 @@ def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Fi
         findings.at_end(said, endings[index], clash, is_false=is_false)
 
 
-def known_at_start(skill: SkillInterface) -> Known:
+def known_at_start(skill: SkillInterface) -> KnownFacts:
     """The knowledge at the start of a compound."""
     said = (*asked(skill.pre, "pre", {}), *asked(skill.hold, "hold", {}))
     facts = {each.statement: Origin(each.clause.span, each.kind) for each in reversed(said)}
     bound = (each.name for each in skill.parameters if each.is_thing and not each.is_output)
-    return Known(dict(reversed(facts.items())), frozenset(bound))
+    return KnownFacts(dict(reversed(facts.items())), frozenset(bound))
 
 
 def _with(skill: SkillInterface, added: Added) -> SkillInterface:

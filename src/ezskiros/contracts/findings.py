@@ -11,7 +11,7 @@ from ezskiros.check.inference import names as names_of
 from ezskiros.check.spelled import spelled
 from ezskiros.contracts import errors
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, How, Known, Renewed
+from ezskiros.contracts.knowledge import How, KnownFacts, Renewed, WorldChange
 from ezskiros.contracts.remarks import (
     BeforeItFailed,
     Branch,
@@ -68,7 +68,7 @@ class Findings:
     # --- children that start ----------------------------------------------------------------------
 
     def false_at_start(
-        self, call: SkillCall, asked: Asked, known: Known, clash: Clash, *, is_fatal: bool
+        self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash, *, is_fatal: bool
     ) -> None:
         """Report a condition of a child that is false."""
         kind = errors.CannotStart if is_fatal else errors.NeverStarts
@@ -80,7 +80,7 @@ class Findings:
         self._add(found, call, asked, labels, known, help, *notes)
 
     def unknown_at_start(
-        self, call: SkillCall, asked: Asked, known: Known, *, is_fatal: bool
+        self, call: SkillCall, asked: Asked, known: KnownFacts, *, is_fatal: bool
     ) -> None:
         """Report a condition of a child that no known fact implies."""
         change = self.last_touching(known, asked.statement)
@@ -105,7 +105,9 @@ class Findings:
         found = errors.NotShown(child=child, condition=condition)
         self._add(found, call, asked, labels, known, help)
 
-    def _beside(self, call: SkillCall, asked: Asked, known: Known, change: Change) -> None:
+    def _beside(
+        self, call: SkillCall, asked: Asked, known: KnownFacts, change: WorldChange
+    ) -> None:
         assert change.origin.call is not None
         found = errors.EndsBeside(
             other=change.origin.call.skill.__name__,
@@ -117,7 +119,7 @@ class Findings:
 
     # --- the compound itself ----------------------------------------------------------------------
 
-    def hold(self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None) -> None:
+    def hold(self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash | None) -> None:
         """Report that a hold-condition of the compound has ended, or may have ended, when a child
         starts.
         """
@@ -137,7 +139,9 @@ class Findings:
             labels = [label, *self._changed(change)]
             self._add(may_end, call, asked, labels, known, None, key=key)
 
-    def at_end(self, asked: Asked, known: Known, clash: Clash | None, *, is_false: bool) -> None:
+    def at_end(
+        self, asked: Asked, known: KnownFacts, clash: Clash | None, *, is_false: bool
+    ) -> None:
         """Report a post-condition of the compound that does not follow after its tree has
         succeeded. With `is_false`, it is false on every path.
 
@@ -158,7 +162,7 @@ class Findings:
         self._keep(found.at(asked.clause.span, *written, notes=notes, help=help), key)
 
     def restart(
-        self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None, again: str
+        self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash | None, again: str
     ) -> None:
         """Report a condition that has ended when the child restarts."""
         found = errors.CannotRestart(
@@ -174,19 +178,19 @@ class Findings:
 
     # --- knowledge --------------------------------------------------------------------------------
 
-    def last_touching(self, known: Known, said: Statement) -> Change | None:
+    def last_touching(self, known: KnownFacts, said: Statement) -> WorldChange | None:
         """The last change that may have ended a statement."""
         touching = (each for each in known.changes if self.judge.touches(each.made, said))
         return next(iter([*touching][::-1]), None)
 
-    def _excludes(self, change: Change, asked: Asked) -> bool:
+    def _excludes(self, change: WorldChange, asked: Asked) -> bool:
         """Say whether a change certainly ends a condition."""
         if isinstance(change.made, Renewed):
             return False
-        after = Known({change.made: change.origin}, frozenset())
+        after = KnownFacts({change.made: change.origin}, frozenset())
         return self.judge.clash(after, asked.statement) is not None
 
-    def _notes(self, asked: Asked, known: Known) -> Sequence[Remark]:
+    def _notes(self, asked: Asked, known: KnownFacts) -> Sequence[Remark]:
         """The notes with the known facts, and with the path to this point."""
         about = set(names_of(asked.statement))
         related = [each for each in known.facts if about & set(names_of(each))]
@@ -200,7 +204,7 @@ class Findings:
         condition = ConditionOf(kind=asked.kind, skill=call.skill.__name__)
         yield condition.at(asked.clause.span)
 
-    def _reasons(self, clash: Clash, known: Known) -> list[Label]:
+    def _reasons(self, clash: Clash, known: KnownFacts) -> list[Label]:
         """The labels of the conditions that exclude the statement, and of their children."""
         labels: dict[Label, None] = {}
         for said in known.facts:
@@ -213,7 +217,7 @@ class Findings:
                     labels[ComesHere(skill=owner).at(origin.call.span)] = None
         return list(labels)
 
-    def _changed(self, change: Change | None) -> list[Label]:
+    def _changed(self, change: WorldChange | None) -> list[Label]:
         if change is None or change.origin.call is None:
             return []
         call = change.origin.call
@@ -233,7 +237,7 @@ class Findings:
         call: SkillCall,
         asked: Asked,
         labels: list[Label],
-        known: Known,
+        known: KnownFacts,
         help: Remark | None,
         *notes: Remark,
         key: object = None,
@@ -248,7 +252,7 @@ class Findings:
         self.found.setdefault((found.code, key), found)
 
 
-def _has_child(clash: Clash, known: Known) -> bool:
+def _has_child(clash: Clash, known: KnownFacts) -> bool:
     """Say whether a child has caused a part of a contradiction."""
     origins = (known.facts.get(said) for said in clash.said)
     return any(origin is not None and origin.call is not None for origin in origins)

@@ -14,20 +14,20 @@ from ezskiros.check.clash import Clash, Reason
 from ezskiros.check.entailed import fact_of
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.thing_classes import class_clashes
-from ezskiros.check.worlds import World, alternatives
-from ezskiros.contracts.knowledge import Change, Known, Made, Name, Origin, Renewed
+from ezskiros.check.worlds import PossibleWorld, alternatives
+from ezskiros.contracts.knowledge import KnownFacts, Made, Name, Origin, Renewed, WorldChange
 from ezskiros.contracts.statements import renamed
 from ezskiros.contracts.touching import Touching
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
     negated,
 )
 
@@ -80,7 +80,7 @@ class Judge:
 
     # --- consequences -----------------------------------------------------------------------------
 
-    def entails(self, known: Known, said: Statement) -> bool:
+    def entails(self, known: KnownFacts, said: Statement) -> bool:
         """Say whether a statement certainly holds."""
         if said in known.facts:
             return True
@@ -107,7 +107,7 @@ class Judge:
                 ways = alternatives(said)
                 if any(all(self._entails(facts, ors, bound, each) for each in way) for way in ways):
                     return True
-            case Relation() | Comparison() | HasProperty():
+            case Relation() | ValueComparison() | HasProperty():
                 if self._follows(facts, said):
                     return True
         return self._follows_from_each(facts, ors, bound, said)
@@ -140,7 +140,7 @@ class Judge:
 
     # --- contradictions ---------------------------------------------------------------------------
 
-    def clash(self, known: Known, said: Statement) -> Clash | None:
+    def clash(self, known: KnownFacts, said: Statement) -> Clash | None:
         """The reason why a statement cannot hold, for any assignment of names to individuals; None
         if it can hold.
         """
@@ -169,8 +169,8 @@ class Judge:
         found = chain(world.clashes(), class_clashes(world.facts, world.classes, self.model))
         return tuple(each for each in found if each.kind.severity is Severity.ERROR)
 
-    def _made_world(self, said: Said) -> World:
-        return World(self._declared, self.model, said)
+    def _made_world(self, said: Said) -> PossibleWorld:
+        return PossibleWorld(self._declared, self.model, said)
 
     def _is_certain(self, clash: Clash) -> bool:
         """Say whether a clash remains if two names stand for one individual."""
@@ -191,7 +191,7 @@ class Judge:
         """Say whether a change may end a fact."""
         return self._touches(made, fact)
 
-    def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
+    def ended(self, known: KnownFacts, changes: Iterable[WorldChange]) -> frozenset[Statement]:
         """The facts that changes may end, alone or together with known facts."""
         return self._ended(known.said, tuple(each.made for each in changes))
 
@@ -204,7 +204,7 @@ class Judge:
 
     # --- names ------------------------------------------------------------------------------------
 
-    def merged(self, known: Known) -> Known:
+    def merged(self, known: KnownFacts) -> KnownFacts:
         """The knowledge with merged names, if they must stand for one individual, for example by
         functional relations.
         """
@@ -215,7 +215,7 @@ class Judge:
                     return self.merged(self._as_one(known, *ways[0]))
         return known
 
-    def _as_one(self, known: Known, one: str, other: str) -> Known:
+    def _as_one(self, known: KnownFacts, one: str, other: str) -> KnownFacts:
         gone, kept = (other, one) if self._known(one).is_own else (one, other)
         facts: dict[Statement, Origin] = {}
         for each, origin in known.facts.items():
@@ -224,7 +224,7 @@ class Judge:
         return replace(known, facts=facts, same={**same, gone: kept})
 
     def choice(
-        self, known: Known, asked: Sequence[Statement], free: Iterable[str]
+        self, known: KnownFacts, asked: Sequence[Statement], free: Iterable[str]
     ) -> Mapping[str, str]:
         """Known individuals for the inferred parameters that satisfy most conditions."""
         free = list(free)
@@ -239,7 +239,9 @@ class Judge:
                 break
         return best
 
-    def _candidates(self, known: Known, asked: Sequence[Statement], free: str) -> Iterator[str]:
+    def _candidates(
+        self, known: KnownFacts, asked: Sequence[Statement], free: str
+    ) -> Iterator[str]:
         """Names that fit a parameter and satisfy its conditions, as far as this is known before the
         other parameters are chosen.
         """

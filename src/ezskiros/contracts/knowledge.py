@@ -48,7 +48,7 @@ Made: TypeAlias = "Statement | Renewed"
 
 
 @dataclass(frozen=True)
-class Change:
+class WorldChange:
     """A change that a child makes to the world, or to a name."""
 
     made: Made
@@ -68,7 +68,7 @@ class Name:
 
 
 @dataclass(frozen=True)
-class Known:
+class KnownFacts:
     """The knowledge at one point.
 
     `bound` are names with a value, and `perhaps` are names that may have one, because a child that
@@ -81,7 +81,7 @@ class Known:
     bound: frozenset[str]
     perhaps: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
-    changes: Mapping[Change, None] = field(default_factory=dict)
+    changes: Mapping[WorldChange, None] = field(default_factory=dict)
     trail: tuple[str, ...] = ()
     is_dead: bool = False
 
@@ -96,7 +96,7 @@ class Known:
         facts, same = tuple(self.facts.items()), frozenset(self.same.items())
         return facts, self.bound, self.perhaps, same, self.is_dead
 
-    def after(self, before: Known) -> Known:
+    def after(self, before: KnownFacts) -> KnownFacts:
         """The same knowledge, with more changes on the path so far."""
         changes = later(before.changes, self.changes)
         return replace(self, changes=changes, trail=(*before.trail, *self.trail))
@@ -105,18 +105,18 @@ class Known:
         """The representative of all names of an individual."""
         return self.same.get(name, name)
 
-    def assuming(self, said: Mapping[Statement, Origin]) -> Known:
+    def assuming(self, said: Mapping[Statement, Origin]) -> KnownFacts:
         """The knowledge with more facts."""
         return replace(self, facts={**said, **self.facts})
 
-    def without(self, lost: Iterable[Statement]) -> Known:
+    def without(self, lost: Iterable[Statement]) -> KnownFacts:
         """The knowledge without some facts."""
         gone = set(lost)
         if not gone:
             return self
         return replace(self, facts={k: v for k, v in self.facts.items() if k not in gone})
 
-    def binding(self, names: Iterable[str]) -> Known:
+    def binding(self, names: Iterable[str]) -> KnownFacts:
         """The knowledge with more names that have a value."""
         bound = self.bound.union(names)
         return self if bound == self.bound else replace(self, bound=bound)
@@ -125,34 +125,33 @@ class Known:
         """Say whether a name certainly has no value yet."""
         return name not in self.bound and name not in self.perhaps
 
-    def is_as_much_as(self, other: Known) -> bool:
+    def is_as_much_as(self, other: KnownFacts) -> bool:
         """Say whether the facts and the names are equal."""
         names, other_names = self.bound | self.perhaps, other.bound | other.perhaps
         is_same = self.facts.keys() == other.facts.keys() and self.bound == other.bound
         return is_same and names == other_names
 
-    def perhaps_binding(self, names: Iterable[str]) -> Known:
+    def perhaps_binding(self, names: Iterable[str]) -> KnownFacts:
         """The knowledge with more names that may have a value."""
         perhaps = self.perhaps.union(names)
         return self if perhaps == self.perhaps else replace(self, perhaps=perhaps)
 
-    def unbinding(self, name: str) -> Known:
+    def unbinding(self, name: str) -> KnownFacts:
         """Forget everything about a name."""
         same = {k: v for k, v in self.same.items() if name not in (k, v)}
         gone = [each for each in self.facts if name in names_of(each)]
         return replace(
-            self.without(gone),
-            bound=self.bound - {name},
-            perhaps=self.perhaps - {name},
-            same=same,
+            self.without(gone), bound=self.bound - {name}, perhaps=self.perhaps - {name}, same=same
         )
 
-    def by(self, *steps: str) -> Known:
+    def by(self, *steps: str) -> KnownFacts:
         """The knowledge with a longer description of the path."""
         return replace(self, trail=(*self.trail, *steps))
 
 
-def later(before: Mapping[Change, None], changes: Iterable[Change]) -> Mapping[Change, None]:
+def later(
+    before: Mapping[WorldChange, None], changes: Iterable[WorldChange]
+) -> Mapping[WorldChange, None]:
     """Changes followed by later ones. A repeated change is only at its last position."""
     found = dict(before)
     for each in changes:

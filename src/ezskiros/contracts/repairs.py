@@ -10,7 +10,7 @@ from ezskiros.check.clash import Clash
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.spelled import spelled
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, How, Known, Renewed
+from ezskiros.contracts.knowledge import How, KnownFacts, Renewed, WorldChange
 from ezskiros.contracts.remarks import (
     AddElseInsert,
     AddPreCondition,
@@ -32,7 +32,6 @@ from ezskiros.ontology.iris import split
 from ezskiros.ontology.python_names import identifier
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
@@ -40,6 +39,7 @@ from ezskiros.ontology.statements import (
     Specified,
     Statement,
     Value,
+    ValueComparison,
 )
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
@@ -72,7 +72,9 @@ class Repairs:
             return _one_of(passed, Insert(child=inserted)) if inserted else passed
         return SayInPreConditions(skill=own)
 
-    def of_lost(self, call: SkillCall, said: Statement, known: Known, change: Change) -> Remark:
+    def of_lost(
+        self, call: SkillCall, said: Statement, known: KnownFacts, change: WorldChange
+    ) -> Remark:
         """The repair for a condition that another child may have ended."""
         other = change.origin.call
         if change.how is How.BESIDE:
@@ -87,7 +89,7 @@ class Repairs:
             options.append(self._pass(other, fresh))
         return _one_of(*options) if options else Restore(child=call.skill.__name__)
 
-    def _passing(self, call: SkillCall, said: Statement, known: Known) -> Iterator[Remark]:
+    def _passing(self, call: SkillCall, said: Statement, known: KnownFacts) -> Iterator[Remark]:
         """Parameters of the compound to pass for names that an earlier child has inferred."""
         free = [name for name in names_of(said) if self.skill.parameter(name) is None]
         chosen = self.judge.choice(known, [said], free) if free else {}
@@ -97,7 +99,7 @@ class Repairs:
             yield StillStands(call=written, names=listed(free))
 
     def of_false(
-        self, call: SkillCall, said: Statement, known: Known, clash: Clash
+        self, call: SkillCall, said: Statement, known: KnownFacts, clash: Clash
     ) -> Remark | None:
         """The repair for a condition that is false."""
         options: list[Remark] = []
@@ -109,7 +111,7 @@ class Repairs:
             options.append(Move(child=other.skill.__name__))
         return _one_of(*options) if options else None
 
-    def at_end(self, said: Statement, change: Change | None) -> Remark:
+    def at_end(self, said: Statement, change: WorldChange | None) -> Remark:
         """The repair for a post-condition that is not achieved."""
         other = change.origin.call if change else None
         fresh = self._fresh_in(change) if change else None
@@ -133,7 +135,7 @@ class Repairs:
 
     # --- possible children ------------------------------------------------------------------------
 
-    def _fresh_in(self, change: Change) -> str | None:
+    def _fresh_in(self, change: WorldChange) -> str | None:
         """A name in a change that only its child uses."""
         about = () if isinstance(change.made, Renewed) else names_of(change.made)
         return next((name for name in about if self.skill.parameter(name) is None), None)
@@ -179,8 +181,8 @@ def _unified(made: Statement, said: Statement) -> Mapping[str, str] | None:
     match made:
         case Relation():
             return _unified_relations(made, said) if isinstance(said, Relation) else None
-        case Comparison():
-            if isinstance(said, Comparison) and _compared(made) == _compared(said):
+        case ValueComparison():
+            if isinstance(said, ValueComparison) and _compared(made) == _compared(said):
                 return {made.subject: said.subject}
         case HasProperty(property=iri, is_true=is_true):
             if isinstance(said, HasProperty) and (iri, is_true) == (said.property, said.is_true):
@@ -200,7 +202,7 @@ def _unified_relations(made: Relation, said: Relation) -> Mapping[str, str] | No
     return names
 
 
-def _compared(said: Comparison) -> tuple[str, str, Value, bool]:
+def _compared(said: ValueComparison) -> tuple[str, str, Value, bool]:
     return said.property, said.operator, said.value, said.is_true
 
 
@@ -212,7 +214,7 @@ def _properties(said: Statement) -> Iterator[str]:
                 yield from _properties(part)
         case Relation(relation=iri):
             yield iri
-        case Comparison(property=iri) | HasProperty(property=iri):
+        case ValueComparison(property=iri) | HasProperty(property=iri):
             yield iri
         case OfType() | Specified() | Generated():
             return

@@ -16,13 +16,13 @@ from ezskiros.contracts.knowledge import Made, Renewed
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 
 MayBeSame = Callable[[str, str], bool]
@@ -56,8 +56,8 @@ class Touching:
                 return any(self._may_be_same(subject, each) for each in names_of(fact))
             case Relation():
                 return isinstance(fact, Relation) and self._relates(made, fact)
-            case Comparison() | HasProperty():
-                return isinstance(fact, (Comparison, HasProperty)) and self._sets(made, fact)
+            case ValueComparison() | HasProperty():
+                return isinstance(fact, (ValueComparison, HasProperty)) and self._sets(made, fact)
 
     def _touches_in_parts(self, made: Made, fact: Statement) -> bool:
         if isinstance(made, Renewed):
@@ -67,7 +67,9 @@ class Touching:
         assert isinstance(fact, AnyOf)
         return any(self.touches(made, part) for part in fact.parts)
 
-    def _sets(self, made: Comparison | HasProperty, fact: Comparison | HasProperty) -> bool:
+    def _sets(
+        self, made: ValueComparison | HasProperty, fact: ValueComparison | HasProperty
+    ) -> bool:
         """Say whether a changed value ends a fact. This includes facts with a special case or a
         generalization of the property.
         """

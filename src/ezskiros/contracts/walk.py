@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 
 from ezskiros.check.inference import names as names_of
 from ezskiros.contracts.changing import changed, failed, join
-from ezskiros.contracts.children import Child, Children
+from ezskiros.contracts.children import BoundChild, Children
 from ezskiros.contracts.findings import Findings
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, How, Known, Origin
+from ezskiros.contracts.knowledge import How, KnownFacts, Origin, WorldChange
 from ezskiros.contracts.statements import Asked, renamed
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls, children
@@ -32,9 +32,9 @@ class NodeOutcome:
     its failure.
     """
 
-    success: Known
-    endings: tuple[Known, ...]
-    failures: tuple[Known, ...]
+    success: KnownFacts
+    endings: tuple[KnownFacts, ...]
+    failures: tuple[KnownFacts, ...]
 
 
 @dataclass(frozen=True)
@@ -49,10 +49,10 @@ class Place:
 
     is_fatal: bool = True
     is_reported: bool = True
-    tick: Callable[[Known, bool], Known] | None = None
+    tick: Callable[[KnownFacts, bool], KnownFacts] | None = None
     again: str | None = None
 
-    def at_next_tick(self, known: Known, *, is_reported: bool) -> Known:
+    def at_next_tick(self, known: KnownFacts, *, is_reported: bool) -> KnownFacts:
         """The knowledge when the next tick reaches the node."""
         return self.tick(known, is_reported) if self.tick else known
 
@@ -72,7 +72,7 @@ class Walk:
     ones.
     """
 
-    def through(self, node: Node, known: Known, place: Place = Place()) -> NodeOutcome:
+    def through(self, node: Node, known: KnownFacts, place: Place = Place()) -> NodeOutcome:
         """Compute the known conditions after a node."""
         match node:
             case SkillCall():
@@ -97,7 +97,7 @@ class Walk:
 
     # --- skills -----------------------------------------------------------------------------------
 
-    def _skill(self, call: SkillCall, known: Known, place: Place) -> NodeOutcome:
+    def _skill(self, call: SkillCall, known: KnownFacts, place: Place) -> NodeOutcome:
         child = self.children.of(call, known)
         self._hold(child, known, place)
         wrong = self._judged(child, known, place)
@@ -114,7 +114,7 @@ class Walk:
         return NodeOutcome(success, (success,), tuple(each.after(known) for each in step.failures))
 
     def _step(
-        self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
+        self, child: BoundChild, known: KnownFacts, wrong: Mapping[Asked, bool], place: Place
     ) -> NodeOutcome:
         """Follow the knowledge through a child with some conditions that may be false."""
         asked, free = child.asked(known), child.inferred(known)
@@ -138,7 +138,7 @@ class Walk:
         failure = failed(before, again.changes(How.FAILED), self.judge)
         return NodeOutcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
-    def _judged(self, child: Child, known: Known, place: Place) -> dict[Asked, bool]:
+    def _judged(self, child: BoundChild, known: KnownFacts, place: Place) -> dict[Asked, bool]:
         """The conditions of a child that may be false, each with whether it is certainly false."""
         asked, free = child.asked(known), child.inferred(known)
         about = [
@@ -164,7 +164,7 @@ class Walk:
                 self.findings.unknown_at_start(child.call, each, known, is_fatal=place.is_fatal)
         return wrong
 
-    def _assuming(self, known: Known, asked: Iterable[Asked], child: Child) -> Known:
+    def _assuming(self, known: KnownFacts, asked: Iterable[Asked], child: BoundChild) -> KnownFacts:
         """The knowledge after the start of a child: its conditions hold, and facts that they
         exclude do not.
         """
@@ -178,7 +178,7 @@ class Walk:
             known = known.assuming({each.statement: origin})
         return known
 
-    def _hold(self, child: Child, known: Known, place: Place) -> None:
+    def _hold(self, child: BoundChild, known: KnownFacts, place: Place) -> None:
         for each in self.held if place.is_reported else ():
             if not self.judge.entails(known, each.statement):
                 is_certain = place.again is None
@@ -188,10 +188,10 @@ class Walk:
     # --- processors -------------------------------------------------------------------------------
 
     def _sequence(
-        self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
+        self, below: Sequence[Node], known: KnownFacts, place: Place, *, is_restarting: bool = False
     ) -> NodeOutcome:
-        failures: list[Known] = []
-        endings: tuple[Known, ...] = (known,)
+        failures: list[KnownFacts] = []
+        endings: tuple[KnownFacts, ...] = (known,)
         for index, node in enumerate(below):
             inner = place
             if is_restarting and index:
@@ -206,7 +206,7 @@ class Walk:
         """Add a serial, whose earlier children restart at each tick."""
         why = "a serial restarts it in each tick"
 
-        def tick(known: Known, is_reported: bool) -> Known:
+        def tick(known: KnownFacts, is_reported: bool) -> KnownFacts:
             known = place.at_next_tick(known, is_reported=is_reported)
             again = Place(place.is_fatal, place.is_reported and is_reported, again=why)
             return self._sequence(before, known, again).success
@@ -214,14 +214,14 @@ class Walk:
         return replace(place, tick=tick)
 
     def _selector(
-        self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
+        self, below: Sequence[Node], known: KnownFacts, place: Place, *, is_restarting: bool = False
     ) -> NodeOutcome:
         inner = place if len(below) == 1 else replace(place, is_fatal=False)
-        endings: list[Known] = []
-        failures: tuple[Known, ...] = (known,)
+        endings: list[KnownFacts] = []
+        failures: tuple[KnownFacts, ...] = (known,)
         for index, node in enumerate(below):
             before = join(failures, self.judge) if failures else replace(known, is_dead=True)
-            stopped: list[Known] = []
+            stopped: list[KnownFacts] = []
             if is_restarting and index:
                 inner = self._with_selector(below[:index], place, stopped)
             outcome = self.through(node, before, inner)
@@ -231,13 +231,15 @@ class Walk:
             failures = outcome.failures
         return NodeOutcome(join(endings, self.judge), tuple(endings), failures)
 
-    def _with_selector(self, before: Sequence[Node], place: Place, stopped: list[Known]) -> Place:
+    def _with_selector(
+        self, before: Sequence[Node], place: Place, stopped: list[KnownFacts]
+    ) -> Place:
         """Add a selector, whose earlier children are retried at each tick. `stopped` gets the known
         conditions if one of them succeeds.
         """
         why = "a selector retries it in each tick"
 
-        def tick(known: Known, is_reported: bool) -> Known:
+        def tick(known: KnownFacts, is_reported: bool) -> KnownFacts:
             known = place.at_next_tick(known, is_reported=is_reported)
             again = Place(False, place.is_reported and is_reported, again=why)
             outcome = self._selector(before, known, again)
@@ -248,7 +250,7 @@ class Walk:
         return replace(place, is_fatal=False, tick=tick)
 
     def _parallel(
-        self, below: Sequence[Node], known: Known, place: Place, *, is_race: bool
+        self, below: Sequence[Node], known: KnownFacts, place: Place, *, is_race: bool
     ) -> NodeOutcome:
         outcomes = []
         for index, node in enumerate(below):
@@ -279,16 +281,18 @@ class Walk:
             )
         return NodeOutcome(merged, (merged,), (stopped,))
 
-    def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
+    def _beside(
+        self, others: Sequence[Node], known: KnownFacts
+    ) -> Callable[[KnownFacts], KnownFacts]:
         """The effect of other nodes that run at the same time on the knowledge."""
         changes = [each for node in others for each in self._changes(node, known, How.BESIDE)]
         names = {name for node in others for name in self._found(node, known)}
         return lambda known: failed(known, changes, self.judge).perhaps_binding(names)
 
-    def _with_others(self, beside: Callable[[Known], Known], place: Place) -> Place:
+    def _with_others(self, beside: Callable[[KnownFacts], KnownFacts], place: Place) -> Place:
         """Add children that run at the same time."""
 
-        def tick(known: Known, is_reported: bool) -> Known:
+        def tick(known: KnownFacts, is_reported: bool) -> KnownFacts:
             return beside(place.at_next_tick(known, is_reported=is_reported))
 
         return replace(place, tick=tick)
@@ -296,14 +300,16 @@ class Walk:
     # --- ticks ------------------------------------------------------------------------------------
 
     def _partly(
-        self, below: Sequence[Node], known: Known, place: Place, how: How = How.FAILED
-    ) -> Known:
+        self, below: Sequence[Node], known: KnownFacts, place: Place, how: How = How.FAILED
+    ) -> KnownFacts:
         """The knowledge after nodes may have done some of their work, in any number of ticks."""
         changes = [each for node in below for each in self._changes(node, known, how)]
         names = [name for node in below for name in self._found(node, known)]
         return self._running(known.perhaps_binding(names), place, changes)
 
-    def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
+    def _running(
+        self, known: KnownFacts, place: Place, changes: Sequence[WorldChange] = ()
+    ) -> KnownFacts:
         """The knowledge while a skill runs, in any number of ticks; or while changes may be made,
         without findings.
         """
@@ -318,12 +324,12 @@ class Walk:
             known = later
         return known.without(known.facts)
 
-    def _changes(self, node: Node, known: Known, how: How) -> Iterator[Change]:
+    def _changes(self, node: Node, known: KnownFacts, how: How) -> Iterator[WorldChange]:
         """All changes that nodes below a node may make."""
         for call in calls(node):
             yield from self.children.of(call, known).changes(how)
 
-    def _found(self, node: Node, known: Known) -> Iterator[str]:
+    def _found(self, node: Node, known: KnownFacts) -> Iterator[str]:
         """The names for which a node may find individuals."""
         for call in calls(node):
             yield from self.children.of(call, known).bound()
@@ -331,7 +337,7 @@ class Walk:
     # --- decorators -------------------------------------------------------------------------------
 
     def _decorated(
-        self, decoration: Decoration, child: Node, tries: int, known: Known, place: Place
+        self, decoration: Decoration, child: Node, tries: int, known: KnownFacts, place: Place
     ) -> NodeOutcome:
         if decoration is Decoration.INVERTER:
             inner = self.through(child, known, replace(place, is_fatal=False))
@@ -361,7 +367,7 @@ class Walk:
     # --- restarted children -----------------------------------------------------------------------
 
     def _restart(
-        self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
+        self, below: Sequence[Node], known: KnownFacts, again: str, *, is_certain: bool = False
     ) -> None:
         """Check that children can restart. With `is_certain`, only certain failures are
         reported.
@@ -382,9 +388,6 @@ def _first_calls(node: Node) -> Iterator[SkillCall]:
         yield node
         return
     below = children(node)
-    is_one = isinstance(node, Processor) and node.flow not in (
-        Flow.PARALLEL_FF,
-        Flow.PARALLEL_FS,
-    )
+    is_one = isinstance(node, Processor) and node.flow not in (Flow.PARALLEL_FF, Flow.PARALLEL_FS)
     for child in below[:1] if is_one else below:
         yield from _first_calls(child)

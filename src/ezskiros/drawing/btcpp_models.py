@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ET
 from ezskiros.check.spelled import spelled
 from ezskiros.ontology import Ontology
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 
 TYPES = {float: "double", int: "int", bool: "bool", str: "std::string"}
 # fmt: off
@@ -55,7 +55,7 @@ def _direction(parameter: Parameter) -> str:
     """The direction of a port: output, possible output, or input."""
     if parameter.is_output:
         return "output_port"
-    may_be_found = parameter.kind is not Kind.REQUIRED and parameter.default is None
+    may_be_found = parameter.kind is not ParameterKind.REQUIRED and parameter.default is None
     return "inout_port" if may_be_found else "input_port"
 
 

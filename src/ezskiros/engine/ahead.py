@@ -17,7 +17,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.depth import MOST_DEPTH, deep
 from ezskiros.engine.execution_context import ExecutionContext
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.nodes import Decorator, Flow, Node, Processor
@@ -33,7 +33,7 @@ class Ahead:
     values: Mapping[str, Any]
 
 
-def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahead]:
+def skills_ahead(root: SkillChild, then: SkillCall | None = None) -> list[Ahead]:
     """The skills of a tree that can start next. For a tree that does not run, these are its first
     skills. `then` starts after the success of the tree.
     """
@@ -58,11 +58,11 @@ def _after(node: Behaviour) -> _After:
     if node.status is not Status.RUNNING:
         return _After(list(_beginning(node)), False, False)
     match node:
-        case RunningSkill(is_waiting=True):
+        case SkillChild(is_waiting=True):
             return _After(list(_beginning(node)), False, True)  # a time limit may end the wait
-        case RunningSkill(tree=None):
+        case SkillChild(tree=None):
             return _After((), True, True)
-        case RunningSkill(tree=Behaviour() as tree):
+        case SkillChild(tree=Behaviour() as tree):
             skills, may_succeed, _ = _after(tree)
             return _After(skills, may_succeed, True)  # its conditions may become false
         case composites.Sequence() | composites.Selector():
@@ -109,7 +109,7 @@ def _after_decorated(node: decorators.Decorator) -> _After:
 def _beginning(node: Behaviour) -> Iterator[Ahead]:
     """The first skills of a node that does not run."""
     match node:
-        case RunningSkill():
+        case SkillChild():
             yield from _of_call(node.call, node.shared, node.execution, node.depth)
         case composites.Sequence() | composites.Selector():
             if node.children:

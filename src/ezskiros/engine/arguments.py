@@ -10,7 +10,7 @@ from typing import Any
 from ezskiros.engine.values import WorldThing, wanted
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 
 _MOST_NAMED = 10
 _TRUTHS = {"true": True, "false": False}
@@ -35,7 +35,7 @@ def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) ->
         read = _thing(parameter, value, world) if parameter.is_thing else _basic(parameter, value)
         found[name] = read
     for parameter in skill.parameters:
-        is_needed = parameter.kind is Kind.REQUIRED and parameter.default is None
+        is_needed = parameter.kind is ParameterKind.REQUIRED and parameter.default is None
         if is_needed and not parameter.is_output and parameter.name not in found:
             would = f"; {_those(parameter, world)}" if parameter.is_thing else ""
             text = f"`{parameter.name}`, {wanted(parameter)}, is not given"

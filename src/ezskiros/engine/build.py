@@ -9,20 +9,20 @@ from py_trees.behaviour import Behaviour
 from ezskiros.engine.compatible import CompatibleSkill
 from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
 from ezskiros.engine.execution_context import ExecutionContext
-from ezskiros.engine.grounding import Names
+from ezskiros.engine.grounding import SharedValues
 from ezskiros.engine.processors import decorator, processor
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decorator, Node, Processor
 
 
-def root_skill(call: SkillCall, execution: ExecutionContext, label: str) -> RunningSkill:
+def root_skill(call: SkillCall, execution: ExecutionContext, label: str) -> SkillChild:
     """The skill of a task, at the root."""
-    return _skill_class(execution)(call, Names({}), execution, label, behavior)
+    return _skill_class(execution)(call, SharedValues({}), execution, label, behavior)
 
 
 def behavior(
-    root: Node, names: Names, execution: ExecutionContext, above: RunningSkill | None
+    root: Node, names: SharedValues, execution: ExecutionContext, above: SkillChild | None
 ) -> Behaviour:
     """Build the behavior that ticks a tree: the children of the skill `above`. Raises
     `TooDeepError`.
@@ -30,16 +30,16 @@ def behavior(
     return _Builder(names, execution, above).build(root, above.depth + 1 if above else 0)
 
 
-def _skill_class(execution: ExecutionContext) -> type[RunningSkill]:
+def _skill_class(execution: ExecutionContext) -> type[SkillChild]:
     """The class that runs skills: with exact values, or with the values of SkiROS2."""
-    return CompatibleSkill if execution.compatible else RunningSkill
+    return CompatibleSkill if execution.compatible else SkillChild
 
 
 class _Builder:
     """Builds one tree."""
 
     def __init__(
-        self, names: Names, execution: ExecutionContext, above: RunningSkill | None
+        self, names: SharedValues, execution: ExecutionContext, above: SkillChild | None
     ) -> None:
         self._names, self._execution, self._above = names, execution, above
         self._seen: Counter[str] = Counter()

@@ -10,10 +10,10 @@ from py_trees.common import Status
 from ezskiros.engine.blackboard import Blackboard, Cells, Remaps, remaps_of
 from ezskiros.engine.events import Reason
 from ezskiros.engine.plans import ChildStart
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 
 
-class CompatibleSkill(RunningSkill):
+class CompatibleSkill(SkillChild):
     """A child with the values of a blackboard, which all skills of a task share.
 
     The child reads the blackboard when it starts, before each tick of a primitive, when the tree of

@@ -12,7 +12,6 @@ from ezskiros.engine.world import World
 from ezskiros.ontology.statements import (
     TURNED,
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
@@ -20,6 +19,7 @@ from ezskiros.ontology.statements import (
     Specified,
     Statement,
     Value,
+    ValueComparison,
     negated,
 )
 
@@ -50,7 +50,7 @@ def _is_so(statement: Statement, bound: Bound, world: World) -> bool:
     match statement:
         case Relation():
             return _are_related(statement, subject, bound.get(statement.object), world)
-        case Comparison(property=iri, operator=sign, value=value):
+        case ValueComparison(property=iri, operator=sign, value=value):
             return any(_compares(sign, each, value) for each in world.values(subject, iri))
         case HasProperty(property=iri):
             return bool(world.values(subject, iri))
@@ -103,7 +103,7 @@ def make(statement: Statement, bound: Bound, world: World) -> None:
     match statement:
         case Relation():
             _make_related(statement, subject, bound.get(statement.object), world)
-        case Comparison():
+        case ValueComparison():
             _make_compare(statement, subject, world)
         case HasProperty(property=iri, is_true=is_true):
             if is_true:
@@ -127,7 +127,7 @@ def _make_related(said: Relation, subject: str, other: str | None, world: World)
         world.unrelate(subject, said.relation, other)
 
 
-def _make_compare(said: Comparison, subject: str, world: World) -> None:
+def _make_compare(said: ValueComparison, subject: str, world: World) -> None:
     if not said.is_true and said.operator == "=":
         world.unset(subject, said.property)
         return
@@ -170,7 +170,10 @@ def _facts(statement: Statement, bound: Bound, world: World) -> Iterator[str]:
             related = world.related(bound[subject], relation)
             found = ", ".join(map(world.spelled, related)) or "nothing"
             yield f"{subject} {world.spelled(relation)} {found}"
-        case Comparison(subject=subject, property=iri) | HasProperty(subject=subject, property=iri):
+        case (
+            ValueComparison(subject=subject, property=iri)
+            | HasProperty(subject=subject, property=iri)
+        ):
             found = ", ".join(map(repr, world.values(bound[subject], iri))) or "no value"
             yield f"{subject} {world.spelled(iri)}: {found}"
         case OfType(subject=subject):

@@ -17,7 +17,7 @@ from ezskiros.skills.interface import Clause, Parameter
 
 
 @dataclass
-class Names:
+class SharedValues:
     """The values that the children of one tree share, by name."""
 
     values: dict[str, Any]
@@ -52,7 +52,11 @@ class Grounding:
     """Finds individuals for inferred parameters, and stores them in `values`."""
 
     def __init__(
-        self, plan: ChildStart, names: Names, values: dict[str, Any], execution: ExecutionContext
+        self,
+        plan: ChildStart,
+        names: SharedValues,
+        values: dict[str, Any],
+        execution: ExecutionContext,
     ) -> None:
         self._plan, self._names, self._values = plan, names, values
         self._execution, self._world = execution, execution.world

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from ezskiros.check.inference import names
 from ezskiros.engine.conditions import holds
 from ezskiros.engine.world import World
-from ezskiros.ontology.statements import Comparison, Relation, Statement
+from ezskiros.ontology.statements import Relation, Statement, ValueComparison
 from ezskiros.skills.interface import Parameter, SkillInterface
 
 MOST_SOLUTIONS = 10
@@ -61,7 +61,7 @@ def infer(
 
 
 def _as_equality(statement: Statement) -> Statement:
-    return replace(statement, operator="=") if isinstance(statement, Comparison) else statement
+    return replace(statement, operator="=") if isinstance(statement, ValueComparison) else statement
 
 
 def _narrowed(

@@ -29,7 +29,7 @@ from ezskiros.engine.events import Code, Reason
 from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import Running, with_values_of_now
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.engine.task import Task
 from ezskiros.skills.calls import SkillCall
 
@@ -99,14 +99,14 @@ class InterruptibleTask(Task):
 
     def __init__(self, call: SkillCall, execution: ExecutionContext, replan: Replan) -> None:
         super().__init__(call, execution)
-        self.begun: Callable[[RunningSkill], object] = lambda _: None
+        self.begun: Callable[[SkillChild], object] = lambda _: None
         """Called for each tree that replaces another one: recoveries, and skills of a plan."""
         self._call, self._replan = call, replan
         self._aim = call
         self._left: deque[SkillCall] = deque()
         self._asked: SimpleQueue[Recovery] = SimpleQueue()
         self._recovery: Recovery | None = None
-        self._tree: RunningSkill | None = None
+        self._tree: SkillChild | None = None
         self._search: Future[Way] | None = None
         self._interrupted: list[Running] | None = None
 
@@ -118,7 +118,7 @@ class InterruptibleTask(Task):
         return self.execution.running if self._interrupted is None else self._interrupted
 
     @property
-    def recovering(self) -> RunningSkill | None:
+    def recovering(self) -> SkillChild | None:
         """The tree that runs in place of the task; None while the task runs."""
         return self._tree
 
@@ -252,7 +252,7 @@ class InterruptibleTask(Task):
         self.root = self._made(call)
         self.begun(self.root)
 
-    def _made(self, call: SkillCall) -> RunningSkill:
+    def _made(self, call: SkillCall) -> SkillChild:
         plan = self.execution.plans.of(call)[0]
         return root_skill(call, self.execution, plan.label or plan.skill.name)
 
@@ -268,7 +268,7 @@ class InterruptibleTask(Task):
         return Status.FAILURE
 
 
-def _running_primitives(skill: RunningSkill) -> Iterator[RunningSkill]:
+def _running_primitives(skill: SkillChild) -> Iterator[SkillChild]:
     """The primitives that run below a skill, or the skill itself."""
     if skill.status is not Status.RUNNING:
         return
@@ -280,7 +280,7 @@ def _running_primitives(skill: RunningSkill) -> Iterator[RunningSkill]:
         each = waiting.pop()
         if each.status is not Status.RUNNING:
             continue
-        if isinstance(each, RunningSkill):
+        if isinstance(each, SkillChild):
             yield from _running_primitives(each)
         else:
             waiting += reversed(each.children)

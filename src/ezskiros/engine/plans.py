@@ -10,7 +10,7 @@ from ezskiros.engine.options import emptied, locked, with_options
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import plain
 from ezskiros.trees.library import Implementations, Library
@@ -151,7 +151,9 @@ class Plans:
             },
             as_they_are=_BASIC if has_floats else _BASIC | {int},
             needed=tuple(each for each in skill.parameters if _is_needed(each)),
-            inferred=tuple(each for each in skill.parameters if each.kind is Kind.INFERRED),
+            inferred=tuple(
+                each for each in skill.parameters if each.kind is ParameterKind.INFERRED
+            ),
             things=tuple(each for each in skill.parameters if each.is_thing),
             outputs=tuple(each for each in skill.parameters if each.is_output),
             emptied=emptied(skill),
@@ -204,7 +206,7 @@ def _is_needed(parameter: Parameter) -> bool:
     """Say whether a skill cannot start without a value for a parameter, and nothing can infer the
     value.
     """
-    return parameter.kind is Kind.REQUIRED and not parameter.is_output
+    return parameter.kind is ParameterKind.REQUIRED and not parameter.is_output
 
 
 def _converted(value: object, parameter: Parameter | None) -> object:

@@ -19,7 +19,7 @@ from ezskiros.engine.events import Code, Event, Happened, Reason
 from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.grounding import (
     Grounding,
-    Names,
+    SharedValues,
     broken,
     missing,
     missing_output,
@@ -33,11 +33,11 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.nodes import Node
 from ezskiros.trees.tree import Tree
 
-Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
+Build = Callable[[Node, SharedValues, ExecutionContext, "SkillChild"], Behaviour]
 """Makes the behavior that ticks the tree of a compound. Raises `TooDeepError`."""
 
 
-class RunningSkill(Behaviour):
+class SkillChild(Behaviour):
     """A child that is a skill. `names` are the values that it shares with its siblings; `build`
     turns a compound skill's tree into behaviors.
     """
@@ -45,11 +45,11 @@ class RunningSkill(Behaviour):
     def __init__(
         self,
         call: SkillCall,
-        names: Names,
+        names: SharedValues,
         execution: ExecutionContext,
         label: str,
         build: Build,
-        above: RunningSkill | None = None,
+        above: SkillChild | None = None,
         depth: int = 0,
     ) -> None:
         super().__init__(label)
@@ -291,7 +291,7 @@ class RunningSkill(Behaviour):
             return found
         if found is not self._expanded or self._tree is None:
             self._expanded = found
-            self._tree_names = Names(self._values)
+            self._tree_names = SharedValues(self._values)
             try:
                 self._tree = self._build(found.root, self._tree_names, execution, self)
             except TooDeepError:

@@ -11,7 +11,7 @@ from ezskiros.engine.events import Event
 from ezskiros.engine.values import WorldThing
 
 
-class Trace:
+class TraceWriter:
     """Writes one JSON object per event. The first object names the `program` that writes it. Raises
     `OSError`, like files.
 

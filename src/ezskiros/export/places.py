@@ -11,7 +11,7 @@ from dslkit.source import SourceFile, Span, is_file
 from ezskiros.export.sources import path_from
 
 
-class Places:
+class ExportPlaces:
     """The places for an export in a folder. `files` are the files with a place."""
 
     def __init__(self, folder: Path) -> None:

@@ -16,7 +16,7 @@ from ezskiros.export.errors import NoExport, NotExported, StaleExport
 from ezskiros.export.sources import (
     FORMAT,
     VERSION,
-    Source,
+    ExportedSource,
     digest_of,
     path_from,
     sha256_of,
@@ -33,10 +33,10 @@ class Export:
 
     path: Path
     digest: str
-    sources: tuple[Source, ...]
+    sources: tuple[ExportedSource, ...]
     file: SourceFile
 
-    def place_of(self, source: Source) -> Span:
+    def place_of(self, source: ExportedSource) -> Span:
         """The place of a source in the export."""
         named = json.dumps(source.path)
         start = max(self.file.text.find(named), 0)
@@ -89,7 +89,7 @@ def read_export(path: Path) -> Export | Diagnostic:
     wrong = _fault(found)
     if wrong is not None:
         return _no_export(place_of_key(file, wrong[0]), wrong[1])
-    sources = tuple(Source(each["path"], each["sha256"]) for each in found["sources"])
+    sources = tuple(ExportedSource(each["path"], each["sha256"]) for each in found["sources"])
     return Export(path, found["digest"], sources, file)
 
 
@@ -109,7 +109,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
     sources = found.get("sources")
     if not isinstance(sources, list) or not all(map(_is_source, sources)):
         return "sources", "its `sources` are not paths with their SHA-256"
-    known = [Source(each["path"], each["sha256"]) for each in sources]
+    known = [ExportedSource(each["path"], each["sha256"]) for each in sources]
     if found.get("digest") != digest_of(known):
         return "digest", "its `digest` does not match its `sources`"
     return None
@@ -146,7 +146,7 @@ def changed_sources(export: Export) -> Iterator[Diagnostic]:
             yield found.at(export.place_of(source))
 
 
-def _change(file: Path, source: Source) -> str | None:
+def _change(file: Path, source: ExportedSource) -> str | None:
     if not is_file(file):
         return "no longer exists"
     try:

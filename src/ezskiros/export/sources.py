@@ -14,7 +14,7 @@ VERSION = 1
 
 
 @dataclass(frozen=True, order=True)
-class Source:
+class ExportedSource:
     """A file by its path relative to the folder of the export, with `/`, and the SHA-256 of its
     bytes.
     """
@@ -23,16 +23,16 @@ class Source:
     sha256: str
 
 
-def digest_of(sources: Iterable[Source]) -> str:
+def digest_of(sources: Iterable[ExportedSource]) -> str:
     """The digest of an export: 64 hexadecimal digits."""
     lines = [f"{FORMAT} {VERSION}", *(f"{each.sha256}  {each.path}" for each in sorted(sources))]
     return hashlib.sha256("\n".join(lines).encode("utf-8", "surrogatepass")).hexdigest()
 
 
-def sources_of(files: Iterable[Path], folder: Path) -> list[Source]:
+def sources_of(files: Iterable[Path], folder: Path) -> list[ExportedSource]:
     """Some files as sources of an export in a folder, in order. Raises `OSError`."""
     known = {path_from(folder, file): file for file in files}
-    return sorted(Source(path, sha256_of(file)) for path, file in known.items())
+    return sorted(ExportedSource(path, sha256_of(file)) for path, file in known.items())
 
 
 def sha256_of(file: Path) -> str:

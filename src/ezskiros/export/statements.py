@@ -11,7 +11,6 @@ from typing import Any
 
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
@@ -19,11 +18,12 @@ from ezskiros.ontology.statements import (
     Specified,
     Statement,
     Value,
+    ValueComparison,
 )
 
 _KINDS: Mapping[str, type[Any]] = {
     "relation": Relation,
-    "comparison": Comparison,
+    "comparison": ValueComparison,
     "property": HasProperty,
     "type": OfType,
     "specified": Specified,
@@ -52,7 +52,7 @@ def written(statement: Statement) -> dict[str, Any]:
         parts = [written(each) for each in statement.parts]
         return {"kind": _ANY, "parts": parts, "is_true": statement.is_true}
     found = {"kind": _NAMES[type(statement)], **vars(statement)}
-    if isinstance(statement, Comparison):
+    if isinstance(statement, ValueComparison):
         found["value"] = _as_json(statement.value)
     return found
 

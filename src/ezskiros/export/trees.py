@@ -7,7 +7,7 @@ from typing import Any
 
 from ezskiros import session
 from ezskiros.export import errors
-from ezskiros.export.places import Places
+from ezskiros.export.places import ExportPlaces
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decoration, Decorator, Node, Processor
 from ezskiros.skills.values import Symbol, plain
@@ -21,7 +21,7 @@ depth.
 """
 
 
-def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:
+def tree_of(tree: Tree, library: Library, places: ExportPlaces) -> dict[str, Any]:
     """One tree of a compound skill."""
     return {
         "implementation": tree.implementation,
@@ -30,7 +30,7 @@ def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:
     }
 
 
-def _node(node: Node, library: Library, places: Places, level: int) -> dict[str, Any]:
+def _node(node: Node, library: Library, places: ExportPlaces, level: int) -> dict[str, Any]:
     place = places.of(node.span)
     match node:
         case SkillCall():

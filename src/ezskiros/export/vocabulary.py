@@ -13,11 +13,11 @@ from dslkit.diagnostics import listed
 from ezskiros import session
 from ezskiros.check.values import is_value_of, spelled_types
 from ezskiros.export import errors
-from ezskiros.export.places import Places
+from ezskiros.export.places import ExportPlaces
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import RESERVED
 from ezskiros.ontology.model import Model
-from ezskiros.ontology.places import Declarations
+from ezskiros.ontology.places import EntityDeclarations
 from ezskiros.ontology.things import ThingClass
 from ezskiros.session import NOWHERE
 from ezskiros.skills.quantities import UNITS
@@ -29,9 +29,9 @@ _SAMPLES = {"float": 0.5, "int": 1, "bool": True, "str": "text"}
 class Vocabulary:
     """Some classes of one ontology, with their properties and base classes."""
 
-    def __init__(self, ontology: Ontology, named: Iterable[str], places: Places) -> None:
+    def __init__(self, ontology: Ontology, named: Iterable[str], places: ExportPlaces) -> None:
         self._ontology, self._model, self._places = ontology, ontology.model, places
-        self._declarations = Declarations(ontology.documents)
+        self._declarations = EntityDeclarations(ontology.documents)
         self._classes = _related(self._model, set(named))
 
     def classes(self) -> Iterator[dict[str, Any]]:

@@ -13,7 +13,7 @@ from typing import Any
 from ezskiros import session
 from ezskiros.check.spelled import spelled
 from ezskiros.export import errors
-from ezskiros.export.places import Places
+from ezskiros.export.places import ExportPlaces
 from ezskiros.export.sources import FORMAT, VERSION, digest_of, sources_of
 from ezskiros.export.statements import written
 from ezskiros.export.trees import spelled_value, tree_of
@@ -24,7 +24,7 @@ from ezskiros.ontology.things import ThingClass
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.interface import BASIC, Clause, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.permits import Permission
 from ezskiros.skills.uses import Use
 from ezskiros.trees.library import Library
@@ -33,7 +33,11 @@ from ezskiros.trees.tree import Tree
 TOPIC, PERIOD = "/skill_context", 0.1
 """The topic of the message about running skills, and its period in seconds."""
 CONTEXT = {"topic": TOPIC, "type": "skill_context_msgs/SkillContext", "period": PERIOD}
-_KINDS = {Kind.REQUIRED: "given", Kind.INFERRED: "inferred", Kind.OPTIONAL: "optional"}
+_KINDS = {
+    ParameterKind.REQUIRED: "given",
+    ParameterKind.INFERRED: "inferred",
+    ParameterKind.OPTIONAL: "optional",
+}
 
 
 def export_skills(
@@ -60,7 +64,7 @@ class _Writer:
         folder: Path,
     ) -> None:
         self._library, self._scene, self._folder = library, scene, folder
-        self._places = Places(folder)
+        self._places = ExportPlaces(folder)
         self._trees: dict[str, list[Tree]] = defaultdict(list)
         for tree in trees:
             self._trees[tree.skill.name].append(tree)

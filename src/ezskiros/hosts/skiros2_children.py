@@ -26,7 +26,7 @@ _BETWEEN = "\0"
 """The prefix of the keys of conditions during renaming."""
 
 
-class Child:
+class HostedChild:
     """The EzSkiROS part of a `SkillWrapper`. `keys` maps the keys of the child to blackboard keys.
     `users` has the started instances of the user's classes, by class.
     """
@@ -162,7 +162,7 @@ def _rename(condition: Any, keys: Mapping[str, str]) -> None:
 
 @lru_cache(maxsize=1)
 def _child_class() -> Any:
-    return type("Child", (Child, api().SkillWrapper), {})
+    return type("Child", (HostedChild, api().SkillWrapper), {})
 
 
 def child(call: HostedCall, label: str, instanciator: Any) -> Any:

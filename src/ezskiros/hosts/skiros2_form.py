@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
@@ -21,9 +20,10 @@ from ezskiros.ontology.statements import (
     Specified,
     Statement,
     Value,
+    ValueComparison,
 )
 from ezskiros.skills.interface import ROBOT, Clause, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 
 _STATE = "skiros:StateProperty"
 
@@ -38,7 +38,7 @@ class FormParameter:
     default: Value | enum.Enum | None = None
 
 
-IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
+IMPLICIT_ROBOT = FormParameter(ROBOT, ParameterKind.INFERRED.value, "sumo:Agent")
 """The parameter that SkiROS2 adds to a skill without a parameter of this name."""
 
 
@@ -140,7 +140,7 @@ class _Lowering:
             case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):
                 maker = "getAbstractRelationCond" if is_abstract else "getRelationCond"
                 return FormCondition(maker, (short(iri), keys[subject], keys[other], said.is_true))
-            case Comparison(subject=subject, property=iri, operator=operator, value=value):
+            case ValueComparison(subject=subject, property=iri, operator=operator, value=value):
                 arguments = (short(iri), keys[subject], operator, value, said.is_true)
                 return FormCondition("getPropCond", arguments)
             case HasProperty(subject=subject, property=iri):

@@ -17,7 +17,7 @@ from ezskiros.check import check_implementations, check_skills
 from ezskiros.contracts import check_contracts
 from ezskiros.hosts import skiros2_errors as errors
 from ezskiros.skills.calls import SkillClass
-from ezskiros.skills.describe import Described
+from ezskiros.skills.describe import DescribedSkill
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.nodes import calls
@@ -44,7 +44,7 @@ class AcceptedLibrary(Library):
 class CheckedLibrary:
     """The accepted skills of some modules, and all findings, including those of refused skills."""
 
-    described: Mapping[SkillClass, Described]
+    described: Mapping[SkillClass, DescribedSkill]
     implementations: Sequence[type[SkillImplementation]]
     refused: Sequence[type]
     diagnostics: Sequence[Diagnostic]

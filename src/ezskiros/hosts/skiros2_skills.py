@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 from ezskiros.engine.world_model import WorldModel
 from ezskiros.hosts import skiros2_context
 from ezskiros.hosts.skiros2_api import api
-from ezskiros.hosts.skiros2_children import Child, child
+from ezskiros.hosts.skiros2_children import HostedChild, child
 from ezskiros.hosts.skiros2_form import Form, FormCondition, FormParameter, conditions_of, form_of
 from ezskiros.hosts.skiros2_processors import processor
 from ezskiros.hosts.skiros2_tree import HostedCall, HostedNode, Scope, hosted, raised
@@ -163,7 +163,7 @@ class Hosted:
         """Called by SkiROS2 when it loads an implementation, and when a child gets it."""
         for each in self.host.own_conditions:
             condition = _condition(self, each)
-            if isinstance(skill, Child):
+            if isinstance(skill, HostedChild):
                 skill.rename(condition)
             skill.addPreCondition(condition)
 
@@ -222,7 +222,7 @@ class Compound(Hosted):
         """Build the tree below the SkiROS2 node that runs this skill."""
         known = self.host.hosted.skill
         tree = build(self.host.implementation, known, _values(known, self.params))
-        outer = skill.keys if isinstance(skill, Child) else {}
+        outer = skill.keys if isinstance(skill, HostedChild) else {}
         root = hosted(tree, Scope(known, skill.id, outer), self.host.library)
         if isinstance(root, HostedCall):
             root = HostedNode(Flow.SERIAL_STAR.value, (root,))

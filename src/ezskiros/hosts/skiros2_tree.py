@@ -17,7 +17,7 @@ from ezskiros.engine.values import wanted
 from ezskiros.ontology.statements import Value
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import ROBOT, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decorator, Node, Processor
 from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import Symbol
@@ -143,7 +143,7 @@ def raised(value: Value | None, parameter: Parameter) -> object:
     Raises `ValueError` for a text that is not a member of an enumeration, and for a missing value.
     """
     if value is None:
-        if parameter.kind is Kind.REQUIRED and not parameter.is_output:
+        if parameter.kind is ParameterKind.REQUIRED and not parameter.is_output:
             raise ValueError(f"`{parameter.name}`, {wanted(parameter)}, has no value")
         return None
     if not issubclass(parameter.type, enum.Enum):

@@ -15,11 +15,11 @@ from typing import Any
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
-from ezskiros.export.sources import Source, path_from
+from ezskiros.export.sources import ExportedSource, path_from
 from ezskiros.learning.errors import NoKnowledge
-from ezskiros.learning.lessons import Cost, Failure, Lessons, Places, Share, Stale, Trip
+from ezskiros.learning.lessons import Cost, Lessons, Places, Share, SkillFailure, Stale, Trip
 from ezskiros.learning.records import Line, RecordError, parsed, read_text
-from ezskiros.learning.runs import Run
+from ezskiros.learning.runs import TaskRun
 
 FORMAT = "ezskiros/knowledge"
 VERSION = 1
@@ -31,14 +31,14 @@ class Knowledge:
     """Lessons, and the records from which they were learnt."""
 
     lessons: Lessons
-    sources: Sequence[Source]
+    sources: Sequence[ExportedSource]
 
 
-def known(lessons: Lessons, runs: Iterable[Run], folder: Path) -> Knowledge:
+def known(lessons: Lessons, runs: Iterable[TaskRun], folder: Path) -> Knowledge:
     """Lessons with the records of their runs, with paths relative to a folder."""
     files = {file for run in runs for file in (run.trace.file, run.verdicts.file)}
     return Knowledge(
-        lessons, sorted(Source(path_from(folder, each.path), each.sha256) for each in files)
+        lessons, sorted(ExportedSource(path_from(folder, each.path), each.sha256) for each in files)
     )
 
 
@@ -102,7 +102,7 @@ def _share(found: Share) -> dict[str, int]:
     return {"runs": found.runs, "all_runs": found.all}
 
 
-def _digest(sources: Iterable[Source]) -> str:
+def _digest(sources: Iterable[ExportedSource]) -> str:
     lines = [f"{FORMAT} {VERSION}", *(f"{each.sha256}  {each.path}" for each in sorted(sources))]
     return hashlib.sha256("\n".join(lines).encode("utf-8", "surrogatepass")).hexdigest()
 
@@ -146,7 +146,7 @@ def _read(head: Line) -> Knowledge:
         head.count("runs"),
         [_read_trip(each) for each in head.objects("trips")],
         [
-            Failure(each.get("skill", str), _read_share(each), each.get("reason", str))
+            SkillFailure(each.get("skill", str), _read_share(each), each.get("reason", str))
             for each in head.objects("failures")
         ],
         [_read_cost(each) for each in head.objects("costs")],
@@ -155,11 +155,11 @@ def _read(head: Line) -> Knowledge:
     return Knowledge(lessons, sources)
 
 
-def _source(found: Line) -> Source:
+def _source(found: Line) -> ExportedSource:
     sha256 = found.get("sha256", str)
     if _HEXADECIMAL.fullmatch(sha256) is None:
         found.fail("`sha256` is not 64 hexadecimal digits", "sources")
-    return Source(found.get("path", str), sha256)
+    return ExportedSource(found.get("path", str), sha256)
 
 
 def _read_trip(found: Line) -> Trip:

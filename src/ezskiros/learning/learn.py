@@ -6,13 +6,13 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
-from ezskiros.learning.lessons import Cost, Failure, Lessons, Places, Share, Stale, Trip
-from ezskiros.learning.runs import Run
+from ezskiros.learning.lessons import Cost, Lessons, Places, Share, SkillFailure, Stale, Trip
+from ezskiros.learning.runs import TaskRun
 from ezskiros.learning.seen import Hit, activations, hits
-from ezskiros.learning.traces import Execution, Trace
+from ezskiros.learning.traces import Execution, TaskTrace
 
 
-def learn(runs: Sequence[Run], locations: Set[str]) -> Lessons:
+def learn(runs: Sequence[TaskRun], locations: Set[str]) -> Lessons:
     """The lessons of some runs. `locations` are the IRIs of the individuals that count as
     places.
     """
@@ -40,7 +40,7 @@ class _Blame:
 
 
 class _Gathering:
-    def __init__(self, runs: Sequence[Run], places: Callable[[Execution], Places]) -> None:
+    def __init__(self, runs: Sequence[TaskRun], places: Callable[[Execution], Places]) -> None:
         self._runs, self._places = runs, places
         self._hits = [list(hits(run)) for run in runs]
 
@@ -125,7 +125,7 @@ class _Gathering:
 
     # --- failures ---------------------------------------------------------------------------------
 
-    def failures(self) -> Iterator[Failure]:
+    def failures(self) -> Iterator[SkillFailure]:
         """The skills that failed by themselves."""
         reasons: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
         started: Counter[str] = Counter()
@@ -136,7 +136,7 @@ class _Gathering:
         for skill, found in reasons.items():
             share = Share(len({number for number, _ in found}), started[skill])
             (most, _) = Counter(text for _, text in found).most_common(1)[0]
-            yield Failure(skill, share, most)
+            yield SkillFailure(skill, share, most)
 
 
 def _runs(found: Iterable[_Blame]) -> int:
@@ -154,7 +154,7 @@ def _within(found: Iterable[_Blame]) -> Mapping[str, int]:
     return dict(sorted(counts.items(), key=lambda each: (-each[1], each[0])))
 
 
-def _failed(trace: Trace) -> Iterator[Execution]:
+def _failed(trace: TaskTrace) -> Iterator[Execution]:
     """The failed executions, except those that failed because of a child."""
     explained: set[tuple[str, ...]] = set()
     for each in trace.executions:

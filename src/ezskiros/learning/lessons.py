@@ -59,7 +59,7 @@ class Trip:
 
 
 @dataclass(frozen=True)
-class Failure:
+class SkillFailure:
     """One skill that failed in some of its runs, with the most frequent reason. Failures because of
     a child are not counted.
     """
@@ -83,6 +83,6 @@ class Lessons:
 
     runs: int
     trips: Sequence[Trip]
-    failures: Sequence[Failure]
+    failures: Sequence[SkillFailure]
     costs: Sequence[Cost]
     stale: Sequence[Stale]

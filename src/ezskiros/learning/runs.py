@@ -14,25 +14,25 @@ from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
 from ezskiros.learning.errors import NoRecord, RunAlone, RunTwice
 from ezskiros.learning.records import RecordError, lines, read_text
-from ezskiros.learning.traces import Trace, is_event, read_trace
+from ezskiros.learning.traces import TaskTrace, is_event, read_trace
 from ezskiros.learning.verdicts import Verdicts, is_header, read_verdicts
 
 _MOST_FINDINGS = 10
 """The most reported runs without a partner. Usually they have one cause."""
-_Record = TypeVar("_Record", Trace, Verdicts)
+_Record = TypeVar("_Record", TaskTrace, Verdicts)
 
 
 @dataclass(frozen=True)
-class Run:
+class TaskRun:
     """One task, and the activations of rules in its recording. A recording may have several
     tasks.
     """
 
-    trace: Trace
+    trace: TaskTrace
     verdicts: Verdicts
 
 
-def read_runs(paths: Iterable[Path]) -> tuple[Sequence[Run], Sequence[Diagnostic]]:
+def read_runs(paths: Iterable[Path]) -> tuple[Sequence[TaskRun], Sequence[Diagnostic]]:
     """The runs of verdicts and traces in any order, and the findings. After a finding there are no
     runs. Raises `OSError` for a file that cannot be read.
     """
@@ -41,18 +41,18 @@ def read_runs(paths: Iterable[Path]) -> tuple[Sequence[Run], Sequence[Diagnostic
     records = [each for each in found if not isinstance(each, Diagnostic)]
     collector.extend(each for each in found if isinstance(each, Diagnostic))
     if not collector.sorted():
-        traces = [each for each in records if isinstance(each, Trace)]
+        traces = [each for each in records if isinstance(each, TaskTrace)]
         verdicts = [each for each in records if isinstance(each, Verdicts)]
         collector.extend(_twice(traces, "traces"))
         collector.extend(_twice(verdicts, "verdicts"))
         collector.extend(_alone(traces, verdicts))
     if collector.sorted():
         return [], collector.sorted()
-    runs = [Run(trace, one) for trace in traces for one in verdicts if _is_shared(trace, one)]
+    runs = [TaskRun(trace, one) for trace in traces for one in verdicts if _is_shared(trace, one)]
     return runs, []
 
 
-def _read(path: Path) -> Trace | Verdicts | Diagnostic:
+def _read(path: Path) -> TaskTrace | Verdicts | Diagnostic:
     """The record in a file, or the finding for an invalid file."""
     try:
         return _record(read_text(path))
@@ -60,7 +60,7 @@ def _read(path: Path) -> Trace | Verdicts | Diagnostic:
         return problem.diagnostic
 
 
-def _record(file: SourceFile) -> Trace | Verdicts:
+def _record(file: SourceFile) -> TaskTrace | Verdicts:
     found = lines(file)
     first = next(found, None)
     if first is None:
@@ -72,7 +72,7 @@ def _record(file: SourceFile) -> Trace | Verdicts:
     return read_trace(first, found)
 
 
-def _is_shared(one: Trace | Verdicts, other: Trace | Verdicts) -> bool:
+def _is_shared(one: TaskTrace | Verdicts, other: TaskTrace | Verdicts) -> bool:
     """Say whether the times of two files overlap."""
     return one.start_ns <= other.end_ns and other.start_ns <= one.end_ns
 
@@ -89,7 +89,7 @@ def _twice(records: Sequence[_Record], kind: str) -> Iterator[Diagnostic]:
             longest = each
 
 
-def _alone(traces: Sequence[Trace], verdicts: Sequence[Verdicts]) -> Iterator[Diagnostic]:
+def _alone(traces: Sequence[TaskTrace], verdicts: Sequence[Verdicts]) -> Iterator[Diagnostic]:
     found = [
         *(_lonely(each, verdicts, "verdicts") for each in traces if not _has(each, verdicts)),
         *(_lonely(each, traces, "traces") for each in verdicts if not _has(each, traces)),
@@ -97,11 +97,13 @@ def _alone(traces: Sequence[Trace], verdicts: Sequence[Verdicts]) -> Iterator[Di
     yield from found[:_MOST_FINDINGS]
 
 
-def _has(record: Trace | Verdicts, others: Iterable[Trace | Verdicts]) -> bool:
+def _has(record: TaskTrace | Verdicts, others: Iterable[TaskTrace | Verdicts]) -> bool:
     return any(_is_shared(record, each) for each in others)
 
 
-def _lonely(record: Trace | Verdicts, others: Sequence[Trace | Verdicts], kind: str) -> Diagnostic:
+def _lonely(
+    record: TaskTrace | Verdicts, others: Sequence[TaskTrace | Verdicts], kind: str
+) -> Diagnostic:
     start, end = _spelled(record.start_ns), _spelled(record.end_ns)
     found = RunAlone(path=record.file.path, others=kind, start=start, end=end)
     nearest = min(others, key=lambda each: abs(each.start_ns - record.start_ns), default=None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from ezskiros.learning.runs import Run
+from ezskiros.learning.runs import TaskRun
 from ezskiros.learning.traces import Execution
 from ezskiros.learning.verdicts import Activation
 
@@ -23,7 +23,7 @@ class Hit:
     lost_s: float
 
 
-def hits(run: Run) -> Iterator[Hit]:
+def hits(run: TaskRun) -> Iterator[Hit]:
     """The activations of a run with the skills that the rules monitored, in the order of time."""
     found = [each for each in activations(run) if not each.is_stale]
     covered = run.trace.start_ns
@@ -35,7 +35,7 @@ def hits(run: Run) -> Iterator[Hit]:
         yield Hit(each, running, _innermost(running), lost / 1e9)
 
 
-def activations(run: Run) -> Iterator[Activation]:
+def activations(run: TaskRun) -> Iterator[Activation]:
     """The activations during the task of a run."""
     for each in run.verdicts.activations:
         if run.trace.start_ns <= each.start_ns <= run.trace.end_ns:

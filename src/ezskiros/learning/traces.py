@@ -33,7 +33,7 @@ class Execution:
 
 
 @dataclass(frozen=True)
-class Trace:
+class TaskTrace:
     """All executions of one run of a task, in the order of their ends."""
 
     file: SourceFile
@@ -47,7 +47,7 @@ def is_event(line: Line) -> bool:
     return line.values.get("event") in _EVENTS
 
 
-def read_trace(first: Line, rest: Iterable[Line]) -> Trace:
+def read_trace(first: Line, rest: Iterable[Line]) -> TaskTrace:
     """A trace from its lines. Raises `RecordError`."""
     reader = _Reader(first)
     for line in (first, *rest):
@@ -64,13 +64,13 @@ class _Reader:
         self._running: dict[tuple[str, ...], Execution] = {}
         self._found: list[Execution] = []
 
-    def trace(self) -> Trace:
+    def trace(self) -> TaskTrace:
         if self._running:
             path = " > ".join(next(iter(self._running)))
             self._last_line.fail(f"it ends here while `{path}` runs")
         if not self._found:
             self._first.fail("it contains no skill")
-        return Trace(self._first.span.file, self._start, self._last, self._found)
+        return TaskTrace(self._first.span.file, self._start, self._last, self._found)
 
     def take(self, line: Line) -> None:
         at, event = _stamp(line), line.get("event", str)

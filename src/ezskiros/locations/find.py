@@ -20,7 +20,7 @@ from ezskiros.locations import errors
 from ezskiros.locations.location import FARTHEST, Location, NoPolygonError, Point
 from ezskiros.ontology.iris import AS_WKT, OWL, RDF, RDFS, RESERVED
 from ezskiros.ontology.model import Model
-from ezskiros.ontology.places import Declarations
+from ezskiros.ontology.places import EntityDeclarations
 from ezskiros.ontology.read import Document
 from ezskiros.ontology.scene_text import place_in, spelled_in
 
@@ -73,7 +73,7 @@ class _Thing:
 class _Finder:
     def __init__(self, document: Document, model: Model) -> None:
         self._document, self._model = document, model
-        self._declarations = Declarations([document])
+        self._declarations = EntityDeclarations([document])
         self.wrong: list[Diagnostic] = []
 
     def find(self) -> Iterator[Location]:

@@ -10,13 +10,15 @@ from dslkit.diagnostics import listed
 from ezskiros.migrate.bases import Root
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.implementation_errors import OtherBase
-from ezskiros.migrate.tree_context import Context
+from ezskiros.migrate.tree_context import TreeContext
 
 SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
 """The SkiROS2 classes from which implementations are derived."""
 
 
-def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:
+def other_base(
+    node: cst.ClassDef, context: TreeContext, names: Mapping[str, str]
+) -> OtherBase | None:
     """The finding if the skill's `SkillBase` cannot be added to the bases of a class; None if it
     can.
     """
@@ -39,7 +41,7 @@ def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -
     )
 
 
-def left_with(node: cst.ClassDef, context: Context) -> OtherBase | None:
+def left_with(node: cst.ClassDef, context: TreeContext) -> OtherBase | None:
     """The finding that names the other class because of which a class stays unchanged; None if
     there is none.
     """

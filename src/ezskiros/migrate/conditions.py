@@ -12,8 +12,8 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import Arguments, condition_maker, literal_text
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.labels import says_more
-from ezskiros.migrate.names import Names
-from ezskiros.migrate.values import BASIC, Known
+from ezskiros.migrate.names import FileNames
+from ezskiros.migrate.values import BASIC, KnownValues
 
 _OPERATORS = {"=": "==", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
@@ -55,8 +55,8 @@ class ConditionReader:
     `mentioned` are the names of parameters in conditions.
     """
 
-    names: Names
-    known: Known
+    names: FileNames
+    known: KnownValues
     code: Callable[[cst.CSTNode], str]
     things: Mapping[str, str]
     others: Mapping[str, str]

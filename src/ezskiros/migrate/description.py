@@ -16,15 +16,15 @@ from ezskiros.migrate.conditions import ConditionReader, Expression, OrBuilder
 from ezskiros.migrate.docstrings import Text, docstring_of, with_arguments
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.keys import ROBOT, more_names, parameter_names
-from ezskiros.migrate.names import Names
+from ezskiros.migrate.names import FileNames
 from ezskiros.migrate.parameters import (
-    Parameter,
     ParameterReader,
+    SourceParameter,
     implicit_robot,
     optional_parameter,
 )
-from ezskiros.migrate.steps import Step, keys_of, statements_of, steps_of
-from ezskiros.migrate.values import Known
+from ezskiros.migrate.steps import DescriptionStatement, keys_of, statements_of, steps_of
+from ezskiros.migrate.values import KnownValues
 
 LENGTH = 100
 """The longest line, as far as possible."""
@@ -51,15 +51,15 @@ class Translation:
     """
 
     lines: list[str] = field(default_factory=list)
-    parameters: list[Parameter] = field(default_factory=list)
+    parameters: list[SourceParameter] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
 
 
 def translate(
     function: cst.FunctionDef,
-    names: Names,
-    known: Known,
+    names: FileNames,
+    known: KnownValues,
     code: Callable[[cst.CSTNode], str],
     indents: tuple[str, str],
     *,
@@ -79,8 +79,8 @@ class _Translator:
     def __init__(
         self,
         function: cst.FunctionDef,
-        names: Names,
-        known: Known,
+        names: FileNames,
+        known: KnownValues,
         code: Callable[[cst.CSTNode], str],
         indents: tuple[str, str],
         has_robot: bool,
@@ -89,10 +89,10 @@ class _Translator:
         self._function, self._names, self._known = function, names, known
         self._has_robot, self._added = has_robot, added
         self._code, (self._outer, self._step) = code, indents
-        self._parameters: list[tuple[Step, Parameter]] = []
+        self._parameters: list[tuple[DescriptionStatement, SourceParameter]] = []
         self._body: list[str] = []
         self._waiting: list[str] = []
-        self._last: Step | None = None
+        self._last: DescriptionStatement | None = None
         self._found = Translation()
 
     def translated(self) -> Translation:
@@ -129,18 +129,24 @@ class _Translator:
     def _leave(self, left: LeftError, statement: cst.CSTNode) -> None:
         self._found.findings.append(Finding(left.template, left.node, statement))
 
-    def _add(self, parameters: Iterable[Parameter]) -> None:
+    def _add(self, parameters: Iterable[SourceParameter]) -> None:
         """Add parameters that no statement declares."""
-        self._parameters += [(Step(cst.Pass(), self._function, []), each) for each in parameters]
+        self._parameters += [
+            (DescriptionStatement(cst.Pass(), self._function, []), each) for each in parameters
+        ]
 
-    def _read_parameters(self, steps: Sequence[Step], called: Mapping[str, str]) -> None:
+    def _read_parameters(
+        self, steps: Sequence[DescriptionStatement], called: Mapping[str, str]
+    ) -> None:
         reader = ParameterReader(self._names, self._known, self._code, called)
         for step in steps:
             call = step.call
             if call is None or method(call) != "addParam":
                 continue
 
-            def warn(template: Template, node: cst.CSTNode, step: Step = step) -> None:
+            def warn(
+                template: Template, node: cst.CSTNode, step: DescriptionStatement = step
+            ) -> None:
                 self._found.warnings.append(Finding(template, node, step.statement))
 
             try:
@@ -151,7 +157,7 @@ class _Translator:
             except LeftError as left:
                 self._leave(left, step.statement)
 
-    def _read_conditions(self, steps: Sequence[Step], added: Set[str]) -> None:
+    def _read_conditions(self, steps: Sequence[DescriptionStatement], added: Set[str]) -> None:
         declared = [each for _, each in self._parameters]
         things = {each.key: each.name for each in declared if each.is_thing}
         others = {each.key: each.name for each in declared if not each.is_thing}
@@ -177,7 +183,7 @@ class _Translator:
             if isinstance(builder, OrBuilder) and is_unused and not self._found.findings:
                 self._leave(_unused(name, builder), builder.statement)
 
-    def _read_step(self, step: Step, reader: ConditionReader) -> None:
+    def _read_step(self, step: DescriptionStatement, reader: ConditionReader) -> None:
         """Read a statement that is not a parameter. Raises `LeftError`."""
         match step.node:
             case cst.Pass():
@@ -195,7 +201,9 @@ class _Translator:
             case _:
                 raise _unknown(step.node, self._code)
 
-    def _read_call(self, step: Step, call: cst.Call, reader: ConditionReader) -> None:
+    def _read_call(
+        self, step: DescriptionStatement, call: cst.Call, reader: ConditionReader
+    ) -> None:
         name = method(call)
         if name in _CONDITIONS:
             found = reader.read(Arguments(call, name)["condition"])
@@ -213,7 +221,7 @@ class _Translator:
         raise _unknown(step.node, self._code)
 
     def _read_variable(
-        self, step: Step, name: str, value: cst.Call, reader: ConditionReader
+        self, step: DescriptionStatement, name: str, value: cst.Call, reader: ConditionReader
     ) -> None:
         before = reader.variables.get(name)
         if isinstance(before, OrBuilder) and not before.is_used:
@@ -227,12 +235,12 @@ class _Translator:
         reader.variables[name] = found
         self._emit(step, f"{name} = {found.text}", found.labels)
 
-    def _wait(self, step: Step) -> None:
+    def _wait(self, step: DescriptionStatement) -> None:
         """Keep the comments of a removed statement for the next one."""
         behind = [step.behind] if step.behind else []
         self._waiting += [*step.above, *inner_comments(step.node), *behind]
 
-    def _emit(self, step: Step, line: str, labels: Sequence[str] = ()) -> None:
+    def _emit(self, step: DescriptionStatement, line: str, labels: Sequence[str] = ()) -> None:
         said = f"# {'; '.join(labels)}" if labels else ""
         above = [*self._waiting, *step.above, *inner_comments(step.node)]
         self._waiting = []
@@ -277,7 +285,7 @@ class _Translator:
         return ["def description(", *indented, "  ".join(["):", *header])]
 
 
-def _needs_star(parameters: Sequence[Parameter]) -> bool:
+def _needs_star(parameters: Sequence[SourceParameter]) -> bool:
     """Say whether parameters need a `*`, because a parameter without a default follows one with a
     default.
     """

@@ -14,7 +14,7 @@ from ezskiros.migrate.classes import describing_method, self_calls
 from ezskiros.migrate.comments import marked, without_marks
 from ezskiros.migrate.description import Finding, Translation
 from ezskiros.migrate.imports import imported
-from ezskiros.migrate.names import Names
+from ezskiros.migrate.names import FileNames
 from ezskiros.migrate.skills import Skill, skill_of
 from ezskiros.migrate.steps import statements_of
 
@@ -25,7 +25,7 @@ class Description:
 
     node: cst.ClassDef
     method: cst.FunctionDef
-    names: Names = field(default_factory=Names)
+    names: FileNames = field(default_factory=FileNames)
     translation: Translation = field(default_factory=Translation)
 
     @property

@@ -20,7 +20,7 @@ from ezskiros.migrate.module import migrate_text
 from ezskiros.migrate.modules import imported_files, reaches
 from ezskiros.migrate.robots import with_robots
 from ezskiros.migrate.settle import until_settled
-from ezskiros.migrate.skills import Skills
+from ezskiros.migrate.skills import KnownSkills
 from ezskiros.skills.load import skill_files
 from ezskiros.skills.load_errors import NoFile
 
@@ -144,7 +144,7 @@ class _Migrations:
         bases = Bases(one for each in self._found for one in each.built)
         robots = with_robots((each.robots for each in self._found), described) | bases.robots()
         inherited = [self._inherited(each) for each in self._found]
-        no_skills = Skills((), robots)
+        no_skills = KnownSkills((), robots)
         self._again(
             lambda number, found: (
                 (no_skills, inherited[number], ())
@@ -154,20 +154,20 @@ class _Migrations:
         )
         labels = dict(item for each in self._found for item in each.labels.items())
         described = [skill for each in self._found for skill in each.skills]
-        skills = self._settled(Skills(described, robots, labels, bases=bases), inherited)
+        skills = self._settled(KnownSkills(described, robots, labels, bases=bases), inherited)
         late = self._late()
         self._again(
             lambda number, _: (skills, inherited[number], late[number]) if late[number] else None
         )
         return self._found
 
-    def _settled(self, skills: Skills, inherited: Sequence[set[str]]) -> Skills:
+    def _settled(self, skills: KnownSkills, inherited: Sequence[set[str]]) -> KnownSkills:
         """Migrate the files with implementations and their bases, and the files whose descriptions
         get parameters. Returns the resulting skills.
         """
         last = skills
 
-        def migrated(known: Skills) -> list[Migrated]:
+        def migrated(known: KnownSkills) -> list[Migrated]:
             nonlocal last
             is_first, changed = known is last, known.changed(last)
             last = known
@@ -183,13 +183,14 @@ class _Migrations:
         until_settled(skills, migrated)
         return last
 
-    def _implements(self, found: Migrated, known: Skills) -> bool:
+    def _implements(self, found: Migrated, known: KnownSkills) -> bool:
         """Say whether a file has implementations of skills, or bases of them."""
         is_base = any(known.bases.is_mixin(each.id) for each in found.built)
         return is_base or bool(found.unimplemented)
 
     def _again(
-        self, wanted: Callable[[int, Migrated], tuple[Skills, set[str], Collection[str]] | None]
+        self,
+        wanted: Callable[[int, Migrated], tuple[KnownSkills, set[str], Collection[str]] | None],
     ) -> None:
         """Migrate the files for which `wanted` gives new input: skills, unchanged classes, late
         imports.
@@ -203,13 +204,13 @@ class _Migrations:
     def _migrated(
         self,
         source: _Source,
-        skills: Skills | None = None,
+        skills: KnownSkills | None = None,
         inherited: Collection[str] = (),
         late: Collection[str] = (),
     ) -> Migrated:
         return migrate_text(
             str(source.path), source.text, self._world, inherited, self._ambiguous,
-            skills or Skills(), late,
+            skills or KnownSkills(), late,
         )  # fmt: skip
 
     def _inherited(self, own: Migrated) -> set[str]:

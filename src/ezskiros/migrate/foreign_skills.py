@@ -6,10 +6,10 @@ from collections.abc import Collection
 
 import libcst as cst
 
-from ezskiros.migrate.imports import Wanted, bound_names, imported_names, used_names
+from ezskiros.migrate.imports import WantedNames, bound_names, imported_names, used_names
 from ezskiros.migrate.modules import import_of
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.tree_context import Wanted as WantedSkills
+from ezskiros.migrate.tree_context import WantedSkills
 
 
 class ForeignSkills:
@@ -55,10 +55,10 @@ class ForeignSkills:
         """The import of a skill inside the tree that needs it; None for other skills."""
         if skill.path not in self._late or skill.path == self._path:
             return None
-        wanted = Wanted(import_of(self._path, skill.path), {skill.name: name})
+        wanted = WantedNames(import_of(self._path, skill.path), {skill.name: name})
         return "\n".join(wanted.text())
 
-    def imports(self) -> list[Wanted]:
+    def imports(self) -> list[WantedNames]:
         """The additional names to import, by module."""
         by_module: dict[str, dict[str, str]] = {}
         for name, skill in self.found.items():
@@ -66,4 +66,4 @@ class ForeignSkills:
             if not is_there and self._imported.get(name) != skill.name:
                 source = import_of(self._path, skill.path)
                 by_module.setdefault(source, {})[skill.name] = name
-        return [Wanted(source, names) for source, names in sorted(by_module.items())]
+        return [WantedNames(source, names) for source, names in sorted(by_module.items())]

@@ -29,7 +29,7 @@ from ezskiros.migrate.methods import Methods, translated_part
 from ezskiros.migrate.parameter_uses import ParameterUses
 from ezskiros.migrate.shared_keys import SharingChild, SharingTree
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.tree_context import Context
+from ezskiros.migrate.tree_context import TreeContext
 from ezskiros.migrate.trees import OLD, TreeUses
 
 PLANNED = "available_for_planning"
@@ -114,7 +114,7 @@ def description_name(call: cst.Call) -> str | None:
 
 def translate_implementation(
     node: cst.ClassDef,
-    context: Context,
+    context: TreeContext,
     code: Callable[[cst.CSTNode], str],
     names: Mapping[str, str],
 ) -> Implementation:
@@ -130,7 +130,7 @@ class _Class:
     def __init__(
         self,
         node: cst.ClassDef,
-        context: Context,
+        context: TreeContext,
         code: Callable[[cst.CSTNode], str],
         names: Mapping[str, str],
     ) -> None:

@@ -142,7 +142,7 @@ def _bound(alias: cst.ImportAlias) -> str:
 
 
 @dataclass(frozen=True)
-class Wanted:
+class WantedNames:
     """Names to import from one module, with their local names."""
 
     source: str
@@ -168,7 +168,7 @@ def _order(name: str) -> tuple[int, str]:
 
 
 def with_imports(
-    module: cst.Module, wanted: Sequence[Wanted], before: Collection[str]
+    module: cst.Module, wanted: Sequence[WantedNames], before: Collection[str]
 ) -> cst.Module:
     """A module with other imports, without unused imports of SkiROS2's API.
 
@@ -249,14 +249,14 @@ class _Cleaner:
         return is_module and name in self.before and (is_from or alias.asname is not None)
 
 
-def _merged(wanted: Wanted, body: list[Line]) -> list[list[str]]:
+def _merged(wanted: WantedNames, body: list[Line]) -> list[list[str]]:
     """The import as new lines; no lines if an existing import can take the names."""
     if not wanted.names:
         return [] if _has_import(body, wanted.source) else [wanted.text()]
     for number, line in enumerate(body):
         have = _imported_by(line, wanted.source)
         if have is not None:
-            text = "\n".join(Wanted(wanted.source, {**have, **wanted.names}).text())
+            text = "\n".join(WantedNames(wanted.source, {**have, **wanted.names}).text())
             new = cst.parse_statement(text)
             assert isinstance(new, cst.SimpleStatementLine)
             body[number] = line.with_changes(body=new.body)

@@ -18,13 +18,13 @@ from ezskiros.migrate.implementations import Implementation
 from ezskiros.migrate.keys import parameter_names
 from ezskiros.migrate.methods import Methods, translated_part
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.tree_context import Context
+from ezskiros.migrate.tree_context import TreeContext
 from ezskiros.migrate.trees import OLD
 
 
 def translate_mixin(
     node: cst.ClassDef,
-    context: Context,
+    context: TreeContext,
     code: Callable[[cst.CSTNode], str],
     names: Mapping[str, str],
 ) -> Implementation:
@@ -49,7 +49,7 @@ def translate_mixin(
     return found
 
 
-def _skills_on_top(node: cst.ClassDef, context: Context) -> list[Skill]:
+def _skills_on_top(node: cst.ClassDef, context: TreeContext) -> list[Skill]:
     """The translated skills whose implementations are derived from a class."""
     found = []
     for each in context.skills.bases.on_top((context.path, node.name.value)):
@@ -99,7 +99,7 @@ def _on_top(
     node: cst.ClassDef,
     skills: Sequence[Skill],
     code: Callable[[cst.CSTNode], str],
-    context: Context,
+    context: TreeContext,
 ) -> Callable[[], _MixinMethods]:
     """A translator of methods for the common parameters of some skills."""
     things = [{key for key, name in each.names.items() if name in each.things} for each in skills]

@@ -36,7 +36,7 @@ from ezskiros.migrate.implementations import (
     translate_implementation,
 )
 from ezskiros.migrate.imports import (
-    Wanted,
+    WantedNames,
     bound_names,
     imported,
     imported_names,
@@ -46,14 +46,13 @@ from ezskiros.migrate.imports import (
 )
 from ezskiros.migrate.migrated import Migrated
 from ezskiros.migrate.mixins import translate_mixin
-from ezskiros.migrate.names import Names
+from ezskiros.migrate.names import FileNames
 from ezskiros.migrate.positions import Positions
 from ezskiros.migrate.robots import robots_in, with_robots
 from ezskiros.migrate.settle import until_settled
-from ezskiros.migrate.skills import SkillId, Skills, new_skills
+from ezskiros.migrate.skills import KnownSkills, SkillId, new_skills
 from ezskiros.migrate.states import states_in, with_states
-from ezskiros.migrate.tree_context import Context
-from ezskiros.migrate.tree_context import Wanted as WantedSkills
+from ezskiros.migrate.tree_context import TreeContext, WantedSkills
 from ezskiros.migrate.values import BASIC, known_of
 
 _TOO_DEEP = errors.UnreadableSource(said="it is nested too deeply")
@@ -65,7 +64,7 @@ def migrate_text(
     world: str = "world",
     inherited: Collection[str] = (),
     ambiguous: Collection[str] = (),
-    skills: Skills | None = None,
+    skills: KnownSkills | None = None,
     late: Collection[str] = (),
 ) -> Migrated:
     """Translate the skills of a file. `world` is the module with its ontology.
@@ -103,17 +102,17 @@ def _translated(
     world: str,
     inherited: Collection[str],
     ambiguous: Collection[str],
-    skills: Skills | None,
+    skills: KnownSkills | None,
     late: Collection[str],
 ) -> Migrated:
     if skills is None:
-        own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
+        own = _File(file, module, world, inherited, ambiguous, KnownSkills(), ()).migrated()
         bases = Bases(own.built)
         names = with_robots([own.robots], own.skills) | bases.robots()
-        robots = _File(file, module, world, inherited, ambiguous, Skills((), names), ())
-        skills = Skills(robots.migrated().skills, names, own.labels, bases=bases)
+        robots = _File(file, module, world, inherited, ambiguous, KnownSkills((), names), ())
+        skills = KnownSkills(robots.migrated().skills, names, own.labels, bases=bases)
 
-        def again(known: Skills) -> list[Migrated]:
+        def again(known: KnownSkills) -> list[Migrated]:
             return [_File(file, module, world, inherited, ambiguous, known, ()).migrated()]
 
         (migrated,) = until_settled(skills, again)
@@ -138,7 +137,7 @@ class _File:
         world: str,
         inherited: Collection[str],
         ambiguous: Collection[str],
-        skills: Skills,
+        skills: KnownSkills,
         late: Collection[str],
     ) -> None:
         self._file, self._world, self._inherited = file, world, inherited
@@ -163,7 +162,7 @@ class _File:
         translated = [each.name for each in found if not each.findings]
         implemented = [each.node.name.value for each in implementing if not each.findings]
         if translated or implemented or any(not each.findings for each in mixins):
-            wanted = self._wanted(names if translated else Names(), state)
+            wanted = self._wanted(names if translated else FileNames(), state)
             result = with_imports(result, [*wanted, *self._foreign.imports()], self._before)
         return Migrated(
             self._file,
@@ -208,10 +207,10 @@ class _File:
             ],
         )
 
-    def _named(self, found: list[Description]) -> Names:
+    def _named(self, found: list[Description]) -> FileNames:
         """Translate the descriptions with names that have no other meaning in the file."""
         # With qualified EzSkiROS names, the other meanings in the file become visible.
-        names = self._translate(found, Names(is_qualified=True))
+        names = self._translate(found, FileNames(is_qualified=True))
         spelling = self._spelled(self._replaced(found, names), names)
         names = self._translate(found, spelling)
         if names.clashes:  # the namespaces that only ambiguous properties need
@@ -259,7 +258,7 @@ class _File:
     # --- implementations --------------------------------------------------------------------------
 
     def _implementations(
-        self, classes: Sequence[cst.ClassDef], names_of_file: Names
+        self, classes: Sequence[cst.ClassDef], names_of_file: FileNames
     ) -> list[Implementation]:
         """Translate the classes that implement skills. The file gets the names that they use."""
         names = imported_names(self._module)
@@ -283,14 +282,14 @@ class _File:
         names = imported_names(self._module)
         return [
             translate_mixin(
-                node, self._context(node, self._foreign.wanted(), Names()), self._code, names
+                node, self._context(node, self._foreign.wanted(), FileNames()), self._code, names
             )
             for node in classes
             if self._skills.bases.is_mixin((self._file.path, node.name.value))
         ]
 
-    def _context(self, node: cst.ClassDef, wanted: WantedSkills, names: Names) -> Context:
-        return Context(
+    def _context(self, node: cst.ClassDef, wanted: WantedSkills, names: FileNames) -> TreeContext:
+        return TreeContext(
             self._file.path, self._skills, wanted, helpers_of(node), self._positions.place,
             self._module.default_indent, self._foreign.late_import,
             names, self._known, self._states,
@@ -312,7 +311,7 @@ class _File:
             each.findings.append(Finding(template, each.node.name, each.node))
             each.new = with_marks(each.node, each.findings)
 
-    def _translate(self, found: Sequence[Description], spelling: Names) -> Names:
+    def _translate(self, found: Sequence[Description], spelling: FileNames) -> FileNames:
         """Translate all descriptions, and return the names that the translated ones use."""
         for each in found:
             each.names = spelling.like()
@@ -344,7 +343,7 @@ class _File:
             )
             each.translation.warnings.append(Finding(template, each.node.name, each.node))
 
-    def _spelled(self, first: cst.Module, names: Names) -> Names:
+    def _spelled(self, first: cst.Module, names: FileNames) -> FileNames:
         """Spell the names, after their other meanings are known."""
         ours, world = imported(first, "ezskiros"), imported(first, self._world)
         others = bound_names(first, ("skiros2", "ezskiros", self._world))
@@ -355,12 +354,12 @@ class _File:
         free = {name for name, what in world.items() if name == what}
         unclear = names.unclear() | {*self._ambiguous}
         taken = ((self._before | others) - free) | names.clashes
-        return Names(is_qualified, taken, unclear)
+        return FileNames(is_qualified, taken, unclear)
 
     def _replaced(
         self,
         found: Sequence[Description],
-        names: Names,
+        names: FileNames,
         implementing: Sequence[Implementation] = (),
     ) -> cst.Module:
         """The module with new classes, and with marks in unchanged ones."""
@@ -369,7 +368,7 @@ class _File:
         changed |= {id(each.node): each.new for each in implementing}
         return with_classes(self._module, changed)
 
-    def _wanted(self, names: Names, state: str) -> list[Wanted]:
+    def _wanted(self, names: FileNames, state: str) -> list[WantedNames]:
         """The imports that the file needs. `state` is the local name of EzSkiROS's `State`, if it
         is used.
         """
@@ -377,11 +376,11 @@ class _File:
         def named(found: Collection[str]) -> dict[str, str]:
             return {} if names.is_qualified else {name: name for name in found}
 
-        typing = [Wanted("typing", named(names.typing))] if names.typing else []
-        world = [Wanted(self._world, names.namespaces)] if names.namespaces else []
+        typing = [WantedNames("typing", named(names.typing))] if names.typing else []
+        world = [WantedNames(self._world, names.namespaces)] if names.namespaces else []
         ours = {**named(names.ours), **({"State": state} if state else {})}
-        whole = [Wanted("ezskiros", {})] if names.is_qualified and names.ours else []
-        return [*typing, *whole, *([Wanted("ezskiros", ours)] if ours else []), *world]
+        whole = [WantedNames("ezskiros", {})] if names.is_qualified and names.ours else []
+        return [*typing, *whole, *([WantedNames("ezskiros", ours)] if ours else []), *world]
 
     def _code(self, node: cst.CSTNode) -> str:
         return self._module.code_for_node(node)

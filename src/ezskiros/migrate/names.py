@@ -21,7 +21,7 @@ _NO_ATTRIBUTES = {"iri", "vocabulary"}
 
 
 @dataclass
-class Names:
+class FileNames:
     """The names of EzSkiROS and of the ontology that a file uses.
 
     `taken` are names with another meaning in the file, `ambiguous` properties of several
@@ -40,15 +40,15 @@ class Names:
     namespaces: dict[str, str] = field(default_factory=dict)
     properties: set[tuple[str, str]] = field(default_factory=set)
 
-    def like(self) -> Names:
+    def like(self) -> FileNames:
         """The same spelling, without any used names."""
-        return Names(self.is_qualified, self.taken, self.ambiguous)
+        return FileNames(self.is_qualified, self.taken, self.ambiguous)
 
-    def without(self, names: Collection[str]) -> Names:
+    def without(self, names: Collection[str]) -> FileNames:
         """The same spelling, with more names that have another meaning."""
-        return Names(self.is_qualified, {*self.taken, *names}, self.ambiguous)
+        return FileNames(self.is_qualified, {*self.taken, *names}, self.ambiguous)
 
-    def add(self, other: Names) -> None:
+    def add(self, other: FileNames) -> None:
         """Add the names that other files use."""
         self.ours |= other.ours
         self.typing |= other.typing

@@ -15,11 +15,11 @@ from ezskiros.migrate.conditions import ConditionReader
 from ezskiros.migrate.description import Finding
 from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
-from ezskiros.migrate.names import Names
+from ezskiros.migrate.names import FileNames
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.steps import Step, statements_of, steps_of
-from ezskiros.migrate.values import Known
-from ezskiros.skills.markers import Kind
+from ezskiros.migrate.steps import DescriptionStatement, statements_of, steps_of
+from ezskiros.migrate.values import KnownValues
+from ezskiros.skills.markers import ParameterKind
 
 OLD, NEW = "modifyDescription", "conditions"
 
@@ -27,8 +27,8 @@ OLD, NEW = "modifyDescription", "conditions"
 def translate_own(
     function: cst.FunctionDef,
     skill: Skill,
-    names: Names,
-    known: Known,
+    names: FileNames,
+    known: KnownValues,
     code: Callable[[cst.CSTNode], str],
 ) -> tuple[cst.FunctionDef | None, list[Finding]]:
     """The new method, None if it would be empty, and the findings.
@@ -43,8 +43,8 @@ class _Method:
         self,
         function: cst.FunctionDef,
         skill: Skill,
-        names: Names,
-        known: Known,
+        names: FileNames,
+        known: KnownValues,
         code: Callable[[cst.CSTNode], str],
     ) -> None:
         self._function, self._code = function, code
@@ -69,7 +69,7 @@ class _Method:
             return None, self._findings
         return self._written(), []
 
-    def _try(self, step: Step) -> None:
+    def _try(self, step: DescriptionStatement) -> None:
         """Translate one statement, or add the finding."""
         try:
             self._read(step)
@@ -83,7 +83,7 @@ class _Method:
         found = implementation_errors.OtherDescription(found=shown)
         self._findings.append(Finding(found, node, statement))
 
-    def _read(self, step: Step) -> None:
+    def _read(self, step: DescriptionStatement) -> None:
         """Translate one statement. Raises `LeftError` if a condition has no translation."""
         doc = docstring_of(step.statement)
         call = step.call
@@ -107,7 +107,7 @@ class _Method:
         if call is None or method(call, self._argument) != "addParam":
             return False
         kind = Arguments(call, "addParam").get("param_type")
-        return kind is not None and last_name(kind) == Kind.OPTIONAL.name.capitalize()
+        return kind is not None and last_name(kind) == ParameterKind.OPTIONAL.name.capitalize()
 
     def _written(self) -> cst.FunctionDef:
         names = ["self", *sorted(self._reader.mentioned)]

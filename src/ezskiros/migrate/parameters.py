@@ -12,16 +12,16 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import Arguments, last_name, literal_text
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.keys import ROBOT
-from ezskiros.migrate.names import Names, split
-from ezskiros.migrate.values import BASIC, Known
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.migrate.names import FileNames, split
+from ezskiros.migrate.values import BASIC, KnownValues
+from ezskiros.skills.markers import Option, ParameterKind
 
-_KINDS = {kind.value: kind for kind in Kind}
+_KINDS = {kind.value: kind for kind in ParameterKind}
 _OPTIONS = {option.value: option for option in Option}
 
 
 @dataclass(frozen=True)
-class Parameter:
+class SourceParameter:
     """A parameter in source form, and its documentation. `key` is its SkiROS2 key. If
     `is_required`, the caller must set it. `kind` is a class or type such as `skiros:Product` or
     `float`, if known.
@@ -40,20 +40,20 @@ class Parameter:
         return f"{self.name}: {self.annotation}" + (f" = {self.default}" if self.default else "")
 
 
-def implicit_robot(names: Names) -> Parameter:
+def implicit_robot(names: FileNames) -> SourceParameter:
     """The parameter that SkiROS2 adds to each skill without a parameter of this name."""
     agent = names.entity("sumo:Agent", cst.Name(ROBOT))
     inferred = f"{names.our('INFERRED')}[{agent}]"
-    return Parameter(ROBOT, ROBOT, inferred, is_thing=True, kind="sumo:Agent")
+    return SourceParameter(ROBOT, ROBOT, inferred, is_thing=True, kind="sumo:Agent")
 
 
-def optional_parameter(names: Names, key: str, name: str, kind: str) -> Parameter:
+def optional_parameter(names: FileNames, key: str, name: str, kind: str) -> SourceParameter:
     """A parameter that children share, and that the description does not declare."""
     is_thing = kind not in BASIC
     annotation = names.entity(kind, cst.Name(name)) if is_thing else kind
-    annotation = f"{names.our(Kind.OPTIONAL.name)}[{annotation}]"
+    annotation = f"{names.our(ParameterKind.OPTIONAL.name)}[{annotation}]"
     annotation = annotation if key == name else names.with_key(annotation, key)
-    return Parameter(key, name, annotation, is_thing=is_thing, kind=kind)
+    return SourceParameter(key, name, annotation, is_thing=is_thing, kind=kind)
 
 
 @dataclass
@@ -62,12 +62,14 @@ class ParameterReader:
     names of the parameters by key.
     """
 
-    names: Names
-    known: Known
+    names: FileNames
+    known: KnownValues
     code: Callable[[cst.CSTNode], str]
     called: Mapping[str, str]
 
-    def read(self, call: cst.Call, warn: Callable[[Template, cst.CSTNode], None]) -> Parameter:
+    def read(
+        self, call: cst.Call, warn: Callable[[Template, cst.CSTNode], None]
+    ) -> SourceParameter:
         """The parameter of a call of `addParam`. Raises `LeftError`."""
         given = Arguments(call, "addParam")
         key = given.text("key")
@@ -81,26 +83,28 @@ class ParameterReader:
                 options, is_thing, of_kind = _options(written), True, ":".join(split(light, node))
             case value:
                 annotation, default = self._basic(key, value)
-                if kind is Kind.INFERRED:
+                if kind is ParameterKind.INFERRED:
                     raise LeftError(errors.InferredBasic(key=key), call)
                 options, is_thing = _output_alone(written), False
                 of_kind = annotation if annotation in BASIC else ""
                 if written is not None and not options and _does_something(written):
                     warn(errors.IgnoredOptions(key=key), written)
-        can_be_output = kind is Kind.OPTIONAL and default is None and {*options} == {Option.OUTPUT}
+        can_be_output = (
+            kind is ParameterKind.OPTIONAL and default is None and {*options} == {Option.OUTPUT}
+        )
         if written is not None and Option.OUTPUT in options and not can_be_output:
             options = [each for each in options if each is not Option.OUTPUT]
             warn(errors.LeftOutput(key=key), written)
-        marks: list[Kind | Option] = [Option.OUTPUT] if can_be_output else [*options, kind]
+        marks: list[ParameterKind | Option] = [Option.OUTPUT] if can_be_output else [*options, kind]
         annotation = self._marked(key, annotation, marks)
-        is_required = kind is Kind.REQUIRED and default is None
+        is_required = kind is ParameterKind.REQUIRED and default is None
         name, doc = self.called[key], _doc(given)
-        return Parameter(key, name, annotation, default, doc, is_thing, is_required, of_kind)
+        return SourceParameter(key, name, annotation, default, doc, is_thing, is_required, of_kind)
 
-    def _marked(self, key: str, annotation: str, marks: Sequence[Kind | Option]) -> str:
+    def _marked(self, key: str, annotation: str, marks: Sequence[ParameterKind | Option]) -> str:
         """A class or basic type with all its markers."""
         for mark in marks:
-            if mark is not Kind.REQUIRED:
+            if mark is not ParameterKind.REQUIRED:
                 annotation = f"{self.names.our(mark.name)}[{annotation}]"
         return annotation if self.called[key] == key else self.names.with_key(annotation, key)
 
@@ -125,7 +129,7 @@ class ParameterReader:
                 return f"`{' '.join(self.code(value).split())}`"
 
 
-def _kind(node: cst.BaseExpression) -> Kind:
+def _kind(node: cst.BaseExpression) -> ParameterKind:
     """The kind of a parameter. Raises `LeftError` for a kind that SkiROS2 does not have."""
     found = last_name(node) or "this expression"
     is_one = isinstance(node, cst.Attribute) and last_name(node.value) == "ParamTypes"

@@ -8,7 +8,7 @@ import libcst as cst
 from libcst.metadata import CodePosition, CodeRange, MetadataWrapper, PositionProvider
 
 from dslkit.source import SourceFile, Span
-from ezskiros.migrate.tree_context import Place
+from ezskiros.migrate.tree_context import PartPosition
 
 
 class Positions:
@@ -28,11 +28,11 @@ class Positions:
         line, column = place.line, place.column
         return min(self._file.line_starts[line - 1] + column, len(self._file.text))
 
-    def place(self, node: cst.CSTNode) -> Place:
+    def place(self, node: cst.CSTNode) -> PartPosition:
         """The column of a part, and the indentation of its line."""
         start = self._places[node].start
         line = self._file.line_text(start.line)
-        return Place(start.column, line[: len(line) - len(line.lstrip())])
+        return PartPosition(start.column, line[: len(line) - len(line.lstrip())])
 
     def indents(self, function: cst.FunctionDef) -> tuple[str, str]:
         """The indentation of a method, and the indentation step of the file."""

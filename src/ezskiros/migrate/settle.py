@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 
 from ezskiros.migrate.migrated import Migrated
 from ezskiros.migrate.shared_keys import shared_keys
-from ezskiros.migrate.skills import Skills
+from ezskiros.migrate.skills import KnownSkills
 
 _MOST_PASSES = 10
 """The most passes. Each pass handles skills one level higher in the trees."""
 
 
 def until_settled(
-    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
+    skills: KnownSkills, migrated: Callable[[KnownSkills], Sequence[Migrated]]
 ) -> Sequence[Migrated]:
     """The files, migrated so that descriptions have the keys that children share, and that classes
     with the same base stay unchanged together. Each pass shows further descriptions that need keys,

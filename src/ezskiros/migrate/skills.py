@@ -12,11 +12,11 @@ import libcst as cst
 from ezskiros.migrate.bases import Bases
 from ezskiros.migrate.calls import last_name, literal_text
 from ezskiros.migrate.keys import ROBOT, more_names
-from ezskiros.migrate.parameters import Parameter
+from ezskiros.migrate.parameters import SourceParameter
 from ezskiros.migrate.values import BASIC
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 
-_NOT_REQUIRED = {Kind.INFERRED.name, Kind.OPTIONAL.name, Option.OUTPUT.name}
+_NOT_REQUIRED = {ParameterKind.INFERRED.name, ParameterKind.OPTIONAL.name, Option.OUTPUT.name}
 SkillId = tuple[str, str]
 """The file and the name of a skill."""
 NEW = "description"
@@ -68,7 +68,7 @@ class Skill:
 
 
 def skill_of(
-    name: str, path: str, parameters: Iterable[Parameter], *, is_new: bool = False
+    name: str, path: str, parameters: Iterable[SourceParameter], *, is_new: bool = False
 ) -> Skill:
     """The skill of a translated description."""
     found = list(parameters)
@@ -102,7 +102,7 @@ class SharedKeys:
         }
 
 
-class Skills:
+class KnownSkills:
     """All skills of some files. SkiROS2 finds them by their names alone, whatever their modules.
 
     `robots` are the skills whose robot is used and which SkiROS2 adds by itself. `labels` are the
@@ -126,11 +126,11 @@ class Skills:
             more = self.keys.added.get(each.id, {})
             self._found.setdefault(each.name, []).append(each.with_added(more))
 
-    def with_more(self, keys: SharedKeys, bases: Bases) -> Skills:
+    def with_more(self, keys: SharedKeys, bases: Bases) -> KnownSkills:
         """The same skills with other shared keys, and with other unchanged classes."""
-        return Skills(self._before, self.robots, self.labels, keys, bases)
+        return KnownSkills(self._before, self.robots, self.labels, keys, bases)
 
-    def changed(self, before: Skills) -> set[SkillId]:
+    def changed(self, before: KnownSkills) -> set[SkillId]:
         """The skills and other classes with another state than before."""
         return self.keys.changed(before.keys) | self.bases.changed(before.bases)
 
@@ -154,14 +154,14 @@ def new_skills(module: cst.Module, path: str) -> Iterator[Skill]:
                 yield skill_of(node.name.value, path, declared, is_new=True)
 
 
-def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
+def _declared(parameters: cst.Parameters) -> Iterator[SourceParameter]:
     for each in (*parameters.posonly_params, *parameters.params[1:], *parameters.kwonly_params):
         name = each.name.value
         annotation = each.annotation.annotation if each.annotation else cst.Name(name)
         key, kind = _read(annotation)
         is_thing = isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
         is_required = each.default is None and _NOT_REQUIRED.isdisjoint(_marks(annotation))
-        yield Parameter(
+        yield SourceParameter(
             key or name, name, "", is_thing=is_thing, is_required=is_required, kind=_kind(kind)
         )
 

@@ -13,7 +13,7 @@ from ezskiros.migrate.errors import LeftError
 
 
 @dataclass
-class Step:
+class DescriptionStatement:
     """One small statement of the old description, and the comments around it."""
 
     node: cst.BaseSmallStatement | cst.BaseCompoundStatement
@@ -36,7 +36,9 @@ def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
     return function.body.body
 
 
-def steps_of(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> Iterator[Step]:
+def steps_of(
+    statements: Sequence[cst.CSTNode], function: cst.FunctionDef
+) -> Iterator[DescriptionStatement]:
     """The small statements, in order."""
     suite = function.body
     if isinstance(suite, cst.SimpleStatementSuite):
@@ -48,10 +50,10 @@ def steps_of(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> It
             comment = statement.trailing_whitespace.comment
             yield from _line_steps(statement.body, statement, comment, above)
         elif isinstance(statement, cst.BaseCompoundStatement):
-            yield Step(statement, statement, above)
+            yield DescriptionStatement(statement, statement, above)
 
 
-def keys_of(steps: Sequence[Step]) -> Set[str]:
+def keys_of(steps: Sequence[DescriptionStatement]) -> Set[str]:
     """The keys of all parameters in order, including those that cannot be translated."""
     found: dict[str, None] = {}
     for step in steps:
@@ -68,10 +70,10 @@ def _line_steps(
     line: cst.CSTNode,
     comment: cst.Comment | None,
     above: list[str],
-) -> Iterator[Step]:
+) -> Iterator[DescriptionStatement]:
     """The small statements of one line. Comments above the line belong to the first one, a comment
     at its end to the last one.
     """
     for number, node in enumerate(parts):
         behind = comment.value if comment and number == len(parts) - 1 else ""
-        yield Step(node, line, [] if number else above, behind)
+        yield DescriptionStatement(node, line, [] if number else above, behind)

@@ -15,7 +15,7 @@ from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.names import is_name
 from ezskiros.migrate.shared_keys import SharingChild
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.tree_context import Context, Place
+from ezskiros.migrate.tree_context import PartPosition, TreeContext
 
 _Entry = tuple[cst.BaseExpression, cst.BaseExpression]
 
@@ -32,12 +32,14 @@ class Children:
     skill: Skill
     code: Callable[[cst.CSTNode], str]
     shown: Callable[[], str]
-    context: Context
+    context: TreeContext
     params: str = "params"
     imports: dict[str, None] = field(default_factory=dict)
     sharing: list[SharingChild] = field(default_factory=list)
 
-    def translated(self, original: cst.Call, updated: cst.Call, place: Place) -> cst.BaseExpression:
+    def translated(
+        self, original: cst.Call, updated: cst.Call, place: PartPosition
+    ) -> cst.BaseExpression:
         """The translated call, such as `Pick.pick_fast(Object=params.Object)`. Raises
         `LeftError`.
         """
@@ -189,7 +191,7 @@ def _written(
     name: str,
     given: Sequence[tuple[str, str]],
     comments: Sequence[str],
-    place: Place,
+    place: PartPosition,
     step: str,
 ) -> cst.BaseExpression:
     """The call of a skill, in one line if it fits."""

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 import libcst as cst
 
-from ezskiros.migrate.names import Names
-from ezskiros.migrate.skills import Skill, Skills
-from ezskiros.migrate.values import Known
+from ezskiros.migrate.names import FileNames
+from ezskiros.migrate.skills import KnownSkills, Skill
+from ezskiros.migrate.values import KnownValues
 
 
 @dataclass(frozen=True)
-class Place:
+class PartPosition:
     """The position of a part in its file: the column, and the indentation of its line."""
 
     column: int
@@ -21,7 +21,7 @@ class Place:
 
 
 @dataclass
-class Wanted:
+class WantedSkills:
     """The skills that a file names, by local name.
 
     `spell` gives the local name of a skill.
@@ -38,7 +38,7 @@ class Wanted:
 
 
 @dataclass(frozen=True)
-class Context:
+class TreeContext:
     """The context in which a tree is translated.
 
     `path` is the file, `skills` are all described skills, `helpers` the methods of the class.
@@ -49,12 +49,12 @@ class Context:
     """
 
     path: str
-    skills: Skills
-    wanted: Wanted
+    skills: KnownSkills
+    wanted: WantedSkills
     helpers: Mapping[str, cst.FunctionDef]
-    place: Callable[[cst.CSTNode], Place]
+    place: Callable[[cst.CSTNode], PartPosition]
     step: str
     late: Callable[[str, Skill], str | None]
-    names: Names
-    known: Known
+    names: FileNames
+    known: KnownValues
     states: Collection[str] = ()

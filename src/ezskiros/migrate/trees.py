@@ -15,7 +15,7 @@ from ezskiros.migrate.parameter_uses import ParameterUses, parameter_key
 from ezskiros.migrate.shared_keys import SharingChild
 from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_children import Children
-from ezskiros.migrate.tree_context import Context, Place
+from ezskiros.migrate.tree_context import PartPosition, TreeContext
 from ezskiros.migrate.tree_methods import MAKERS, inlined, knows_robot, made_by
 from ezskiros.migrate.tree_processors import ProcessorChoice
 
@@ -28,7 +28,9 @@ class TreeUses(ParameterUses):
     `used` are the methods of the class that became part of the tree.
     """
 
-    def __init__(self, skill: Skill, code: Callable[[cst.CSTNode], str], context: Context) -> None:
+    def __init__(
+        self, skill: Skill, code: Callable[[cst.CSTNode], str], context: TreeContext
+    ) -> None:
         super().__init__(skill, code)
         self._context = context
         self._children = Children(skill, code, self.shown, context)
@@ -37,7 +39,7 @@ class TreeUses(ParameterUses):
         self._dropped: set[int] = set()
         self._done: set[int] = set()
         self._things: set[str] = set()
-        self._where: Place | None = None
+        self._where: PartPosition | None = None
         # Nodes that are identified by `id` must be kept alive, because Python reuses the identity
         # of a deleted object.
         self._gone: dict[int, cst.CSTNode] = {}
@@ -211,10 +213,10 @@ class TreeUses(ParameterUses):
         assert isinstance(found, cst.BaseExpression)
         return found
 
-    def _inside(self, place: Place) -> Place:
+    def _inside(self, place: PartPosition) -> PartPosition:
         """A position, with the additional indentation inside its statement."""
         before = self._context.place(self._statements[-1]).indent
-        return Place(place.column, place.indent.removeprefix(before))
+        return PartPosition(place.column, place.indent.removeprefix(before))
 
 
 def _is_group(call: cst.Call) -> bool:

@@ -17,7 +17,7 @@ _NOT_ARITHMETIC = (cst.BitOr, cst.BitAnd, cst.BitXor, cst.LeftShift, cst.RightSh
 
 
 @dataclass
-class Known:
+class KnownValues:
     """The names of a module whose values are known: constants that are set once, and
     enumerations.
     """
@@ -50,7 +50,7 @@ class Known:
                 return name
             case cst.Name(value=name) if name in self.constants:
                 others = {key: each for key, each in self.constants.items() if key != name}
-                return Known(others, self.enumerations).type_of(self.constants[name])
+                return KnownValues(others, self.enumerations).type_of(self.constants[name])
             case _:  # open: any other node
                 pass
         return self._of_math(value)
@@ -75,7 +75,7 @@ def _divides(value: cst.BinaryOperation) -> bool:
     return isinstance(value.operator, cst.Divide)
 
 
-def known_of(module: cst.Module) -> Known:
+def known_of(module: cst.Module) -> KnownValues:
     """Collect the names that the top level of a module sets to known values."""
     constants: dict[str, cst.BaseExpression | None] = {}
     enumerations = set()
@@ -86,7 +86,7 @@ def known_of(module: cst.Module) -> Known:
         for name, value in _assigned(statement):
             constants[name] = None if name in constants else value
     single = {name: value for name, value in constants.items() if value is not None}
-    return Known(single, frozenset(enumerations))
+    return KnownValues(single, frozenset(enumerations))
 
 
 def _assigned(statement: cst.CSTNode) -> Sequence[tuple[str, cst.BaseExpression]]:

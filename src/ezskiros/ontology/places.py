@@ -32,7 +32,7 @@ def _spellings(document: Document, iri: str) -> list[str]:
     return found
 
 
-class Declarations:
+class EntityDeclarations:
     """The declarations of many entities, like `declaration`. Each text is searched once."""
 
     def __init__(self, documents: Sequence[Document]) -> None:

@@ -25,7 +25,7 @@ class Relation:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class ValueComparison:
     """A data property has a value for which the comparison holds. `operator` is one of = < > <=
     >=.
     """
@@ -80,7 +80,7 @@ class AnyOf:
 
 
 Statement: TypeAlias = (
-    "Relation | Comparison | HasProperty | OfType | Specified | Generated | AnyOf"
+    "Relation | ValueComparison | HasProperty | OfType | Specified | Generated | AnyOf"
 )
 
 

@@ -18,11 +18,11 @@ from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     HasProperty,
     Relation,
     Statement,
     Value,
+    ValueComparison,
     negated,
 )
 
@@ -270,9 +270,9 @@ class ValueOf(Condition):
             return UNKNOWN
         return Condition(self._statement(operator, value), span)
 
-    def _statement(self, operator: str, value: Value) -> Comparison:
+    def _statement(self, operator: str, value: Value) -> ValueComparison:
         is_true = operator != "!="
-        return Comparison(
+        return ValueComparison(
             repr(self._subject), self._iri, operator if is_true else "=", value, is_true
         )
 

@@ -14,26 +14,26 @@ from ezskiros.check.inference import names
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from ezskiros.planning import errors
 from ezskiros.planning.facts import EVERYTHING, About, Clause, Fluent, Literal, implied
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 from ezskiros.trees.library import Library
 
 GONE = Fluent(About.GONE)
 
 
 @dataclass(frozen=True)
-class Action:
+class PlanningAction:
     """A skill. All `needs` must hold before it, and all `effects` hold after it, in order."""
 
     skill: SkillInterface
@@ -53,7 +53,7 @@ class NotPlannableError(Exception):
     """A condition of a skill cannot be translated. The text gives the reason."""
 
 
-def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnostic]]:
+def actions(library: Library, model: Model) -> tuple[list[PlanningAction], list[Diagnostic]]:
     """The actions of the checked skills, and the skills that no planner can use.
 
     As in SkiROS2, such a skill needs pre- and post-conditions, and an implementation, so that the
@@ -85,7 +85,7 @@ def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> l
     return list(ways.values())
 
 
-def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Action:
+def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> PlanningAction:
     """An action with the statements of the skill itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:
@@ -95,14 +95,14 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Acti
     things = tuple(
         each
         for each in skill.parameters
-        if each.is_thing and (each.kind is not Kind.OPTIONAL or each.name in named)
+        if each.is_thing and (each.kind is not ParameterKind.OPTIONAL or each.name in named)
     )
     needs = [_clause(each.statement) for each in (*skill.pre, *skill.hold)]
     needs += [(Literal(GONE, (each.name,), False),) for each in things]
     needs += [(_of_class(each),) for each in things]
     asserted = [effect for each in skill.post for effect in _effects(each.statement)]
     asserted += [Literal(GONE, (e.name,)) for e in things if Option.CONSUME in e.options]
-    return Action(
+    return PlanningAction(
         skill,
         description,
         things,
@@ -143,7 +143,7 @@ def literal(statement: Statement) -> Literal:
     match statement:
         case Relation(subject=subject, relation=iri, object=other):
             return Literal(Fluent(About.RELATION, iri), (subject, other), statement.is_true)
-        case Comparison(subject=subject, property=iri, operator=sign, value=value):
+        case ValueComparison(subject=subject, property=iri, operator=sign, value=value):
             compared = Fluent(About.COMPARISON, iri, sign, value)
             return Literal(compared, (subject,), statement.is_true)
         case HasProperty(subject=subject, property=iri):
@@ -164,18 +164,20 @@ def _effects(statement: Statement) -> Iterator[Literal]:
             raise NotPlannableError("the skill changes the class of an individual")
         case Generated(is_true=True):
             raise NotPlannableError(f"the skill creates `{statement.subject}`")
-        case Comparison(operator=sign) if sign != "=":
+        case ValueComparison(operator=sign) if sign != "=":
             raise NotPlannableError("a post-condition sets a property to an unknown number")
         case Specified():
             return
-        case Relation() | Comparison() | HasProperty() | Generated():
+        case Relation() | ValueComparison() | HasProperty() | Generated():
             yield literal(statement)
 
 
 # --- consequences ---------------------------------------------------------------------------------
 
 
-def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -> Action:
+def _with_consequences(
+    action: PlanningAction, all_of: Sequence[PlanningAction], model: Model
+) -> PlanningAction:
     """An action with all consequences of its effects that other actions use."""
     known = {
         each.fluent
@@ -187,7 +189,7 @@ def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -
         for each in (*_before(asserted, known, model), asserted, *_after(asserted, known, model)):
             effects.pop((each.fluent, each.arguments), None)
             effects[each.fluent, each.arguments] = each
-    return Action(
+    return PlanningAction(
         action.skill,
         action.description,
         action.things,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ezskiros.drawing.outline import TOKENS, Box, Line, Outline, Role
 from ezskiros.planning.facts import spelled
-from ezskiros.planning.pddl import Step
+from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.plan import Plan
 from ezskiros.skills.nodes import Flow
 
@@ -23,7 +23,7 @@ def drawn(plan: Plan) -> Outline:
     return Outline(Box("plan", "", tuple(Line(Role.POST, each) for each in wanted), (root,)), ())
 
 
-def _lines(step: Step, plan: Plan) -> Iterator[Line]:
+def _lines(step: PlanStep, plan: Plan) -> Iterator[Line]:
     model = plan.scene.ontology.model
     for name, iri in step.things.items():
         yield Line(Role.VALUE, f"{name} = {model.short(iri)}")

@@ -7,11 +7,13 @@ from dataclasses import replace
 
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.world import World
-from ezskiros.planning.actions import Action
+from ezskiros.planning.actions import PlanningAction
 from ezskiros.planning.facts import About, Clause, Fluent, Literal
 
 
-def permitted(actions: Iterable[Action], without: Sequence[Prohibition]) -> list[Action]:
+def permitted(
+    actions: Iterable[PlanningAction], without: Sequence[Prohibition]
+) -> list[PlanningAction]:
     """The actions, each with the additional need that an individual is of another class than a rule
     forbids. Actions that are always stopped are left out.
     """
@@ -24,7 +26,7 @@ def permitted(actions: Iterable[Action], without: Sequence[Prohibition]) -> list
 
 
 def stopped_by(
-    action: Action, things: Mapping[str, str], without: Sequence[Prohibition], world: World
+    action: PlanningAction, things: Mapping[str, str], without: Sequence[Prohibition], world: World
 ) -> Prohibition | None:
     """The first prohibition that applies to a step; None if no rule stops it."""
     return next(
@@ -37,7 +39,7 @@ def stopped_by(
     )
 
 
-def _about(action: Action, without: Iterable[Prohibition]) -> Iterator[Prohibition]:
+def _about(action: PlanningAction, without: Iterable[Prohibition]) -> Iterator[Prohibition]:
     """The prohibitions of a skill. If a plan leaves a parameter open, its class is unknown, and so
     is whether rules stop the step.
     """

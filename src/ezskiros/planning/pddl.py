@@ -16,7 +16,7 @@ from functools import cached_property
 
 from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
-from ezskiros.planning.actions import Action
+from ezskiros.planning.actions import PlanningAction
 from ezskiros.planning.facts import EVERYTHING, About, Fluent, Literal, is_so
 from ezskiros.planning.prices import Price, Prices, prices
 
@@ -27,10 +27,10 @@ _REQUIREMENTS = (
 
 
 @dataclass(frozen=True)
-class Step:
+class PlanStep:
     """A skill with the individuals of its parameters, as IRIs."""
 
-    action: Action
+    action: PlanningAction
     things: Mapping[str, str]
 
 
@@ -38,7 +38,7 @@ class Step:
 class Problem:
     """Goals of a world, and the actions that may lead to them."""
 
-    actions: Sequence[Action]
+    actions: Sequence[PlanningAction]
     goals: Sequence[Literal]
     world: World
     things: Sequence[str]
@@ -74,16 +74,16 @@ class Problem:
         )
         return "\n".join(("(define (problem plan)", *parts, ")\n"))
 
-    def steps(self, plan: str) -> list[Step]:
+    def steps(self, plan: str) -> list[PlanStep]:
         """The steps of a plan in a planner's format: one `(skill_0 thing_1 thing_2)` per line."""
         iris = {name: iri for iri, name in self._objects.items()}
         lines = [line.split(";")[0].strip("() \r") for line in plan.splitlines()]
         return [self._step(*line.split(), iris=iris) for line in lines if line]
 
-    def _step(self, name: str, *given: str, iris: Mapping[str, str]) -> Step:
+    def _step(self, name: str, *given: str, iris: Mapping[str, str]) -> PlanStep:
         action = self.actions[int(name.split("_")[1])]
         names = (each.name for each in action.things)
-        return Step(action, dict(zip(names, (iris[each] for each in given), strict=True)))
+        return PlanStep(action, dict(zip(names, (iris[each] for each in given), strict=True)))
 
     @cached_property
     def _objects(self) -> Mapping[str, str]:
@@ -145,7 +145,12 @@ class Problem:
         yield self._action(f"skill_{number}", action, names, elsewhere, usual)
 
     def _action(
-        self, name: str, action: Action, names: Mapping[str, str], where: Iterable[str], cost: int
+        self,
+        name: str,
+        action: PlanningAction,
+        names: Mapping[str, str],
+        where: Iterable[str],
+        cost: int,
     ) -> str:
         needs = [
             f"(or {' '.join(self._literal(each, names) for each in clause)})"
@@ -160,7 +165,7 @@ class Problem:
             f"\n :precondition {_all((*needs, *apart, *where))}\n :effect {_all(effects)})"
         )
 
-    def _effect(self, action: Action, effect: Literal, names: Mapping[str, str]) -> str:
+    def _effect(self, action: PlanningAction, effect: Literal, names: Mapping[str, str]) -> str:
         """An effect. For a functional relation, the old value is removed and the new one stays."""
         if EVERYTHING not in effect.arguments:
             return self._literal(effect, names)

@@ -13,7 +13,7 @@ from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.load import load_named
 from ezskiros.planning.actions import actions
 from ezskiros.planning.goals import Goal, GoalError, goals
-from ezskiros.planning.pddl import Step
+from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.prices import expected_s
 from ezskiros.planning.scene import Scene, read_scene
 from ezskiros.planning.search import Search
@@ -25,7 +25,7 @@ from ezskiros.trees.library import Library
 class Plan:
     """Skills that lead from a scene to goals, one after the other."""
 
-    steps: Sequence[Step]
+    steps: Sequence[PlanStep]
     goals: Sequence[Goal]
     scene: Scene
     costs: Sequence[Cost] = ()

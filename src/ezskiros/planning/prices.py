@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ezskiros.learning.lessons import Cost
-from ezskiros.planning.actions import Action
+from ezskiros.planning.actions import PlanningAction
 
 STEP = 10
 _HIGHEST = 1_000_000
@@ -37,7 +37,7 @@ class Prices:
     at_places: Sequence[Price] = ()
 
 
-def prices(action: Action, costs: Iterable[Cost]) -> Prices:
+def prices(action: PlanningAction, costs: Iterable[Cost]) -> Prices:
     """The prices of an action. Places without any loss of time have the usual price."""
     known = {each.name for each in action.things}
     usual = STEP

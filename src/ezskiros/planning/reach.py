@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ezskiros.engine.world import World
-from ezskiros.planning.actions import Action
+from ezskiros.planning.actions import PlanningAction
 from ezskiros.planning.facts import EVERYTHING, About, Clause, Literal, is_so
 
 
@@ -34,12 +34,12 @@ class TimeOverError(Exception):
 
 
 @dataclass
-class Reach:
+class ReachableFacts:
     """The possible facts of a world, given some actions, until a time of `time.monotonic`."""
 
     world: World
     things: Sequence[str]
-    actions: Sequence[Action]
+    actions: Sequence[PlanningAction]
     until: float
     _new: dict[Literal, None] = field(default_factory=dict)
     """The facts that were false at the start and have become possible."""
@@ -58,7 +58,7 @@ class Reach:
         """Say whether a fact can become true."""
         return literal in self._new or self._is_initially(literal)
 
-    def leads_on(self, action: Action, bound: dict[str, str]) -> bool:
+    def leads_on(self, action: PlanningAction, bound: dict[str, str]) -> bool:
         """Say whether an action with these individuals makes a new fact possible."""
         effects = (each for e in action.effects for each in self._grounded(e.bound(bound)))
         return not all(map(self.is_possible, effects))
@@ -82,7 +82,11 @@ class Reach:
         return best or Missing(goal, circular=tuple(dict.fromkeys(circular)))
 
     def _below(
-        self, action: Action, lacking: Literal | str, goal: Literal, seen: frozenset[Literal]
+        self,
+        action: PlanningAction,
+        lacking: Literal | str,
+        goal: Literal,
+        seen: frozenset[Literal],
     ) -> Missing:
         """Find the missing facts behind a missing need of an action: a fact, or an individual of a
         class.
@@ -93,7 +97,7 @@ class Reach:
         return replace(found, chain=(*found.chain, (action.skill.name, lacking)))
 
     def _lacking(
-        self, action: Action, bound: dict[str, str], goal: Literal
+        self, action: PlanningAction, bound: dict[str, str], goal: Literal
     ) -> Literal | str | None:
         """One of the impossible needs, for the individuals with the fewest of them, or a class
         without individuals. None if the action does not affect the goal.
@@ -111,12 +115,12 @@ class Reach:
 
     # --- assignments ------------------------------------------------------------------------------
 
-    def ways(self, action: Action) -> Iterator[dict[str, str]]:
+    def ways(self, action: PlanningAction) -> Iterator[dict[str, str]]:
         """The individuals for which all needs of an action are possible."""
         return self._bindings(action, {}, 0)
 
     def _bindings(
-        self, action: Action, bound: dict[str, str], spare: int
+        self, action: PlanningAction, bound: dict[str, str], spare: int
     ) -> Iterator[dict[str, str]]:
         """The individuals of the parameters for which all needs are possible, except `spare` of
         them. Classes are always required.
@@ -127,7 +131,7 @@ class Reach:
             yield from self._extended(action, dict(bound), left)
 
     def _extended(
-        self, action: Action, bound: dict[str, str], spare: int
+        self, action: PlanningAction, bound: dict[str, str], spare: int
     ) -> Iterator[dict[str, str]]:
         if time.monotonic() > self.until:
             raise TimeOverError
@@ -162,7 +166,7 @@ class Reach:
 
     _of_class: dict[str, list[str]] = field(default_factory=dict)
 
-    def _are_apart(self, action: Action, bound: Mapping[str, str], name: str) -> bool:
+    def _are_apart(self, action: PlanningAction, bound: Mapping[str, str], name: str) -> bool:
         pairs = (pair for pair in action.apart if name in pair)
         return all(bound.get(one) != bound.get(other) for one, other in pairs)
 

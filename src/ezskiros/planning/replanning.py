@@ -21,7 +21,7 @@ from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import NotPlannableError, actions, literal
 from ezskiros.planning.goals import Goal
-from ezskiros.planning.pddl import Step
+from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.search import Search
 from ezskiros.planning.solve import NoPlannerError
 from ezskiros.session import NOWHERE
@@ -96,7 +96,7 @@ def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal
         yield Goal(wanted.bound(things), each.span)
 
 
-def _call(step: Step, values: Mapping[str, object], world: World) -> SkillCall:
+def _call(step: PlanStep, values: Mapping[str, object], world: World) -> SkillCall:
     """A step as a call. A parameter that is not an individual gets the value of the task's
     parameter with the same name and type.
     """

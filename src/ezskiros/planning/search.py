@@ -14,12 +14,12 @@ from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.iris import THING
 from ezskiros.ontology.model import Model
 from ezskiros.planning import errors
-from ezskiros.planning.actions import Action
+from ezskiros.planning.actions import PlanningAction
 from ezskiros.planning.facts import Literal, is_so, spelled
 from ezskiros.planning.forbidden import permitted, stopped_by
 from ezskiros.planning.goals import Goal
-from ezskiros.planning.pddl import Problem, Step
-from ezskiros.planning.reach import Missing, Reach
+from ezskiros.planning.pddl import PlanStep, Problem
+from ezskiros.planning.reach import Missing, ReachableFacts
 from ezskiros.planning.reach import TimeOverError as ReachTimeOverError
 from ezskiros.planning.solve import TimeOverError, shortened, solve, tried
 
@@ -35,7 +35,7 @@ class Search:
 
     start: Callable[[], World]
     model: Model
-    actions: Sequence[Action]
+    actions: Sequence[PlanningAction]
     goals: Sequence[Goal]
     seconds: float
     costs: Sequence[Cost] = ()
@@ -43,7 +43,7 @@ class Search:
     without: Sequence[Prohibition] = ()
     """The skills that rules always stop."""
 
-    def run(self) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
+    def run(self) -> tuple[Sequence[PlanStep] | None, Sequence[Diagnostic]]:
         """The steps, or the reasons why there are none. Raises `NoPlannerError`."""
         span = self.goals[0].span.to(self.goals[-1].span)
         wanted = [each.literal for each in self.goals]
@@ -54,7 +54,7 @@ class Search:
             return None, [errors.NoSkillsToPlan().at(span)]
         things, actions = world.things(THING), permitted(self.actions, self.without)
         try:
-            reach = Reach(world, things, actions, time.monotonic() + self.seconds)
+            reach = ReachableFacts(world, things, actions, time.monotonic() + self.seconds)
             blocked = [each for each in self.goals if not reach.is_possible(each.literal)]
             if blocked:
                 return None, [*self._blocked(blocked, reach)]
@@ -77,8 +77,8 @@ class Search:
         return _called(found.skill, [f"{name} = a {self.model.short(it)}" for name, it in things])
 
     def _confirmed(
-        self, steps: Sequence[Step], wanted: Sequence[Literal], span: Span
-    ) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
+        self, steps: Sequence[PlanStep], wanted: Sequence[Literal], span: Span
+    ) -> tuple[Sequence[PlanStep] | None, Sequence[Diagnostic]]:
         """The necessary steps, if they reach the goals in the world model."""
         failed = tried(steps, wanted, self.start())
         if failed is not None:
@@ -89,10 +89,14 @@ class Search:
             return None, [found.at(span)]
         return shortened(steps, wanted, self.start), []
 
-    def _blocked(self, goals: Sequence[Goal], reach: Reach) -> Iterator[Diagnostic]:
+    def _blocked(self, goals: Sequence[Goal], reach: ReachableFacts) -> Iterator[Diagnostic]:
         """The findings for unreachable goals."""
         stopped = self._stopped(reach) if self.without else []
-        free = Reach(reach.world, reach.things, self.actions, reach.until) if stopped else reach
+        free = (
+            ReachableFacts(reach.world, reach.things, self.actions, reach.until)
+            if stopped
+            else reach
+        )
         for goal in goals:
             found = errors.GoalOutOfReach(missing=self._said(goal.literal))
             if free.is_possible(goal.literal):
@@ -100,7 +104,7 @@ class Search:
             else:
                 yield self._out_of_reach(goal, reach.missing(goal.literal))
 
-    def _stopped(self, reach: Reach) -> list[str]:
+    def _stopped(self, reach: ReachableFacts) -> list[str]:
         """The steps that are possible and would help, if rules did not stop them."""
         found: dict[str, None] = {}
         for action in self.actions:

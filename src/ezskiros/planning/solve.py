@@ -20,7 +20,7 @@ from pathlib import Path
 from ezskiros.engine.world import World
 from ezskiros.extras import EXTRAS
 from ezskiros.planning.facts import Literal, is_so, make_so
-from ezskiros.planning.pddl import Problem, Step
+from ezskiros.planning.pddl import PlanStep, Problem
 
 _PACKAGE = "up_fast_downward"
 _PROGRAM = "downward/fast-downward.py"
@@ -46,7 +46,7 @@ class TimeOverError(Exception):
     """The search took too long."""
 
 
-def solve(problem: Problem, seconds: float) -> list[Step] | None:
+def solve(problem: Problem, seconds: float) -> list[PlanStep] | None:
     """A plan, the cheapest one that is found in time if skills have costs; None if there is none.
     Raises `NoPlannerError` and `TimeOverError`.
     """
@@ -126,7 +126,7 @@ class Failed:
     needed: Literal
 
 
-def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Failed | None:
+def tried(steps: Sequence[PlanStep], goals: Sequence[Literal], world: World) -> Failed | None:
     """Replay a plan on a world model, which changes. Returns the failing step, or None if the plan
     reaches the goals.
     """
@@ -138,8 +138,8 @@ def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Fail
 
 
 def shortened(
-    steps: Sequence[Step], goals: Sequence[Literal], start: Callable[[], World]
-) -> Sequence[Step]:
+    steps: Sequence[PlanStep], goals: Sequence[Literal], start: Callable[[], World]
+) -> Sequence[PlanStep]:
     """A plan without unnecessary steps, because the first plan of a planner may make detours. Each
     step is left out in turn, together with the steps that depend on it (greedy action elimination:
     Nakhost and Müller, 2010).
@@ -156,7 +156,7 @@ def shortened(
     return steps
 
 
-def _done(step: Step, world: World) -> Literal | None:
+def _done(step: PlanStep, world: World) -> Literal | None:
     """Apply a step to a world model. Returns the missing need if this is impossible; then nothing
     changes.
     """

@@ -18,10 +18,10 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import THING, split
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.python_names import identifier, identifiers
-from ezskiros.ontology.statements import Comparison, HasProperty, Relation, Statement
+from ezskiros.ontology.statements import HasProperty, Relation, Statement, ValueComparison
 from ezskiros.ontology.world import Namespace
 from ezskiros.planning.facts import EVERYTHING, About, Literal, is_so
-from ezskiros.planning.pddl import Step
+from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.plan import Plan
 from ezskiros.skills.importing import module_name
 from ezskiros.skills.interface import Parameter
@@ -109,14 +109,14 @@ class _Source:
             found[iri] = name
         return found
 
-    def _open_values(self) -> Iterator[tuple[Step, Parameter]]:
+    def _open_values(self) -> Iterator[tuple[PlanStep, Parameter]]:
         """The parameters of the steps, other than individuals, that need a value."""
         for step in self._plan.steps:
             for each in step.action.skill.parameters:
                 if not each.is_thing and each.default is None and not each.is_output:
                     yield step, each
 
-    def _value_name(self, step: Step, parameter: Parameter) -> str:
+    def _value_name(self, step: PlanStep, parameter: Parameter) -> str:
         """The name of the parameter, with the name of the skill if another skill uses it for
         another type.
         """
@@ -131,7 +131,7 @@ class _Source:
 
     # --- parts ------------------------------------------------------------------------------------
 
-    def _arguments(self, step: Step) -> Iterator[str]:
+    def _arguments(self, step: PlanStep) -> Iterator[str]:
         for name, iri in step.things.items():
             yield f"{name}=params.{self._things[iri]}"
         for other, each in self._open_values():
@@ -181,7 +181,7 @@ class _Source:
             return Relation(names[0], fluent.iri, names[1], literal.is_true)
         if fluent.about is About.PROPERTY:
             return HasProperty(names[0], fluent.iri, literal.is_true)
-        return Comparison(names[0], fluent.iri, fluent.operator, fluent.value, literal.is_true)
+        return ValueComparison(names[0], fluent.iri, fluent.operator, fluent.value, literal.is_true)
 
     def _imports(self) -> Iterator[str]:
         yield "from ezskiros import SkillDescription"

@@ -20,7 +20,7 @@ from ezskiros.ontology.things import ThingClass
 from ezskiros.skills import errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
-from ezskiros.skills.explored import Adding, Conditions, explored
+from ezskiros.skills.explored import Adding, PathConditions, explored
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.parameters import read_parameters, signature_of
 from ezskiros.skills.syntax import class_span, definition, docs_of
@@ -28,7 +28,7 @@ from ezskiros.skills.tracing import Method
 
 
 @dataclass(frozen=True)
-class Described:
+class DescribedSkill:
     """A skill, and the ontology of its types; None if it has no individuals.
 
     After a mistake the skill may be incomplete: conditions may be missing.
@@ -39,7 +39,7 @@ class Described:
     is_whole: bool
 
 
-def describe(skill: SkillClass) -> Described | None:
+def describe(skill: SkillClass) -> DescribedSkill | None:
     """Describe a skill by running its description; None, after a finding, if it has no content."""
     method = inspect.getattr_static(skill, "description", None)
     if not isinstance(method, FunctionType):
@@ -70,7 +70,7 @@ def describe(skill: SkillClass) -> Described | None:
     types += [thing.owl_class for each in first.permits for thing in each.things]
     ontologies = [each.vocabulary for each in types]
     found = next((each for each in ontologies if isinstance(each, Ontology)), None)
-    return Described(interface, found, are_whole)
+    return DescribedSkill(interface, found, are_whole)
 
 
 def _unclear(method: FunctionType, parameters: Sequence[Parameter]) -> frozenset[str]:
@@ -116,7 +116,7 @@ def _made(skill: SkillClass) -> Adding:
 
 def _explored(
     skill: SkillClass, function: FunctionType, parameters: Sequence[Parameter]
-) -> tuple[Conditions, bool]:
+) -> tuple[PathConditions, bool]:
     """The conditions of a description, and whether they are complete."""
 
     def undefined(spelled: str) -> tuple[Template, Remark | None]:

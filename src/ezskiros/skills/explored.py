@@ -40,7 +40,7 @@ class Adding:
 
 
 @dataclass(frozen=True)
-class Conditions:
+class PathConditions:
     """The additions on one path through a method."""
 
     pre: tuple[Clause, ...] = ()
@@ -58,7 +58,7 @@ class Conditions:
 
 def explored(
     method: Method, make: Callable[[], Adding], parameters: Sequence[Parameter]
-) -> tuple[Conditions, bool]:
+) -> tuple[PathConditions, bool]:
     """The conditions that a method adds to the object that `make` returns, and whether they are
     complete. Paths are followed until one has other conditions than the first.
     """
@@ -67,7 +67,7 @@ def explored(
         placed, named = _arguments(method.function, _symbols(parameters))
         function(adding.instance, *placed, **named)
 
-    found: list[Conditions] = []
+    found: list[PathConditions] = []
     are_whole = True
     for way in ways(method, make, run):
         conditions, is_whole = _conditions(way)
@@ -81,12 +81,12 @@ def explored(
     return found[0], are_whole
 
 
-def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
+def _conditions(way: Way[Adding]) -> tuple[PathConditions, bool]:
     """The conditions that a run has added, and whether they are complete."""
     if way.instance is None:
-        return Conditions(), False
+        return PathConditions(), False
     adding = way.instance
-    found = Conditions(
+    found = PathConditions(
         tuple(adding.pre),
         tuple(adding.hold),
         tuple(adding.post),

@@ -67,7 +67,7 @@ class SideEffectError(Interrupted):
         super().__init__(deed)
 
 
-class TimeOverError(Interrupted):
+class CodeTimeOverError(Interrupted):
     """The checked code runs for too long."""
 
 
@@ -230,7 +230,7 @@ def _guarding_python() -> Iterator[None]:
 @contextmanager
 def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Refusals]:
     """While the context is active, side effects raise `SideEffectError`. Code that takes more than
-    `seconds` of processor time is ended by `TimeOverError` (in the main thread, on systems with
+    `seconds` of processor time is ended by `CodeTimeOverError` (in the main thread, on systems with
     timers).
 
     Other processes do not count, but there is also a longer limit for code that only waits.
@@ -263,7 +263,7 @@ def _limited(seconds: float) -> Iterator[None]:
         return
 
     def end(_signal: int, _frame: FrameType | None) -> None:
-        raise TimeOverError
+        raise CodeTimeOverError
 
     waiting = min(_WAITING * seconds, _LONGEST_WAITING_S)
     timers = (

@@ -10,7 +10,7 @@ from dslkit.source import Span
 from ezskiros.ontology.iris import THING
 from ezskiros.ontology.statements import Statement, Value
 from ezskiros.ontology.things import ThingClass
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 from ezskiros.skills.permits import Permission
 from ezskiros.skills.uses import Use
 
@@ -29,7 +29,7 @@ class Parameter:
     """
 
     name: str
-    kind: Kind
+    kind: ParameterKind
     type: type
     span: Span
     default: Value | enum.Enum | None = None

@@ -30,10 +30,10 @@ from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.encoding import UnreadableError
 from ezskiros.skills.guard import (
+    CodeTimeOverError,
     ProcessEndError,
     Refusals,
     SideEffectError,
-    TimeOverError,
     guarded,
 )
 from ezskiros.skills.implementation import SkillImplementation
@@ -150,7 +150,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
         session.come_to(str(file))
         with importing(file), _without(endless):
             module, problem, guard, found = _imported(module_name(file)[0])
-        is_open = module is None and not isinstance(problem, TimeOverError)
+        is_open = module is None and not isinstance(problem, CodeTimeOverError)
         is_again = is_open and intercept([*guard.files, *user_files(problem)])
         if is_again:
             forget_since(known)
@@ -159,7 +159,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
     is_stopped = isinstance(problem, SideEffectError)
     for refusal in guard.replaced if is_stopped else guard.refusals():
         session.report(errors.ImportSideEffect(deed=refusal.deed).at(refusal.span))
-    if isinstance(problem, TimeOverError):
+    if isinstance(problem, CodeTimeOverError):
         endless.update([_module_of(problem)])
     if problem is not None:
         session.report(_failed(problem, file, endless))
@@ -237,7 +237,7 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
         return _syntax_error(problem, file)
     source = source_file(str(file)) or SourceFile(str(file), "")
     span = user_place(problem) or Span(source, 0, 0)
-    if isinstance(problem, TimeOverError):
+    if isinstance(problem, CodeTimeOverError):
         return errors.EndlessImport(seconds=SECONDS).at(span)
     exception, why = type(problem).__name__, said(problem)
     if isinstance(problem, SideEffectError):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 T = TypeVar("T")
 
 
-class Kind(enum.Enum):
+class ParameterKind(enum.Enum):
     """The source of a parameter's value."""
 
     REQUIRED = "Required"
@@ -36,9 +36,9 @@ class Key:
     text: str
 
 
-INFERRED = Annotated[T, Kind.INFERRED]
+INFERRED = Annotated[T, ParameterKind.INFERRED]
 """The value is inferred from the world by the pre-conditions, unless it is given."""
-OPTIONAL = Annotated[T, Kind.OPTIONAL]
+OPTIONAL = Annotated[T, ParameterKind.OPTIONAL]
 """The parameter may have no value. A value that the skill sets is optional as well."""
 CONSUME = Annotated[T, Option.CONSUME]
 """The individual does not exist after the skill."""
@@ -68,7 +68,7 @@ class NoType:
 class Marker:
     """A marker at run time. It accepts any argument; the user of the marker reports mistakes."""
 
-    def __init__(self, mark: Kind | Option, found: str = "") -> None:
+    def __init__(self, mark: ParameterKind | Option, found: str = "") -> None:
         self._mark, self._found = mark, found
 
     def __getitem__(self, found: Any) -> Any:
@@ -89,6 +89,6 @@ class Marker:
 
 
 if not TYPE_CHECKING:
-    INFERRED, OPTIONAL = Marker(Kind.INFERRED), Marker(Kind.OPTIONAL)
+    INFERRED, OPTIONAL = Marker(ParameterKind.INFERRED), Marker(ParameterKind.OPTIONAL)
     CONSUME, OUTPUT, UNSPECIFY = map(Marker, (Option.CONSUME, Option.OUTPUT, Option.UNSPECIFY))
     LOCK, RESPECT_TYPE = Marker(Option.LOCK), Marker(Option.RESPECT_TYPE)

@@ -21,7 +21,7 @@ from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template, remarke
 from ezskiros import session
 from ezskiros.skills import errors, tree_errors
 from ezskiros.skills.added import Added
-from ezskiros.skills.describe import Described
+from ezskiros.skills.describe import DescribedSkill
 from ezskiros.skills.description import Conditions
 from ezskiros.skills.explored import Adding, explored
 from ezskiros.skills.implementation import SkillImplementation
@@ -39,7 +39,7 @@ def has_own_conditions(implementation: type[SkillImplementation]) -> bool:
     return isinstance(inspect.getattr_static(implementation, METHOD, None), FunctionType)
 
 
-def refined(implementation: type[SkillImplementation], described: Described) -> Described:
+def refined(implementation: type[SkillImplementation], described: DescribedSkill) -> DescribedSkill:
     """The skill with the pre-conditions of this implementation. Mistakes in them are reported."""
     function = inspect.getattr_static(implementation, METHOD, None)
     skill = described.interface
@@ -50,7 +50,7 @@ def refined(implementation: type[SkillImplementation], described: Described) -> 
         return described
     own, are_whole = _own(implementation, function, skill)
     interface = replace(skill, pre=(*skill.pre, *own))
-    return Described(interface, described.ontology, described.is_whole and are_whole)
+    return DescribedSkill(interface, described.ontology, described.is_whole and are_whole)
 
 
 def _own(

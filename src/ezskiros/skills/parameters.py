@@ -16,8 +16,8 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, ThingClass, Unknown
 from ezskiros.skills import errors, parameter_errors
 from ezskiros.skills.interface import BASIC, ROBOT, Parameter
-from ezskiros.skills.markers import Key, Kind, Marker, NoType, Option
-from ezskiros.skills.syntax import Definition, definition
+from ezskiros.skills.markers import Key, Marker, NoType, Option, ParameterKind
+from ezskiros.skills.syntax import FunctionSource, definition
 
 _EMPTY = inspect.Parameter.empty
 _PACKED: dict[object, str] = {
@@ -62,7 +62,7 @@ class _Reader:
     """One parameter."""
 
     given: inspect.Parameter
-    written: Definition
+    written: FunctionSource
     function: FunctionType
 
     @property
@@ -121,9 +121,9 @@ class _Reader:
         return replace(parameter, other_key=text)
 
     def _typed(self, kind_of: Any, marks: Sequence[Any]) -> Parameter | None:
-        kinds = [each for each in marks if isinstance(each, Kind)]
+        kinds = [each for each in marks if isinstance(each, ParameterKind)]
         options = tuple(each for each in marks if isinstance(each, Option))
-        kind = kinds[0] if kinds else Kind.REQUIRED
+        kind = kinds[0] if kinds else ParameterKind.REQUIRED
         if len({*kinds}) > 1:
             session.report(errors.TwoKinds(parameter=self.name).at(self.annotation_span))
         is_enumeration = isinstance(kind_of, type) and issubclass(kind_of, enum.Enum)
@@ -142,16 +142,18 @@ class _Reader:
                 span = self.written.defaults.get(self.name, self.annotation_span)
                 session.report(errors.ThingDefault(parameter=self.name).at(span))
             return self._parameter(kind_of, kind, options, None)
-        if kind is Kind.INFERRED or options:
+        if kind is ParameterKind.INFERRED or options:
             marker = (options[0].name if options else kind.name).upper()
             found = errors.MarkedBasic(marker=marker, type=_spelled(kind_of), parameter=self.name)
             session.report(found.at(self.annotation_span))
-            kind = Kind.REQUIRED
+            kind = ParameterKind.REQUIRED
         return self._parameter(kind_of, kind, (), self._default(kind_of))
 
-    def _output(self, kind_of: type, kinds: Sequence[Kind], options: Sequence[Option]) -> Parameter:
+    def _output(
+        self, kind_of: type, kinds: Sequence[ParameterKind], options: Sequence[Option]
+    ) -> Parameter:
         """A parameter that only the skill sets."""
-        others = {*kinds, *options} - {Kind.OPTIONAL, Option.OUTPUT}
+        others = {*kinds, *options} - {ParameterKind.OPTIONAL, Option.OUTPUT}
         span, reason = self.annotation_span, ""
         if others:
             reason = f"is {min(each.name for each in others)} as well"
@@ -163,7 +165,7 @@ class _Reader:
                 parameter=self.name, reason=reason, type=kind_of.__qualname__
             )
             session.report(found.at(span))
-        return self._parameter(kind_of, Kind.OPTIONAL, (Option.OUTPUT,), None)
+        return self._parameter(kind_of, ParameterKind.OPTIONAL, (Option.OUTPUT,), None)
 
     def _default(self, kind_of: type) -> Any:
         """The default, if it has the type of the parameter. An integer is also a float."""
@@ -182,7 +184,7 @@ class _Reader:
         return None
 
     def _parameter(
-        self, kind_of: type, kind: Kind, options: tuple[Option, ...], default: Any
+        self, kind_of: type, kind: ParameterKind, options: tuple[Option, ...], default: Any
     ) -> Parameter:
         span, doc = self.name_span, self.written.docs.get(self.name, "")
         return Parameter(self.name, kind, kind_of, span, default, options, doc)

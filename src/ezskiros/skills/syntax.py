@@ -18,7 +18,7 @@ from dslkit.source.call_site import line_span, node_span, source_file
 
 
 @dataclass
-class Definition:
+class FunctionSource:
     """A function in source form. Without a source, all spans are `whole`."""
 
     whole: Span
@@ -32,15 +32,15 @@ class Definition:
         return self.names.get(parameter, self.whole)
 
 
-def definition(function: FunctionType) -> Definition:
+def definition(function: FunctionType) -> FunctionSource:
     """The parts of a function."""
     code = function.__code__
     file = source_file(code.co_filename)
     if file is None:
-        return Definition(Span(SourceFile(code.co_filename, ""), 0, 0))
+        return FunctionSource(Span(SourceFile(code.co_filename, ""), 0, 0))
     line, arguments = _written(file).functions.get(code.co_firstlineno, (None, None))
     whole = line_span(file, line or code.co_firstlineno)
-    found = Definition(whole, docs=docs_of(inspect.getdoc(function) or ""))
+    found = FunctionSource(whole, docs=docs_of(inspect.getdoc(function) or ""))
     if arguments is not None:
         _fill(found, file, arguments)
     return found
@@ -265,7 +265,7 @@ def _tree_of(file: SourceFile) -> ast.Module:
         return ast.Module([], [])
 
 
-def _fill(found: Definition, file: SourceFile, written: ast.arguments) -> None:
+def _fill(found: FunctionSource, file: SourceFile, written: ast.arguments) -> None:
     plain = [*written.posonlyargs, *written.args]
     packed = [each for each in (written.vararg, written.kwarg) if each]
     for each in (*plain, *written.kwonlyargs, *packed):

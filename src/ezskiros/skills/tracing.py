@@ -21,7 +21,7 @@ from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import errors
 from ezskiros.skills.blame import said, user_files, user_place
 from ezskiros.skills.description import PARTS
-from ezskiros.skills.guard import SideEffectError, TimeOverError, guarded
+from ezskiros.skills.guard import CodeTimeOverError, SideEffectError, guarded
 from ezskiros.skills.importing import forget_since, importing
 from ezskiros.skills.intercept import intercept
 from ezskiros.skills.syntax import definition, file_of
@@ -144,7 +144,7 @@ def _with_names(function: FunctionType, names: Mapping[str, object]) -> Function
 def _raised(method: Method, problem: BaseException) -> Diagnostic:
     """The finding for an exception, at its last place in the user's code."""
     span = user_place(problem) or definition(method.function).whole
-    if isinstance(problem, TimeOverError):
+    if isinstance(problem, CodeTimeOverError):
         return errors.NeverEnds(method=method.called, seconds=SECONDS).at(span)
     if missing := _missing_name(problem):
         found, help = method.undefined(missing)

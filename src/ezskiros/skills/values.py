@@ -23,7 +23,7 @@ from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
 from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, Unknown
 from ezskiros.skills.growing import times
-from ezskiros.skills.guard import TimeOverError
+from ezskiros.skills.guard import CodeTimeOverError
 
 MOST_PATHS = 64
 MOST_DECISIONS = 1000
@@ -42,7 +42,7 @@ class Decisions:
         """The next decision: the planned one, then always true."""
         number = len(self.taken)
         if number >= MOST_DECISIONS:
-            raise TimeOverError
+            raise CodeTimeOverError
         answer = self.planned[number] if number < len(self.planned) else True
         self.taken.append(answer)
         self.asked.append((span, symbol))

@@ -10,7 +10,7 @@ from dslkit.diagnostics import Diagnostic
 from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.skills.calls import SkillCall, SkillClass
-from ezskiros.skills.describe import Described, describe
+from ezskiros.skills.describe import DescribedSkill, describe
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
@@ -29,11 +29,11 @@ class Library:
     demand; mistakes in them are reported when those libraries are checked.
     """
 
-    def __init__(self, described: Mapping[SkillClass, Described]) -> None:
+    def __init__(self, described: Mapping[SkillClass, DescribedSkill]) -> None:
         self.checked = tuple(described)
         """The checked skills, in source order."""
-        self._described: dict[SkillClass, Described | None] = {**described}
-        self._refined: dict[type[SkillImplementation], Described | None] = {}
+        self._described: dict[SkillClass, DescribedSkill | None] = {**described}
+        self._refined: dict[type[SkillImplementation], DescribedSkill | None] = {}
         self.elsewhere: list[Diagnostic] = []
         """Findings in other skills, as far as these were read."""
 
@@ -103,7 +103,7 @@ class Library:
                 return self.skill(description)
         return None
 
-    def _known(self, description: SkillClass) -> Described | None:
+    def _known(self, description: SkillClass) -> DescribedSkill | None:
         if description not in self._described:
             with session.trying() as found:
                 self._described[description] = describe(description)

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import ThingReference, ValueReference
@@ -51,7 +51,7 @@ def found_out(
     own = [
         each
         for each in skill.parameters
-        if each.kind is Kind.OPTIONAL
+        if each.kind is ParameterKind.OPTIONAL
         and each.default is not None
         and each.name not in call.arguments
     ]

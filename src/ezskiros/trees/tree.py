@@ -12,7 +12,7 @@ from ezskiros.ontology.things import Described
 from ezskiros.skills.growing import times
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Node
 from ezskiros.skills.values import SymbolicValue, decided, plain
 
@@ -27,7 +27,7 @@ class ThingReference(Described):
         self.parameter = parameter
 
     def __bool__(self) -> bool:
-        may_be_nothing = self.parameter.kind is Kind.OPTIONAL or self.parameter.is_output
+        may_be_nothing = self.parameter.kind is ParameterKind.OPTIONAL or self.parameter.is_output
         return decided(self) if may_be_nothing else True
 
     def __call__(self, *_arguments: object, **_named: object) -> None:

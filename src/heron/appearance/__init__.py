@@ -3,15 +3,15 @@ copy of the scene shows the states of the plain scene.
 """
 
 from heron.appearance.canvas import Camera, CannotDrawError, Canvas, Pixels, Size
-from heron.appearance.stage import Moment, Stage, moment_of
+from heron.appearance.stage import Stage, VisibleState, moment_of
 
 __all__ = [
     "Camera",
     "CannotDrawError",
     "Canvas",
-    "Moment",
     "Pixels",
     "Size",
     "Stage",
+    "VisibleState",
     "moment_of",
 ]

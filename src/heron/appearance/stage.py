@@ -18,7 +18,7 @@ _OPEN = 0.02  # m that each finger goes aside
 _LAMP_AWAY = 5.0  # m
 
 
-class Moment(NamedTuple):
+class VisibleState(NamedTuple):
     """The visible part of a state: joints, moved bodies, and the thing in the hand."""
 
     joints: Floats
@@ -27,9 +27,9 @@ class Moment(NamedTuple):
     holds: NDArray[np.uint8]
 
 
-def moment_of(data: Any) -> Moment:
+def moment_of(data: Any) -> VisibleState:
     """The present state of a scene."""
-    return Moment(
+    return VisibleState(
         data.qpos.copy(), data.mocap_pos.copy(), data.mocap_quat.copy(), data.eq_active.copy()
     )
 
@@ -45,7 +45,7 @@ class Stage:
         self._closed = self.model.geom_pos[self._fingers].copy()
         self._holder: Holder | None = holder_of(self.model)
 
-    def show(self, moment: Moment) -> None:
+    def show(self, moment: VisibleState) -> None:
         """Take this state."""
         model, data = self.model, self.data
         data.qpos[:], data.eq_active[:] = moment.joints, moment.holds

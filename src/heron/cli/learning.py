@@ -10,14 +10,14 @@ from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
-from dslkit.campaign import Campaign, Journal, Result, Workers, run
+from dslkit.campaign import Campaign, EpisodeResult, Journal, Workers, run
 from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
 from heron.cli.choices import require_campaign
 from heron.evaluation import sources
 from heron.evaluation.learning import PAGE, LearningFolder, Watch, write_learning_page
 from heron.learning.learned import learned
-from heron.learning.runs import Run
+from heron.learning.runs import TrainingRun
 from heron.learning.training import train
 
 _FILMED = 3
@@ -25,7 +25,7 @@ _FILMED = 3
 
 
 def learn(
-    output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers, film: Path | None
+    output: CommandLine, runs: Sequence[TrainingRun], out: Path, workers: Workers, film: Path | None
 ) -> None:
     """Run the trainings that are not in the journal, and write the page. On request, also write a
     film of the learned policies of all arms, from the first seed.
@@ -40,7 +40,7 @@ def learn(
 
 
 def _write_film(
-    output: CommandLine, runs: Sequence[Run], folder: LearningFolder, out: Path
+    output: CommandLine, runs: Sequence[TrainingRun], folder: LearningFolder, out: Path
 ) -> None:
     from heron.cli.filming import write_film
     from heron.films.insertion import film_of_insertion
@@ -58,7 +58,7 @@ def _write_film(
     write_film(output, clips, out)
 
 
-def _campaign(runs: Sequence[Run], folder: LearningFolder, workers: Workers) -> Campaign:
+def _campaign(runs: Sequence[TrainingRun], folder: LearningFolder, workers: Workers) -> Campaign:
     keys = [one.key for one in runs]
     work = partial(train, folder.trainings)
     with Journal(folder.journal, sources()) as journal:
@@ -91,7 +91,7 @@ class _Progress:
         if done:
             self._console.print(f"{done} of {count} are done already")
 
-    def hear(self, result: Result) -> None:
+    def hear(self, result: EpisodeResult) -> None:
         """One more is over."""
         if result.value is None:
             self._console.print(f"{result.key} failed: {result.failure}", markup=False)

@@ -11,7 +11,7 @@ from heron.cli.episodes import print_episode
 from heron.experiments import Observer, run_navigation
 from heron.experiments.table import NAVIGATION
 from heron.ros1 import Ros1Error, Ros1Link
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.variants import Arm, Terrain
 
 _MASTER = "http://localhost:11311"
@@ -29,9 +29,9 @@ def run_live(
     print_episode(NAVIGATION, episode)
 
 
-def node_of(name: str) -> Node:
+def node_of(name: str) -> Ros1Node:
     """A new node. Raises `Ros1Error` if there is no master."""
-    return Node(name, *_place())
+    return Ros1Node(name, *_place())
 
 
 def _place() -> tuple[str, str]:

@@ -19,7 +19,7 @@ _QUALITY = 72
 
 
 @dataclass(frozen=True)
-class Frames:
+class DemoFrames:
     """Pictures (WebP) at equal distances (s); none, and why, where nothing can be drawn."""
 
     pictures: tuple[bytes, ...]
@@ -27,15 +27,15 @@ class Frames:
     trouble: str = ""
 
 
-def frames_of(film: Film, cameras: Sequence[Camera]) -> Frames:
+def frames_of(film: Film, cameras: Sequence[Camera]) -> DemoFrames:
     """All of a film, in a limited number of pictures."""
     period = max(_LEAST_PERIOD, film.duration / _MOST)
     times = [index * period for index in range(math.ceil(film.duration / period))]
     try:
         pictures = tuple(map(_encoded, film.pictures(cameras, times, _SIZE)))
     except CannotDrawError as error:
-        return Frames((), period, str(error))
-    return Frames(pictures, period)
+        return DemoFrames((), period, str(error))
+    return DemoFrames(pictures, period)
 
 
 def _encoded(pixels: Pixels) -> bytes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from heron.demo.frames import Frames, frames_of
+from heron.demo.frames import DemoFrames, frames_of
 from heron.experiments import EXPERIMENTS, Episode, Experiment
 from heron.films import Spans, film_of
 from heron.films.processes import in_processes
@@ -33,7 +33,7 @@ class Shot:
     rules: Spans
     tree: tuple[TreeSkill, ...]
     curves: dict[str, Curve]
-    frames: Frames
+    frames: DemoFrames
 
 
 def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:

@@ -3,13 +3,13 @@
 from heron.evaluation.episodes import keys_of, row_of, sources
 from heron.evaluation.folder import PAGE, Folder, write_page
 from heron.evaluation.page import Results, page_of
-from heron.evaluation.rows import Row, StudyRow, read_rows, write_rows
+from heron.evaluation.rows import EpisodeRow, StudyRow, read_rows, write_rows
 
 __all__ = [
     "PAGE",
+    "EpisodeRow",
     "Folder",
     "Results",
-    "Row",
     "StudyRow",
     "keys_of",
     "page_of",

@@ -17,7 +17,7 @@ MARGIN = 0.1
 """A tenth more harm, or a tenth more time, counts as the same."""
 
 
-class Verdict(enum.Enum):
+class ExpectationVerdict(enum.Enum):
     """The verdict on an expectation."""
 
     HOLDS = "met"
@@ -26,13 +26,13 @@ class Verdict(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Expectation:
+class ResultExpectation:
     """An expectation, its result, and the verdict. Its key does not change when its text does."""
 
     key: str
     expected: str
     found: str
-    verdict: Verdict
+    verdict: ExpectationVerdict
 
 
 def between(estimate: Estimate, digits: int) -> str:
@@ -44,12 +44,12 @@ def between(estimate: Estimate, digits: int) -> str:
     return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
 
 
-def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Expectation:
+def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> ResultExpectation:
     """Expect more harm without a monitor than with this guard."""
     measure = sample.experiment.measure(harm)
     compared = sample.compared(harm, Arm.NONE, guarded)
     difference = between(compared.difference, measure.digits)
-    return Expectation(
+    return ResultExpectation(
         f"harm {guarded.value} {harm}",
         f"{measure.label}: greater without a monitor than with {ARM_NAMES[guarded]}",
         f"by {difference} {measure.unit}, p = {compared.chance:.2g}",
@@ -57,19 +57,19 @@ def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Expectation:
     )
 
 
-def greater(difference: float, chance: float) -> Verdict:
+def greater(difference: float, chance: float) -> ExpectationVerdict:
     """The verdict on a difference that is expected to be above 0; `chance` is its p."""
     if chance < _SURE:
-        return Verdict.HOLDS
-    return Verdict.OPEN if difference > 0 else Verdict.FAILS
+        return ExpectationVerdict.HOLDS
+    return ExpectationVerdict.OPEN if difference > 0 else ExpectationVerdict.FAILS
 
 
-def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> Expectation:
+def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> ResultExpectation:
     """Expect no more harm than with another guard."""
     measure = sample.experiment.measure(harm)
     found = sample.compared(harm, ours, other).difference
     margin = MARGIN * float(np.median(sample.values(other, harm)))
-    return Expectation(
+    return ResultExpectation(
         f"safe {other.value} {harm}",
         f"{measure.label}: with {with_arm(ours)} at most 10 % more than with {with_arm(other)}",
         f"the difference is {between(found, measure.digits)} {measure.unit}",
@@ -82,16 +82,16 @@ def with_arm(arm: Arm) -> str:
     return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
 
 
-def at_most(found: Estimate, most: float) -> Verdict:
+def at_most(found: Estimate, most: float) -> ExpectationVerdict:
     """The verdict on an estimate that is expected to be no more than this."""
     if np.isnan(found.low):
-        return Verdict.OPEN
+        return ExpectationVerdict.OPEN
     if found.high <= most:
-        return Verdict.HOLDS
-    return Verdict.FAILS if found.low > most else Verdict.OPEN
+        return ExpectationVerdict.HOLDS
+    return ExpectationVerdict.FAILS if found.low > most else ExpectationVerdict.OPEN
 
 
-def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
+def acts_in_time(sample: Sample, hazard: str, seconds: float) -> ResultExpectation:
     """Expect a reaction to a hazard within some seconds.
 
     An episode without a reaction has no value here. The table shows the number of reactions.
@@ -99,9 +99,9 @@ def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
     measure = sample.experiment.measure(f"reaction_{hazard}")
     values = sample.values(Arm.ROSSMARIE, measure.name)
     found = median(values) if values else None
-    return Expectation(
+    return ResultExpectation(
         f"in time {hazard}",
         f"{measure.label}: with ROSSMARie within {seconds:g} s",
         "there was no reaction" if found is None else f"{between(found, measure.digits)} s",
-        Verdict.FAILS if found is None else at_most(found, seconds),
+        ExpectationVerdict.FAILS if found is None else at_most(found, seconds),
     )

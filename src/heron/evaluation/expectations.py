@@ -12,8 +12,8 @@ import numpy as np
 
 from heron.evaluation.expectation import (
     MARGIN,
-    Expectation,
-    Verdict,
+    ExpectationVerdict,
+    ResultExpectation,
     acts_in_time,
     as_safe,
     at_most,
@@ -31,7 +31,7 @@ from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WIT
 from heron.variants import Arm
 
 
-def expectations_of(sample: Sample) -> Iterator[Expectation]:
+def expectations_of(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     if Arm.LEARNED in sample.arms:
         yield from expectations_of_learning(sample)
@@ -70,10 +70,10 @@ def _others(sample: Sample) -> list[Arm]:
     return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
 
 
-def _better(sample: Sample, gain: str, other: Arm) -> Expectation:
+def _better(sample: Sample, gain: str, other: Arm) -> ResultExpectation:
     measure = sample.experiment.measure(gain)
     compared = sample.compared(gain, Arm.ROSSMARIE, other)
-    return Expectation(
+    return ResultExpectation(
         f"better {other.value} {gain}",
         f"{measure.label}: more with ROSSMARie than with {with_arm(other)}",
         f"by {between(compared.difference, measure.digits)} {measure.unit}, "
@@ -82,17 +82,21 @@ def _better(sample: Sample, gain: str, other: Arm) -> Expectation:
     )
 
 
-def _does_as_much(sample: Sample) -> Expectation:
+def _does_as_much(sample: Sample) -> ResultExpectation:
     """Times are compared where both arms always finish."""
     other = Arm.COLLISION_MONITOR
     ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
     found = sample.compared(DURATION.name, Arm.ROSSMARIE, other).difference
     if theirs == sample.count(other):
         margin = MARGIN * float(np.median(sample.values(other, DURATION.name)))
-        verdict = at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
+        verdict = (
+            at_most(found, margin)
+            if ours == sample.count(Arm.ROSSMARIE)
+            else ExpectationVerdict.FAILS
+        )
     else:
-        verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
-    return Expectation(
+        verdict = ExpectationVerdict.HOLDS if ours >= theirs else ExpectationVerdict.FAILS
+    return ResultExpectation(
         "does as much",
         "with ROSSMARie the robot finishes at least as often as with the collision monitor; if "
         "both always finish, ROSSMARie takes at most 10 % longer",
@@ -102,47 +106,51 @@ def _does_as_much(sample: Sample) -> Expectation:
     )
 
 
-def _unguarded_is_fastest(sample: Sample) -> Expectation:
+def _unguarded_is_fastest(sample: Sample) -> ResultExpectation:
     times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in sample.arms}
     completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
     is_fastest = times[Arm.NONE] == min(times.values())
-    return Expectation(
+    return ResultExpectation(
         "fastest",
         "without a monitor the robot finishes, and is the fastest",
         f"the robot finishes in {completed} of {total} episodes, and takes "
         f"{times[Arm.NONE]:.1f} s; {times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
-        Verdict.HOLDS if completed == total and is_fastest else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if completed == total and is_fastest else ExpectationVerdict.FAILS,
     )
 
 
-def _finishes_with_operator(sample: Sample) -> Expectation:
+def _finishes_with_operator(sample: Sample) -> ResultExpectation:
     visits = sample.values(Arm.DEROS, INTERVENTIONS.name)
     completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
-    return Expectation(
+    return ResultExpectation(
         "operator",
         "with DeROS the robot finishes after an operator has come",
         f"the robot finishes in {completed} of {total} episodes; "
         f"the operator came in {sum(count > 0 for count in visits)} episodes, "
         f"{sum(visits):.0f} times in total",
-        Verdict.HOLDS if completed == total and min(visits) > 0 else Verdict.FAILS,
+        ExpectationVerdict.HOLDS
+        if completed == total and min(visits) > 0
+        else ExpectationVerdict.FAILS,
     )
 
 
-def _finishes_alone(sample: Sample) -> Expectation:
+def _finishes_alone(sample: Sample) -> ResultExpectation:
     visits = sample.values(Arm.ROSSMARIE, INTERVENTIONS.name)
     completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
-    return Expectation(
+    return ResultExpectation(
         "alone",
         "with ROSSMARie the robot finishes without an operator",
         f"the robot finishes in {completed} of {total} episodes; "
         f"the operator came {sum(visits):.0f} times",
-        Verdict.HOLDS if completed == total and sum(visits) == 0 else Verdict.FAILS,
+        ExpectationVerdict.HOLDS
+        if completed == total and sum(visits) == 0
+        else ExpectationVerdict.FAILS,
     )
 
 
-def _sooner(sample: Sample) -> Expectation:
+def _sooner(sample: Sample) -> ResultExpectation:
     compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
-    return Expectation(
+    return ResultExpectation(
         "sooner",
         "the robot finishes sooner with ROSSMARie than with DeROS",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -150,28 +158,30 @@ def _sooner(sample: Sample) -> Expectation:
     )
 
 
-def _everybody_finishes(sample: Sample) -> Expectation:
+def _everybody_finishes(sample: Sample) -> ResultExpectation:
     found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
     words = "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items())
     all_do = all(done == total for done, total in found.values())
-    return Expectation(
+    return ResultExpectation(
         "all finish",
         "without a hazard, every arm completes the task",
         words,
-        Verdict.HOLDS if all_do else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if all_do else ExpectationVerdict.FAILS,
     )
 
 
-def _nobody_interferes(sample: Sample) -> Expectation:
+def _nobody_interferes(sample: Sample) -> ResultExpectation:
     guarded = (Arm.DEROS, Arm.ROSSMARIE)
     needless = {arm: sample.values(arm, WITHOUT_NEED.name) for arm in guarded}
     found = {arm: (sum(time > 0 for time in times), len(times)) for arm, times in needless.items()}
     words = "; ".join(
         f"{ARM_NAMES[arm]}: in {some} of {all_}" for arm, (some, all_) in found.items()
     )
-    return Expectation(
+    return ResultExpectation(
         "no interference",
         "without a hazard, no rule interferes",
         f"episodes with interference: {words}",
-        Verdict.FAILS if any(some for some, _ in found.values()) else Verdict.HOLDS,
+        ExpectationVerdict.FAILS
+        if any(some for some, _ in found.values())
+        else ExpectationVerdict.HOLDS,
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.expectation import Expectation, Verdict, between, greater
+from heron.evaluation.expectation import ExpectationVerdict, ResultExpectation, between, greater
 from heron.evaluation.sample import Sample
 from heron.evaluation.tree_expectations import alone, touches_nothing
 from heron.experiments.experiment import DURATION
@@ -20,7 +20,7 @@ from heron.variants import Arm, Trouble
 _FIRST, _SECOND = Arm.TREES, Arm.LEARNED
 
 
-def expectations_of_learning(sample: Sample) -> Iterator[Expectation]:
+def expectations_of_learning(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     yield from (alone(sample, arm) for arm in sample.arms)
     yield touches_nothing(sample)
@@ -36,10 +36,10 @@ def expectations_of_learning(sample: Sample) -> Iterator[Expectation]:
     yield _later_where_nothing_was(sample)
 
 
-def _fewer_activations(sample: Sample) -> Expectation:
+def _fewer_activations(sample: Sample) -> ResultExpectation:
     compared = sample.compared(ACTIVATIONS.name, _FIRST, _SECOND)
     first, second = (sum(sample.values(arm, ACTIVATIONS.name)) for arm in (_FIRST, _SECOND))
-    return Expectation(
+    return ResultExpectation(
         "fewer activations",
         "after learning, rules become active less often",
         f"{first:.0f} times without learning, {second:.0f} times after learning, "
@@ -48,22 +48,22 @@ def _fewer_activations(sample: Sample) -> Expectation:
     )
 
 
-def _no_activation(sample: Sample) -> Expectation:
+def _no_activation(sample: Sample) -> ResultExpectation:
     values = sample.values(_SECOND, ACTIVATIONS.name)
     quiet = sum(value == 0 for value in values)
-    return Expectation(
+    return ResultExpectation(
         "no activation",
         "after learning, no rule becomes active in any episode",
         f"in {quiet} of {len(values)}",
-        Verdict.HOLDS if quiet == len(values) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if quiet == len(values) else ExpectationVerdict.FAILS,
     )
 
 
-def _sooner(sample: Sample) -> Expectation:
+def _sooner(sample: Sample) -> ResultExpectation:
     return _slower(sample, _FIRST, "sooner", "after learning, the base arrives sooner")
 
 
-def _later(sample: Sample) -> Expectation:
+def _later(sample: Sample) -> ResultExpectation:
     expected = (
         "after learning, the base arrives later: the plan counts the longer path as one more step, "
         "but that path takes more time than the rules would cost"
@@ -71,11 +71,11 @@ def _later(sample: Sample) -> Expectation:
     return _slower(sample, _SECOND, "later", expected)
 
 
-def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Expectation:
+def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> ResultExpectation:
     """Expect that an arm takes longer than the other one."""
     (other,) = (each for each in sample.arms if each is not arm)
     compared = sample.compared(DURATION.name, arm, other)
-    return Expectation(
+    return ResultExpectation(
         key,
         expected,
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -83,27 +83,27 @@ def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Expectation:
     )
 
 
-def _later_where_nothing_was(sample: Sample) -> Expectation:
+def _later_where_nothing_was(sample: Sample) -> ResultExpectation:
     """The cost of a plan that is better only in most runs."""
     first, second = (sample.by_seed(arm, DURATION.name) for arm in (_FIRST, _SECOND))
     active = sample.by_seed(_FIRST, ACTIVATIONS.name)
     free = [seed for seed in first.keys() & second.keys() if active.get(seed) == 0]
     later = sum(second[seed] > first[seed] for seed in free)
-    return Expectation(
+    return ResultExpectation(
         "later where free",
         "in each run without an obstacle, the base arrives later after learning",
         f"in {later} of {len(free)}",
-        Verdict.HOLDS if free and later == len(free) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if free and later == len(free) else ExpectationVerdict.FAILS,
     )
 
 
-def _the_same(sample: Sample) -> Expectation:
+def _the_same(sample: Sample) -> ResultExpectation:
     first, second = (sample.by_seed(arm, DURATION.name) for arm in (_FIRST, _SECOND))
     same = sum(second.get(seed) == time for seed, time in first.items())
-    return Expectation(
+    return ResultExpectation(
         "the same",
         "if no rule became active in earlier runs, learning changes nothing: the base arrives at "
         "the same instant in every episode",
         f"in {same} of {len(first)}",
-        Verdict.HOLDS if same == len(first) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if same == len(first) else ExpectationVerdict.FAILS,
     )

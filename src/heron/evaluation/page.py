@@ -11,7 +11,7 @@ from importlib.resources import files
 from heron.evaluation.expectation import between
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.reasons import REASONS
-from heron.evaluation.rows import Row, StudyRow
+from heron.evaluation.rows import EpisodeRow, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
@@ -69,7 +69,7 @@ Wilcoxon's signed-rank test, one-sided.
 class Results:
     """Rows by the names of the experiments and of the studies."""
 
-    experiments: Mapping[str, Sequence[Row]]
+    experiments: Mapping[str, Sequence[EpisodeRow]]
     studies: Mapping[str, Sequence[StudyRow]]
 
 
@@ -142,7 +142,7 @@ def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:
     return text if len(values) == total else f"{text}, of {len(values)}"
 
 
-def _missing(experiment: Experiment, rows: Sequence[Row]) -> Iterator[str]:
+def _missing(experiment: Experiment, rows: Sequence[EpisodeRow]) -> Iterator[str]:
     """The episodes that were not finished, although others of their seed were."""
     there = {(row.variant, row.arm, row.seed) for row in rows}
     variants = list(dict.fromkeys(row.variant for row in rows))

@@ -13,8 +13,8 @@ import numpy as np
 
 from heron.evaluation.expectation import (
     MARGIN,
-    Expectation,
-    Verdict,
+    ExpectationVerdict,
+    ResultExpectation,
     at_most,
     between,
     greater,
@@ -28,7 +28,7 @@ _SENSORS, _SKILLS, _PLACES = Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE
 _IMPACT = "impact"
 
 
-def expectations_of_places(sample: Sample) -> Iterator[Expectation]:
+def expectations_of_places(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     yield _everybody_arrives(sample)
     if sample.harms:
@@ -41,20 +41,22 @@ def expectations_of_places(sample: Sample) -> Iterator[Expectation]:
     yield _sooner_than_with_skills(sample)
 
 
-def _everybody_arrives(sample: Sample) -> Expectation:
+def _everybody_arrives(sample: Sample) -> ResultExpectation:
     found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
-    return Expectation(
+    return ResultExpectation(
         "arrives",
         "the base arrives in every arm",
         "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items()),
-        Verdict.HOLDS if all(a == b for a, b in found.values()) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS
+        if all(a == b for a, b in found.values())
+        else ExpectationVerdict.FAILS,
     )
 
 
-def _less(sample: Sample, harm: str) -> Expectation:
+def _less(sample: Sample, harm: str) -> ResultExpectation:
     measure = sample.experiment.measure(harm)
     compared = sample.compared(harm, _SENSORS, _PLACES)
-    return Expectation(
+    return ResultExpectation(
         f"less {harm}",
         f"{measure.label}: greater with rules that know only the sensors than with rules that "
         "know places",
@@ -69,30 +71,30 @@ def _hits(sample: Sample, arm: Arm) -> tuple[int, int]:
     return sum(value > 0 for value in sample.values(arm, _IMPACT)), sample.count(arm)
 
 
-def _too_late(sample: Sample) -> Expectation:
+def _too_late(sample: Sample) -> ResultExpectation:
     hits, total = _hits(sample, _SENSORS)
-    return Expectation(
+    return ResultExpectation(
         "too late",
         "rules that know only the sensors are too late in some episodes",
         f"the base hits the child in {hits} of {total}",
-        Verdict.HOLDS if hits else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if hits else ExpectationVerdict.FAILS,
     )
 
 
-def _stands_before(sample: Sample, arm: Arm) -> Expectation:
+def _stands_before(sample: Sample, arm: Arm) -> ResultExpectation:
     hits, total = _hits(sample, arm)
-    return Expectation(
+    return ResultExpectation(
         f"stands {arm.value}",
         f"with {ARM_NAMES[arm]} the base stops before it touches the child, in every episode",
         f"in {total - hits} of {total}",
-        Verdict.FAILS if hits else Verdict.HOLDS,
+        ExpectationVerdict.FAILS if hits else ExpectationVerdict.HOLDS,
     )
 
 
-def _costs_little(sample: Sample) -> Expectation:
+def _costs_little(sample: Sample) -> ResultExpectation:
     found = sample.compared(DURATION.name, _PLACES, _SENSORS).difference
     usual = float(np.median(sample.values(_SENSORS, DURATION.name)))
-    return Expectation(
+    return ResultExpectation(
         "costs little",
         "with rules that know places, the base takes at most 10 % longer than with rules that know "
         "only the sensors",
@@ -101,9 +103,9 @@ def _costs_little(sample: Sample) -> Expectation:
     )
 
 
-def _sooner_than_with_skills(sample: Sample) -> Expectation:
+def _sooner_than_with_skills(sample: Sample) -> ResultExpectation:
     compared = sample.compared(DURATION.name, _SKILLS, _PLACES)
-    return Expectation(
+    return ResultExpectation(
         "sooner than skills",
         "with rules that know places, the base arrives sooner than with rules that know only the "
         "skills and slow the base down on the whole path",

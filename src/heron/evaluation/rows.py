@@ -16,7 +16,7 @@ _STUDY_KEYS = ("value", "experiment", *_KEYS)
 
 
 @dataclass(frozen=True)
-class Row:
+class EpisodeRow:
     """An episode: numbers by the names of measures, without missing measures."""
 
     variant: str
@@ -31,7 +31,7 @@ class StudyRow:
 
     value: float
     experiment: str
-    row: Row
+    row: EpisodeRow
 
     def as_value(self) -> Value:
         """The row as it came from its episode."""
@@ -62,7 +62,7 @@ def write_study(path: Path, study: Study, values: Iterable[Value]) -> None:
     _write(path, _STUDY_KEYS, measures_of(study), values)
 
 
-def read_rows(path: Path) -> list[Row]:
+def read_rows(path: Path) -> list[EpisodeRow]:
     """The rows of an experiment in a file."""
     with path.open(encoding="utf-8", newline="") as file:
         return [_row(line) for line in csv.DictReader(file)]
@@ -90,8 +90,8 @@ def _write(
             )
 
 
-def _row(line: dict[str, str]) -> Row:
-    return Row(
+def _row(line: dict[str, str]) -> EpisodeRow:
+    return EpisodeRow(
         line.pop("variant"),
         line.pop("arm"),
         int(line.pop("seed")),

@@ -6,8 +6,8 @@ import enum
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from heron.evaluation.rows import Row
-from heron.evaluation.statistics import Comparison, compare
+from heron.evaluation.rows import EpisodeRow
+from heron.evaluation.statistics import PairedComparison, compare
 from heron.experiments import Experiment
 from heron.experiments.experiment import COMPLETED
 from heron.variants import Arm
@@ -19,7 +19,7 @@ class Sample:
 
     experiment: Experiment
     variant: str
-    rows: Sequence[Row]
+    rows: Sequence[EpisodeRow]
 
     @property
     def harms(self) -> tuple[str, ...]:
@@ -57,7 +57,7 @@ class Sample:
         """In how many of them the task was done."""
         return sum(value > 0 for value in self.values(arm, COMPLETED.name))
 
-    def compared(self, name: str, greater: Arm, lesser: Arm) -> Comparison:
+    def compared(self, name: str, greater: Arm, lesser: Arm) -> PairedComparison:
         """A measure in two arms, on the seeds that both have."""
         first, second = self.by_seed(greater, name), self.by_seed(lesser, name)
         seeds = sorted(first.keys() & second.keys())
@@ -67,11 +67,11 @@ class Sample:
         """A measure of all episodes of an arm that have it, by their seeds."""
         return {row.seed: row.numbers[name] for row in self._of(arm) if name in row.numbers}
 
-    def _of(self, arm: Arm) -> list[Row]:
+    def _of(self, arm: Arm) -> list[EpisodeRow]:
         return [row for row in self.rows if row.arm == arm.value]
 
 
-def samples_of(experiment: Experiment, rows: Sequence[Row]) -> list[Sample]:
+def samples_of(experiment: Experiment, rows: Sequence[EpisodeRow]) -> list[Sample]:
     """One for each variant that there are rows of."""
     found = [
         Sample(experiment, variant, [row for row in rows if row.variant == variant])

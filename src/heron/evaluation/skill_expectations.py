@@ -9,7 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.expectation import Expectation, Verdict, as_safe, there_is_harm, with_arm
+from heron.evaluation.expectation import (
+    ExpectationVerdict,
+    ResultExpectation,
+    as_safe,
+    there_is_harm,
+    with_arm,
+)
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
 from heron.variants import Arm, Encounter
@@ -20,7 +26,7 @@ the robot before the hazard, so no robot completes the task.
 """
 
 
-def expectations_of_skills(sample: Sample) -> Iterator[Expectation]:
+def expectations_of_skills(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     is_within = sample.variant in _WITHIN_A_SKILL
     guarded = (Arm.SKILL_AWARE,) if is_within else (Arm.ROSSMARIE, Arm.SKILL_AWARE)
@@ -37,47 +43,47 @@ def expectations_of_skills(sample: Sample) -> Iterator[Expectation]:
         yield _uses_exemptions(sample)
 
 
-def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Expectation:
+def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> ResultExpectation:
     measure = sample.experiment.measure(f"reaction_{hazard}")
     times = sample.values(arm, measure.name)
     stopped, total = sum(time <= seconds for time in times), sample.count(arm)
-    return Expectation(
+    return ResultExpectation(
         f"stops {arm.value} {hazard}",
         f"{sample.experiment.hazards[hazard]}: {with_arm(arm)} reacts within {seconds:g} s "
         "in every episode",
         f"in {stopped} of {total}",
-        Verdict.HOLDS if stopped == total else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if stopped == total else ExpectationVerdict.FAILS,
     )
 
 
-def _finishes(sample: Sample) -> Expectation:
+def _finishes(sample: Sample) -> ResultExpectation:
     ours, total = sample.completed(Arm.SKILL_AWARE), sample.count(Arm.SKILL_AWARE)
     theirs, of_them = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
-    return Expectation(
+    return ResultExpectation(
         "finishes",
         "rules that know skills always let the robot complete the task; other rules never do",
         f"the task is completed in {ours} of {total} episodes, and in {theirs} of {of_them}",
-        Verdict.HOLDS if ours == total and not theirs else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if ours == total and not theirs else ExpectationVerdict.FAILS,
     )
 
 
-def _does_not_interfere(sample: Sample) -> Expectation:
+def _does_not_interfere(sample: Sample) -> ResultExpectation:
     times = sample.values(Arm.SKILL_AWARE, WITHOUT_NEED.name)
     some = sum(time > 0 for time in times)
-    return Expectation(
+    return ResultExpectation(
         "no interference",
         "without a hazard, no rule that knows skills interferes",
         f"episodes with interference: {some} of {len(times)}",
-        Verdict.FAILS if some else Verdict.HOLDS,
+        ExpectationVerdict.FAILS if some else ExpectationVerdict.HOLDS,
     )
 
 
-def _uses_exemptions(sample: Sample) -> Expectation:
+def _uses_exemptions(sample: Sample) -> ResultExpectation:
     counts = sample.values(Arm.SKILL_AWARE, EXEMPTIONS.name)
     used = sum(count >= 2 for count in counts)
-    return Expectation(
+    return ResultExpectation(
         "exemptions",
         "both skills use their exemptions, and the log reports the uses",
         f"at least two uses in {used} of {len(counts)} episodes",
-        Verdict.HOLDS if used == len(counts) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if used == len(counts) else ExpectationVerdict.FAILS,
     )

@@ -25,7 +25,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class PairedComparison:
     """Differences on the same seeds: their median, and how likely they are that great if there is
     none (Wilcoxon, one-sided: the first ones are greater).
     """
@@ -60,11 +60,11 @@ def share(count: int, total: int) -> Estimate:
     return Estimate(count / total, float(found.low), float(found.high))
 
 
-def compare(first: Sequence[float], second: Sequence[float]) -> Comparison:
+def compare(first: Sequence[float], second: Sequence[float]) -> PairedComparison:
     """Compare two samples of the same seeds in the same order."""
     differences = np.asarray(first) - np.asarray(second)
     if not differences.any():
         chance = 1.0
     else:
         chance = float(stats.wilcoxon(differences, alternative="greater").pvalue)
-    return Comparison(median(differences.tolist()), chance)
+    return PairedComparison(median(differences.tolist()), chance)

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from heron.evaluation.expectation import between
-from heron.evaluation.rows import Row, StudyRow
+from heron.evaluation.rows import EpisodeRow, StudyRow
 from heron.evaluation.statistics import median
 from heron.experiments import Study
 from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION
@@ -21,7 +21,7 @@ _GRAVITY = 9.81
 def section_of(
     study: Study,
     rows: Sequence[StudyRow],
-    experiments: Mapping[str, Sequence[Row]],
+    experiments: Mapping[str, Sequence[EpisodeRow]],
     plots: str,
 ) -> Iterator[str]:
     """Lines of Markdown; `experiments` are the rows of the episodes with the usual settings."""
@@ -70,7 +70,7 @@ def _title(case: Case) -> str:
     return f"{case.of.title}, {case.variant.value}: {ARM_NAMES[case.arm]}"
 
 
-def _cell(rows: Sequence[Row]) -> str:
+def _cell(rows: Sequence[EpisodeRow]) -> str:
     if not rows:
         return "-"
     done = sum(row.numbers[COMPLETED.name] > 0 for row in rows)

@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from heron.evaluation.expectation import Expectation, Verdict
+from heron.evaluation.expectation import ExpectationVerdict, ResultExpectation
 
-_EXPLAINED = {Verdict.OPEN: " (the runs are not enough to decide)"}
+_EXPLAINED = {ExpectationVerdict.OPEN: " (the runs are not enough to decide)"}
 """The explanation of a verdict, if its word is not enough."""
 
 
@@ -19,7 +19,7 @@ class Reported(NamedTuple):
     """
 
     place: str
-    expectation: Expectation
+    expectation: ResultExpectation
     reason: str | None
 
 
@@ -29,12 +29,12 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     yield ""
     yield f"The runs test {len(all_reported)} expectations:"
     yield ""
-    for verdict in Verdict:
+    for verdict in ExpectationVerdict:
         count = sum(reported.expectation.verdict is verdict for reported in all_reported)
         if count:
             yield f"- {verdict.value}{_EXPLAINED.get(verdict, '')}: {count}"
     yield ""
-    for verdict in (Verdict.FAILS, Verdict.OPEN):
+    for verdict in (ExpectationVerdict.FAILS, ExpectationVerdict.OPEN):
         chosen = [reported for reported in all_reported if reported.expectation.verdict is verdict]
         if chosen:
             yield f"{verdict.value.capitalize()}:"
@@ -43,7 +43,7 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
             yield ""
 
 
-def table_of(expectations: Iterable[Expectation]) -> Iterator[str]:
+def table_of(expectations: Iterable[ResultExpectation]) -> Iterator[str]:
     """The expectations of an experiment or training, as a table."""
     yield "| expected | found | verdict |"
     yield "|---|---|---|"
@@ -54,5 +54,9 @@ def table_of(expectations: Iterable[Expectation]) -> Iterator[str]:
 
 def _line(reported: Reported) -> str:
     expectation = reported.expectation
-    why = f" {reported.reason}" if reported.reason and expectation.verdict is Verdict.FAILS else ""
+    why = (
+        f" {reported.reason}"
+        if reported.reason and expectation.verdict is ExpectationVerdict.FAILS
+        else ""
+    )
     return f"- *{reported.place}*, {expectation.expected}: {expectation.found}.{why}"

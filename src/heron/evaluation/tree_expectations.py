@@ -11,7 +11,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from heron.evaluation.expectation import MARGIN, Expectation, Verdict, at_most, between, greater
+from heron.evaluation.expectation import (
+    MARGIN,
+    ExpectationVerdict,
+    ResultExpectation,
+    at_most,
+    between,
+    greater,
+)
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION, INTERVENTIONS
 from heron.variants import Arm, Blockage
@@ -19,7 +26,7 @@ from heron.variants import Arm, Blockage
 _TOUCHED = "touched"
 
 
-def expectations_of_trees(sample: Sample) -> Iterator[Expectation]:
+def expectations_of_trees(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
     if sample.variant == Blockage.TROLLEY.value:
@@ -30,32 +37,32 @@ def expectations_of_trees(sample: Sample) -> Iterator[Expectation]:
     yield touches_nothing(sample)
 
 
-def alone(sample: Sample, arm: Arm) -> Expectation:
+def alone(sample: Sample, arm: Arm) -> ResultExpectation:
     """Expect that an arm arrives without an operator."""
     done, visits = sample.values(arm, COMPLETED.name), sample.values(arm, INTERVENTIONS.name)
     found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
-    return Expectation(
+    return ResultExpectation(
         f"alone {arm.value}",
         f"with {ARM_NAMES[arm]}, the base arrives without an operator in every episode",
         f"in {found} of {sample.count(arm)}",
-        Verdict.HOLDS if found == sample.count(arm) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if found == sample.count(arm) else ExpectationVerdict.FAILS,
     )
 
 
-def _needs_operator(sample: Sample) -> Expectation:
+def _needs_operator(sample: Sample) -> ResultExpectation:
     visits = sample.values(Arm.NONE, INTERVENTIONS.name)
     came = sum(count >= 1 for count in visits)
-    return Expectation(
+    return ResultExpectation(
         "operator",
         "without a monitor, an operator must come in every episode",
         f"in {came} of {len(visits)}",
-        Verdict.HOLDS if came == len(visits) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if came == len(visits) else ExpectationVerdict.FAILS,
     )
 
 
-def _sooner(sample: Sample) -> Expectation:
+def _sooner(sample: Sample) -> ResultExpectation:
     compared = sample.compared(DURATION.name, Arm.ROSSMARIE, Arm.TREES)
-    return Expectation(
+    return ResultExpectation(
         "sooner",
         "with trees, the base arrives sooner than with ROSSMARie, which takes the long path",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -63,10 +70,10 @@ def _sooner(sample: Sample) -> Expectation:
     )
 
 
-def _little_later(sample: Sample) -> Expectation:
+def _little_later(sample: Sample) -> ResultExpectation:
     found = sample.compared(DURATION.name, Arm.TREES, Arm.ROSSMARIE).difference
     usual = float(np.median(sample.values(Arm.ROSSMARIE, DURATION.name)))
-    return Expectation(
+    return ResultExpectation(
         "little later",
         "with trees, which wait first, the base takes at most 10 % longer than with ROSSMARie",
         f"longer by {between(found, DURATION.digits)} s; the usual time is {usual:.1f} s",
@@ -74,12 +81,12 @@ def _little_later(sample: Sample) -> Expectation:
     )
 
 
-def touches_nothing(sample: Sample) -> Expectation:
+def touches_nothing(sample: Sample) -> ResultExpectation:
     """Expect that the base stops before obstacles."""
     touched = [value > 0 for arm in sample.arms for value in sample.values(arm, _TOUCHED)]
-    return Expectation(
+    return ResultExpectation(
         "touches nothing",
         "the base touches no obstacle in any arm",
         f"the base touches an obstacle in {sum(touched)} of {len(touched)} episodes",
-        Verdict.FAILS if any(touched) else Verdict.HOLDS,
+        ExpectationVerdict.FAILS if any(touched) else ExpectationVerdict.HOLDS,
     )

@@ -9,7 +9,7 @@ from heron.experiments.measures import NavigationMeasures
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, PlacingMeasures, run_placing
-from heron.experiments.runner import Node
+from heron.experiments.runner import SimulatedNode
 from heron.experiments.second import run_second
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.studies import STUDIES, Study
@@ -32,11 +32,11 @@ __all__ = [
     "Measure",
     "NavigationEpisode",
     "NavigationMeasures",
-    "Node",
     "Observer",
     "PlacingEpisode",
     "PlacingMeasures",
     "Settings",
+    "SimulatedNode",
     "Study",
     "run_blocked",
     "run_contact",

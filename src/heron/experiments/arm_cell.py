@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from heron.experiments.arm_operator import ArmOperator
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import SimulatedNode, run
 from heron.guard import Guard, Occurrence
 from heron.robot import Arm
 from heron.tasks import SkillTask, TaskStatus
@@ -20,7 +20,7 @@ class ArmCell:
     task: SkillTask
     guard: Guard | None
     operator: ArmOperator | None
-    nodes: list[Node]
+    nodes: list[SimulatedNode]
 
     def play(self, longest_s: float) -> None:
         """Until the task is over."""

@@ -19,9 +19,9 @@ from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
 from heron.experiments.obstacles import Obstacle, Obstacles, varied
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import SimulatedNode, run
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import Base
 from heron.scene import BaseParameters, WaysParameters, build_ways
@@ -92,7 +92,7 @@ class BlockedEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -105,7 +105,7 @@ class _Robot:
     guard: InProcessGuard | None
     operator: ClearingOperator
     witness: NearnessWitness
-    nodes: list[Node]
+    nodes: list[SimulatedNode]
 
 
 def run_blocked(
@@ -202,12 +202,12 @@ def _routes(ways: WaysParameters) -> dict[str, tuple[tuple[tuple[float, float], 
     }
 
 
-def hazards(trace: Trace) -> dict[str, Flags]:
+def hazards(trace: EpisodeTrace) -> dict[str, Flags]:
     """The instants with each hazard: the base is at the obstacle on its path."""
     return {"blocked": trace.columns["is_blocked"] > 0}
 
 
-def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
+def _measured(robot: _Robot, trace: EpisodeTrace) -> BlockedMeasures:
     distance = trace.columns["distance"]
     present = hazards(trace)
     return BlockedMeasures(
@@ -230,7 +230,7 @@ def _activations(guard: InProcessGuard | None) -> int:
 
 
 def _reactions(
-    guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
+    guard: InProcessGuard | None, trace: EpisodeTrace, present: Mapping[str, Flags]
 ) -> dict[str, float]:
     """The time from when the base meets an obstacle to the first action of a rule."""
     if guard is None:

@@ -37,7 +37,7 @@ def varied(passage: Passage, generator: np.random.Generator) -> Dash | None:
     return Dash(gap, pace, stay_s) if passage is Passage.CHILD else None
 
 
-class Child:
+class WalkingChild:
     """Waits, runs, stands and goes back."""
 
     period_ns = 20_000_000

@@ -18,9 +18,9 @@ from heron.experiments.contact_witness import ContactWitness
 from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.observer import Observer, attended
-from heron.experiments.runner import Node
+from heron.experiments.runner import SimulatedNode
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.experiments.wiping import Stains
 from heron.goals import ARM
 from heron.guard import InProcessGuard, Occurrence, unfiltered
@@ -99,7 +99,7 @@ class ContactEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -173,7 +173,7 @@ def _assembled(
     places = places_of(cell) | {"home": robot.grasp.copy()}
     controller = ArmController(robot, carrier, places, CAREFUL, pressings_of(cell))
     force = ForceTorque(robot, carrier, generators["force"], ForceTorqueParameters())
-    nodes: list[Node] = [bystander, stains, force, controller]
+    nodes: list[SimulatedNode] = [bystander, stains, force, controller]
     guard = None
     view: Carrier = carrier
     if arm in CONTACT_RULES:
@@ -220,7 +220,7 @@ def _strokes(cell: CellParameters) -> list[Floats]:
     return found
 
 
-def hazards(trace: Trace) -> dict[str, Flags]:
+def hazards(trace: EpisodeTrace) -> dict[str, Flags]:
     """The rows with each hazard: the arm touches the person, or the box is jammed."""
     return {
         "collision": trace.columns["pressed"] > _TOUCHED,
@@ -228,7 +228,7 @@ def hazards(trace: Trace) -> dict[str, Flags]:
     }
 
 
-def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasures:
+def _measured(cell: _Cell, found: CellParameters, trace: EpisodeTrace) -> ContactMeasures:
     present = hazards(trace)
     force, pressed = trace.columns["force"], trace.columns["pressed"]
     wiped = float(trace.columns["wiped"][-1])
@@ -269,7 +269,7 @@ def _exemptions(guard: InProcessGuard | None) -> int:
 
 
 def _reactions(
-    trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
+    trace: EpisodeTrace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
     """Return the times from the start of each hazard to the first action after it. All rules
     concern contact.

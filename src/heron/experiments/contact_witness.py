@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from heron.experiments.bystander import Bystander
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.experiments.wiping import Stains
 from heron.robot import Arm
 from heron.robot.imperfection import LowPass
@@ -69,7 +69,7 @@ class ContactWitness:
             )
         )
 
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """All measured values."""
         times, *columns = np.array(self._rows).T
-        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
+        return EpisodeTrace(times, dict(zip(_COLUMNS, columns, strict=True)))

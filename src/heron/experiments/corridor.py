@@ -11,14 +11,14 @@ import numpy as np
 
 from ezskiros.engine.events import Event
 from heron.experiments.arms import CORRIDOR_RULES, machine_of
-from heron.experiments.child import Child, Dash, varied
+from heron.experiments.child import Dash, WalkingChild, varied
 from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import FAR, SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import SimulatedNode, run
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import Base
 from heron.scene import CHILD, BaseParameters, CorridorParameters, build_corridor
@@ -78,7 +78,7 @@ class CorridorEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -89,7 +89,7 @@ class _Robot:
     task: SkillTask
     guard: InProcessGuard | None
     witness: NearnessWitness
-    nodes: list[Node]
+    nodes: list[SimulatedNode]
 
 
 def run_corridor(
@@ -136,7 +136,7 @@ def _assembled(
     physics.settle(_SETTLING_STEPS)
     carrier = InProcess()
     half = base.chassis_half[0]
-    child = Child(physics, corridor, CHILD, dash, lambda: float(physics.position[0]) + half)
+    child = WalkingChild(physics, corridor, CHILD, dash, lambda: float(physics.position[0]) + half)
     nodes = [child, *base_nodes(physics, carrier, base, generators)]
     guard = None
     view: Carrier = carrier
@@ -159,12 +159,12 @@ def _assembled(
     return _Robot(physics, task, guard, witness, nodes)
 
 
-def hazards(trace: Trace) -> dict[str, Flags]:
+def hazards(trace: EpisodeTrace) -> dict[str, Flags]:
     """The instants with each hazard: a child is in the corridor."""
     return {"child": trace.columns["is_there"] > 0}
 
 
-def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasures:
+def _measured(robot: _Robot, dash: Dash | None, trace: EpisodeTrace) -> CorridorMeasures:
     distance, speed = trace.columns["distance"], trace.columns["speed"]
     present = hazards(trace)
     is_moving = speed > _STANDS
@@ -187,7 +187,7 @@ def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasure
 
 
 def _reactions(
-    guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
+    guard: InProcessGuard | None, trace: EpisodeTrace, present: Mapping[str, Flags]
 ) -> dict[str, float]:
     """The time from the appearance of the child to the first action of the rule that stops the
     base.

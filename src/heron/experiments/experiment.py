@@ -12,7 +12,7 @@ from ezskiros.engine.events import Event
 from heron.appearance import Camera
 from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.tasks import TaskStatus, TreeSkill
 from heron.variants import ARMS, VARIANTS, Arm
 
@@ -83,7 +83,7 @@ class Episode(Protocol):
         """The events of the skills, with their instants (s)."""
 
     @property
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """The ground truth of the episode."""
 
 

@@ -15,9 +15,9 @@ from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, prolonged, reactions, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
-from heron.experiments.runner import Node
+from heron.experiments.runner import SimulatedNode
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.experiments.visitor import Visitor, Walk, varied
 from heron.guard import ArmCollisionMonitor, Guard, InProcessGuard
 from heron.robot import (
@@ -85,7 +85,7 @@ class HumanEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -140,7 +140,7 @@ def _assembled(
     scan = RangeScan(robot, carrier, generator, RangeScanParameters())
     guard: Guard | None = None
     operator: ArmOperator | None = None
-    nodes: list[Node] = [visitor, scan, controller]
+    nodes: list[SimulatedNode] = [visitor, scan, controller]
     if arm in HUMAN_RULES:
         guard = InProcessGuard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
         operator = ArmOperator(guard, lambda: None, settings.operator_delay)
@@ -167,7 +167,7 @@ def stations(room: RoomParameters, arm: ArmParameters) -> dict[str, Floats]:
     }
 
 
-def hazards(trace: Trace) -> dict[str, Flags]:
+def hazards(trace: EpisodeTrace) -> dict[str, Flags]:
     """The times at which each hazard is present: a person in the room, a person close by."""
     return {
         "entered": trace.columns["is_inside"] > 0,
@@ -175,7 +175,7 @@ def hazards(trace: Trace) -> dict[str, Flags]:
     }
 
 
-def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
+def _measured(cell: _Cell, trace: EpisodeTrace) -> HumanMeasures:
     distance, is_led = trace.columns["distance"], trace.columns["is_led"] > 0
     speed = np.where(prolonged(is_led, _SWINGS_ON), 0.0, trace.columns["speed"])
     closeness = np.clip(1.0 - distance / _CLOSE, 0.0, 1.0)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.guard import Occurrence
 from heron.robot.physics import Floats
 from heron.scene import BaseParameters, Course
@@ -49,7 +49,7 @@ class NavigationMeasures:
     time_restricted_without_need: float
 
 
-def peaks(trace: Trace, is_on_bump: Flags) -> dict[str, float]:
+def peaks(trace: EpisodeTrace, is_on_bump: Flags) -> dict[str, float]:
     """The greatest acceleration of each axle on the bump, if there is one, and elsewhere; on
     whichever side.
     """
@@ -86,7 +86,7 @@ def _low_pass() -> Floats:
 # --- hazards ---------------------------------------------------------------------------------
 
 
-def hazards(trace: Trace, course: Course, base: BaseParameters) -> dict[str, Flags]:
+def hazards(trace: EpisodeTrace, course: Course, base: BaseParameters) -> dict[str, Flags]:
     """The times at which each hazard is present: an axle on the bump, a slope under the base."""
     tilt = np.abs(trace.columns["pitch"])
     return {
@@ -96,7 +96,7 @@ def hazards(trace: Trace, course: Course, base: BaseParameters) -> dict[str, Fla
     }
 
 
-def _on_bump(trace: Trace, course: Course, base: BaseParameters) -> Flags:
+def _on_bump(trace: EpisodeTrace, course: Course, base: BaseParameters) -> Flags:
     """Return True from the front axle's first contact with the bump until the rear axle has left
     it.
     """
@@ -119,7 +119,7 @@ def _reach(course: Course, base: BaseParameters) -> float:
 
 
 def reactions(
-    trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
+    trace: EpisodeTrace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
     """The time from the start of each hazard to the first action of a rule with the hazard's name
     in its own name.
@@ -137,7 +137,7 @@ def reactions(
     return found
 
 
-def onsets(trace: Trace, present: Mapping[str, Flags]) -> dict[str, float]:
+def onsets(trace: EpisodeTrace, present: Mapping[str, Flags]) -> dict[str, float]:
     """The instant (s) at which each hazard began, of those that there were."""
     return {
         hazard: float(trace.times[flags][0]) for hazard, flags in present.items() if flags.any()
@@ -149,7 +149,7 @@ def time_of(flags: Flags) -> float:
     return float(np.count_nonzero(flags)) * STEP_NS * 1e-9
 
 
-def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
+def without_need(trace: EpisodeTrace, present: Mapping[str, Flags]) -> Flags:
     """The times at which commands were restricted although no hazard was present or had just
     ended.
     """

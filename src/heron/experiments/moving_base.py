@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 
 from heron.experiments.episode import acting
-from heron.experiments.runner import Node
-from heron.experiments.trace import Trace
+from heron.experiments.runner import SimulatedNode
+from heron.experiments.trace import EpisodeTrace
 from heron.guard import InProcessGuard
 from heron.robot import (
     Base,
@@ -38,7 +38,7 @@ def base_nodes(
     carrier: Carrier,
     base: BaseParameters,
     generators: Mapping[str, np.random.Generator],
-) -> list[Node]:
+) -> list[SimulatedNode]:
     """The sensors of a base, and its drive."""
     return [
         WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
@@ -82,11 +82,11 @@ class NearnessWitness:
         is_there, is_acting = self._is_there(), self._is_acting()
         self._rows.append((now_ns * 1e-9, x, y, speed, self._distance, is_there, is_acting))
 
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """All measured values."""
         names = ("x", "y", "speed", "distance", self._name, "is_restricted")
         times, *columns = np.array(self._rows).T
-        return Trace(times, dict(zip(names, columns, strict=True)))
+        return EpisodeTrace(times, dict(zip(names, columns, strict=True)))
 
     def _measured(self) -> float:
         model, data = self._physics.model, self._physics.data

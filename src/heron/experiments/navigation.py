@@ -23,9 +23,9 @@ from heron.experiments.measures import (
 from heron.experiments.moving_base import base_nodes
 from heron.experiments.observer import Observer, attended
 from heron.experiments.picking import Standing, pick_up
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import SimulatedNode, run
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import BaseWitness, Trace
+from heron.experiments.trace import BaseWitness, EpisodeTrace
 from heron.guard import BaseCollisionMonitor, Guard, InProcessLink, Link, unfiltered
 from heron.robot import Base, Imu, ImuParameters
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
@@ -53,7 +53,7 @@ class NavigationEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -67,7 +67,7 @@ class _Robot:
     guard: Guard | None
     operator: BaseOperator | None
     witness: BaseWitness
-    nodes: list[Node]
+    nodes: list[SimulatedNode]
 
     def standing(self) -> Standing:
         """The second part of the experiment, after the base has arrived."""
@@ -137,7 +137,7 @@ def _assembled(
         return physics.now_ns
 
     carrier = link.carrier(clock)
-    nodes: list[Node] = [
+    nodes: list[SimulatedNode] = [
         Imu(physics, carrier, generators["imu"], ImuParameters()),
         *base_nodes(physics, carrier, base, generators),
     ]

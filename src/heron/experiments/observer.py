@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from heron.experiments.runner import Node
+from heron.experiments.runner import SimulatedNode
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess
@@ -16,12 +16,14 @@ class Observer(Protocol):
     episode continues in another scene.
     """
 
-    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:
+    def attend(
+        self, physics: Physics, carrier: InProcess, guard: Guard | None
+    ) -> Sequence[SimulatedNode]:
         """The nodes that have their turn after all others."""
 
 
 def attended(
     observers: Sequence[Observer], physics: Physics, carrier: InProcess, guard: Guard | None
-) -> list[Node]:
+) -> list[SimulatedNode]:
     """The nodes of all observers."""
     return [node for one in observers for node in one.attend(physics, carrier, guard)]

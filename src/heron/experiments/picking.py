@@ -16,7 +16,7 @@ import numpy as np
 
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.observer import Observer, attended
-from heron.experiments.runner import Node, Turns
+from heron.experiments.runner import SimulatedNode, Turns
 from heron.guard import Guard
 from heron.robot import (
     Arm,
@@ -55,7 +55,7 @@ class Standing:
     """
 
     base: Base
-    nodes: Sequence[Node]
+    nodes: Sequence[SimulatedNode]
     guard: Guard | None
     period_ns = STEP_NS
 
@@ -92,7 +92,7 @@ def pick_up(
     joints = JointStates(arm, carrier, generators["joints"], JointStatesParameters())
     task.go_on(carrier, arm.began_ns)
     looking_on = attended(observers, arm, carrier, standing.guard)
-    nodes: list[Node] = [standing, joints, controller, task, *looking_on]
+    nodes: list[SimulatedNode] = [standing, joints, controller, task, *looking_on]
     ArmCell(arm, task, None, None, nodes).play(LONGEST_S)
     return Picked(bool(arm.block[2] > block[2] + _LIFTED), arm.now_ns * 1e-9)
 

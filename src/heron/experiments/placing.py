@@ -17,9 +17,9 @@ from heron.experiments.arms import PLACING_RULES, machine_of
 from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, reactions, time_of
 from heron.experiments.observer import Observer, attended
-from heron.experiments.runner import Node
+from heron.experiments.runner import SimulatedNode
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.trace import ArmWitness, Trace
+from heron.experiments.trace import ArmWitness, EpisodeTrace
 from heron.goals import ARM
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import (
@@ -85,7 +85,7 @@ class PlacingEpisode:
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
-    trace: Trace
+    trace: EpisodeTrace
 
 
 @dataclass
@@ -156,7 +156,7 @@ def _assembled(
     carrier = InProcess()
     places = _places(robot.grasp, table.believed_height + built.block_half)
     controller = ArmController(robot, carrier, places, ArmControllerParameters())
-    nodes: list[Node] = [
+    nodes: list[SimulatedNode] = [
         ForceTorque(robot, carrier, generators["force"], ForceTorqueParameters()),
         JointStates(robot, carrier, generators["joints"], JointStatesParameters()),
         controller,
@@ -207,7 +207,9 @@ def _remapped(guard: InProcessGuard) -> dict[str, str]:
     return {ARM: unfiltered(ARM)} if ARM in guard.servers else {}
 
 
-def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters) -> PlacingMeasures:
+def _measured(
+    cell: _Cell, trace: EpisodeTrace, variant: Table, table: TableParameters
+) -> PlacingMeasures:
     force = np.abs(trace.columns["force"])
     is_acting = trace.columns["is_restricted"] > 0
     present = _hazards(trace, table)
@@ -226,7 +228,7 @@ def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters)
     )
 
 
-def _hazards(trace: Trace, table: TableParameters) -> dict[str, Flags]:
+def _hazards(trace: EpisodeTrace, table: TableParameters) -> dict[str, Flags]:
     """The rows with each hazard: a table that is touched too early, a torque above its limit."""
     is_touching = np.abs(trace.columns["force"]) > _TOUCH
     return {

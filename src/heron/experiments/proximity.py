@@ -10,7 +10,7 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 
-from heron.experiments.trace import Trace
+from heron.experiments.trace import EpisodeTrace
 from heron.experiments.visitor import Visitor
 from heron.robot import Arm
 from heron.scene import RoomParameters
@@ -68,10 +68,10 @@ class ProximityWitness:
             )
         )
 
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """All measured values."""
         times, *columns = np.array(self._rows).T
-        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
+        return EpisodeTrace(times, dict(zip(_COLUMNS, columns, strict=True)))
 
     def _measured(self) -> float:
         model, data = self._arm.model, self._arm.data

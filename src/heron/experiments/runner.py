@@ -8,7 +8,7 @@ from typing import Protocol, runtime_checkable
 from heron.robot.physics import Physics
 
 
-class Node(Protocol):
+class SimulatedNode(Protocol):
     """Something that has its turn again and again; `period_ns` is a multiple of the step."""
 
     @property
@@ -31,7 +31,7 @@ class Turns:
     nodes.
     """
 
-    def __init__(self, physics: Physics, nodes: Sequence[Node]) -> None:
+    def __init__(self, physics: Physics, nodes: Sequence[SimulatedNode]) -> None:
         self._physics = physics
         self._turns = [
             (node.tick, node.period_ns, node if isinstance(node, Waiting) else None)
@@ -48,7 +48,7 @@ class Turns:
 
 
 def run(
-    physics: Physics, nodes: Sequence[Node], until_ns: int, is_over: Callable[[], bool]
+    physics: Physics, nodes: Sequence[SimulatedNode], until_ns: int, is_over: Callable[[], bool]
 ) -> None:
     """Let time pass."""
     step = Turns(physics, nodes).step

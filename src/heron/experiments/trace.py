@@ -18,7 +18,7 @@ _COLUMNS = ("x", "y", "pitch", "torque", "is_restricted")
 
 
 @dataclass(frozen=True)
-class Trace:
+class EpisodeTrace:
     """One row for each step: instants (s), columns, and of the base the acceleration of each axle
     (m/s^2).
     """
@@ -50,13 +50,13 @@ class BaseWitness:
         self._rows.append((now_ns * 1e-9, x, y, pitch, physics.torque, is_restricted))
         self._axles.append(np.concatenate(self._sensors))
 
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """All recorded rows."""
         rows = np.array(self._rows)
         axles = np.array(self._axles).reshape(len(rows), len(AXLES), len(SIDES), 3)
         columns = {name: rows[:, index + 1] for index, name in enumerate(_COLUMNS)}
         columns["distance"] = _travelled(rows[:, 0], columns["x"], columns["y"])
-        return Trace(
+        return EpisodeTrace(
             rows[:, 0], columns, {name: axles[:, index] for index, name in enumerate(AXLES)}
         )
 
@@ -91,8 +91,8 @@ class ArmWitness:
         height = float(self._arm.grasp[2])
         self._rows.append((now_ns * 1e-9, float(force[2]), effort, height, self._is_acting()))
 
-    def trace(self) -> Trace:
+    def trace(self) -> EpisodeTrace:
         """All recorded values."""
         times, force, effort, height, is_acting = np.array(self._rows).T
         columns = {"force": force, "effort": effort, "height": height, "is_restricted": is_acting}
-        return Trace(times, columns)
+        return EpisodeTrace(times, columns)

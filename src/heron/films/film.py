@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from heron.appearance import Camera, Canvas, Moment, Pixels, Size, Stage, moment_of
-from heron.experiments import Node
+from heron.appearance import Camera, Canvas, Pixels, Size, Stage, VisibleState, moment_of
+from heron.experiments import SimulatedNode
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess
@@ -23,7 +23,7 @@ class _Reel(NamedTuple):
     """The moments of one scene."""
 
     spec: Any
-    moments: list[Moment]
+    moments: list[VisibleState]
 
 
 class Film:
@@ -38,11 +38,16 @@ class Film:
         """Continue in another scene."""
         self._reels.append(_Reel(spec, []))
 
-    def keep(self, moment: Moment) -> None:
+    def keep(self, moment: VisibleState) -> None:
         """Append a moment."""
         self._reels[-1].moments.append(moment)
 
-    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
+    def attend(
+        self,
+        physics: Physics,
+        carrier: InProcess,  # noqa: ARG002
+        guard: Guard | None,  # noqa: ARG002
+    ) -> Sequence[SimulatedNode]:
         """Look on."""
         self._physics = physics
         self.begin(physics.spec)
@@ -79,7 +84,9 @@ class Film:
         return len(self._reels) - 1, -1
 
 
-def _drawn(stage: Stage, moments: Sequence[Moment], camera: Camera, size: Size) -> Iterator[Pixels]:
+def _drawn(
+    stage: Stage, moments: Sequence[VisibleState], camera: Camera, size: Size
+) -> Iterator[Pixels]:
     """One picture for each moment. A picture without motion is drawn once."""
     width, height = size
     with closing(Canvas(stage, camera, size)) as canvas:

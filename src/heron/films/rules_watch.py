@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from heron.experiments import Node
+from heron.experiments import SimulatedNode
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess
@@ -25,7 +25,12 @@ class RulesWatch:
         self._now_ns = 0
         self._spans: Spans = {}
 
-    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
+    def attend(
+        self,
+        physics: Physics,
+        carrier: InProcess,  # noqa: ARG002
+        guard: Guard | None,
+    ) -> Sequence[SimulatedNode]:
         """Look on, if there is something to be seen."""
         self._physics, self._guard = physics, guard
         return [] if guard is None else [self]

@@ -13,7 +13,7 @@ from heron import messages
 from heron.goals import Goal
 from heron.guard.relay import Relay
 from heron.messages import Message
-from heron.topics import Carrier, Parameter, Topic
+from heron.topics import Carrier, NodeParameter, Topic
 from heron.topics import Publish as Publisher
 from rossmarie.guard import CommandFilter
 from rossmarie.ir import Machine
@@ -124,7 +124,7 @@ class Repeated:
 class TemporaryParameter:
     """A parameter with a temporary value while a task holds it."""
 
-    parameter: Callable[[], Parameter]
+    parameter: Callable[[], NodeParameter]
     value: float
     report: Report
     due_ns: int = NEVER

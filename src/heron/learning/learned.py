@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from heron.learning.policy import POLICY, load_policy, require_small
-from heron.learning.runs import Run
+from heron.learning.runs import TrainingRun
 from heron.learning.tree import NUMBERS, RANGES, InsertionTree
 from heron.variants import Formulation
 
@@ -29,7 +29,7 @@ class Learned:
     begin: Callable[[], Act]
 
 
-def learned(folder: Path, run: Run) -> Act:
+def learned(folder: Path, run: TrainingRun) -> Act:
     """The policy of a training, or its tree, from its files in the folder of all trainings. Raises
     `OSError`, and `ValueError` if a file holds something else.
     """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from heron.appearance import Camera, Canvas, Moment, Pixels, Size, Stage
+from heron.appearance import Camera, Canvas, Pixels, Size, Stage, VisibleState
 from heron.learning.insertion import Insertion
 from heron.scene.insertion import build_insertion
 from heron.scene.person import STRIDE, stance
@@ -13,12 +13,12 @@ CAMERA = Camera("table", distance=2.4, azimuth=102.0, elevation=-25.0, above=0.6
 _WAY = 2 * STRIDE  # m that legs show: a person who stands next to the cell has closed legs
 
 
-def moment(insertion: Insertion) -> Moment:
+def moment(insertion: Insertion) -> VisibleState:
     """The visible scene, with the person, who is not part of the physics."""
     data, scene = insertion.arm.data, insertion.task.scene
     place, facing, share = insertion.person
     limbs, _ = stance(scene.person, place, facing, share * _WAY)
-    return Moment(
+    return VisibleState(
         data.qpos.copy(),
         np.array([limb.place for limb in limbs]),
         np.array([limb.turn for limb in limbs]),

@@ -21,7 +21,7 @@ ENVIRONMENTS: Mapping[Formulation, str] = {
 
 
 @dataclass(frozen=True)
-class Run:
+class TrainingRun:
     """One training; `budget` is the number of steps that its environments take together."""
 
     formulation: Formulation
@@ -42,10 +42,12 @@ class Run:
         return self.key.replace("/", "-")
 
 
-def run_of(key: str) -> Run:
+def run_of(key: str) -> TrainingRun:
     """The training of a key."""
     formulation, algorithm, arm, budget, seed = key.split("/")
-    return Run(Formulation(formulation), algorithm, LearningArm(arm), int(budget), int(seed))
+    return TrainingRun(
+        Formulation(formulation), algorithm, LearningArm(arm), int(budget), int(seed)
+    )
 
 
 def runs_of(
@@ -54,12 +56,12 @@ def runs_of(
     arms: Iterable[LearningArm],
     budget: int,
     seeds: int,
-) -> Iterator[Run]:
+) -> Iterator[TrainingRun]:
     """Seed by seed, so that whatever is done first has all arms."""
     kinds = [(algorithm, arm) for algorithm in algorithms for arm in arms]
     for seed in range(seeds):
         for algorithm, arm in kinds:
-            yield Run(formulation, algorithm, arm, budget, seed)
+            yield TrainingRun(formulation, algorithm, arm, budget, seed)
 
 
 def environment(formulation: Formulation, arm: LearningArm) -> gymnasium.Env[Any, Any]:

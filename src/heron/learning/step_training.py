@@ -11,7 +11,7 @@ import numpy as np
 
 from heron.learning.episodes import Episode, Tally, episode
 from heron.learning.policy import POLICY, scaled
-from heron.learning.runs import Run, environment
+from heron.learning.runs import TrainingRun, environment
 from heron.learning.step_learners import SkrlLearner
 from heron.variants import LearningArm
 
@@ -22,7 +22,7 @@ COUNT = 32
 class StepTraining:
     """The environments of a training, and its learner."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: TrainingRun) -> None:
         self._run = run
         self._envs = [environment(run.formulation, run.arm) for _ in range(COUNT)]
         one: Any = self._envs[0]

@@ -9,7 +9,7 @@ from itertools import accumulate
 from dslkit.campaign import Value
 from heron.learning.episodes import Episode
 from heron.learning.insertion import VIOLATIONS
-from heron.learning.runs import Run
+from heron.learning.runs import TrainingRun
 from heron.variants import LEAST_BUDGETS, Formulation, LearningArm
 
 BINS = 15
@@ -37,7 +37,7 @@ def intervened(episodes: Sequence[Episode]) -> float:
 
 
 def row_of(
-    run: Run, episodes: Sequence[Episode], finals: Mapping[LearningArm, Sequence[Episode]]
+    run: TrainingRun, episodes: Sequence[Episode], finals: Mapping[LearningArm, Sequence[Episode]]
 ) -> Value:
     """The row of a training, by names of measures; not known is None."""
     early, late = (_part(episodes, run.budget, place, 4) for place in (0, 3))

@@ -13,7 +13,7 @@ import gymnasium
 from dslkit.campaign import Value
 from dslkit.writing import write_whole
 from heron.learning.episodes import Episode, EpisodeLog
-from heron.learning.runs import Run, environment, run_of
+from heron.learning.runs import TrainingRun, environment, run_of
 from heron.learning.summary import row_of
 from heron.variants import Formulation, LearningArm
 
@@ -73,7 +73,7 @@ def train(folder: Path, key: str) -> Value:
     return row_of(run, log.episodes, _finals(run, training))
 
 
-def _new(run: Run) -> Training:
+def _new(run: TrainingRun) -> Training:
     """Each learner imports its own library, because one library may be enough."""
     if run.formulation is Formulation.TREE:
         from heron.learning.tree_training import TreeTraining
@@ -84,7 +84,7 @@ def _new(run: Run) -> Training:
     return StepTraining(run)
 
 
-def _finals(run: Run, training: Training) -> Mapping[LearningArm, list[Episode]]:
+def _finals(run: TrainingRun, training: Training) -> Mapping[LearningArm, list[Episode]]:
     found = {}
     for arm in (LearningArm.GUARD, LearningArm.UNGUARDED):
         env = environment(run.formulation, arm)

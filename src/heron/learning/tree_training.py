@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from heron.learning.episodes import Episode, episode
-from heron.learning.runs import Run, environment
+from heron.learning.runs import TrainingRun, environment
 from heron.learning.tree import NUMBERS, RANGES, InsertionTree
 
 _CANDIDATES = 9
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 class TreeTraining:
     """The environment of a training, the tree, and the optimizer of its numbers."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: TrainingRun) -> None:
         """Raises `FaultyError` if the skills have errors."""
         self._run = run
         self._env = environment(run.formulation, run.arm)

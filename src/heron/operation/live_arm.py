@@ -16,7 +16,7 @@ from heron.messages import Message
 from heron.operation.pace import Pace
 from heron.ros1 import Ros1Error
 from heron.ros1.carrier import Ros1Carrier
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.scene.insertion import InsertionParameters
 from heron.topics import Topic
 
@@ -31,7 +31,7 @@ _GUARD = "start the node that is built from insertion.ross"
 class LiveArm:
     """An episode in real time: 125 readings in a second, and after each one the latest commands."""
 
-    def __init__(self, node: Node, seed: int) -> None:
+    def __init__(self, node: Ros1Node, seed: int) -> None:
         """The arm stands where the episode of a seed begins, as in the environment."""
         self._node = node
         self._insertion = _ByReadings(TaskParameters(InsertionParameters()))

@@ -20,7 +20,7 @@ from heron.learning.learned import Act
 from heron.learning.on_topics import PERSON, PLACE, PUSH, VELOCITY
 from heron.messages import Message
 from heron.ros1 import Ros1Error
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.topics import WRENCH, Topic
 
 WANTED_VELOCITY = Topic(unfiltered(VELOCITY.name), VELOCITY.type)
@@ -36,7 +36,7 @@ class LivePolicy:
     readings pause, so does it.
     """
 
-    def __init__(self, node: Node, act: Act) -> None:
+    def __init__(self, node: Ros1Node, act: Act) -> None:
         self._node, self._act = node, act
         self._places: list[Sequence[float]] = []
         self._force: Sequence[float] = ()

@@ -23,7 +23,7 @@ from heron.robot.physics import Floats
 from heron.robot.pressing import Pressing
 from heron.robot.trajectory import Trajectory, duration_of
 from heron.scene.scene import STEP_NS
-from heron.topics import ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Parameter
+from heron.topics import ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, NodeParameter
 
 STIFFNESS = "/arm_controller.stiffness"
 SPEED_SCALE = "/arm_controller.speed_scale"
@@ -103,8 +103,8 @@ class ArmController:
         carrier.subscribe(ARM_STOP, self._stop)
         carrier.subscribe(GRAVITY_FREE, self._loosen)
         carrier.serve(ARM, self)
-        carrier.declare(STIFFNESS, Parameter(lambda: self._admittance.stiffness, self._soften))
-        carrier.declare(SPEED_SCALE, Parameter(lambda: self._scale, self.scale_speed))
+        carrier.declare(STIFFNESS, NodeParameter(lambda: self._admittance.stiffness, self._soften))
+        carrier.declare(SPEED_SCALE, NodeParameter(lambda: self._scale, self.scale_speed))
 
     # --- goals -------------------------------------------------------------------------------
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from heron.messages import Message
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.topics import InProcess, Publish, Topic
 
 
 class Ros1Carrier(InProcess):
     """`announce` is called before a message goes out into ROS."""
 
-    def __init__(self, node: Node, announce: Callable[[], None]) -> None:
+    def __init__(self, node: Ros1Node, announce: Callable[[], None]) -> None:
         super().__init__()
         self._node = node
         self._announce = announce

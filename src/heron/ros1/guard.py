@@ -7,7 +7,7 @@ from functools import partial
 
 from heron.guard import Occurrence, unfiltered, waiting
 from heron.messages import Message
-from heron.ros1.node import Node, Service, text
+from heron.ros1.node import Ros1Node, Service, text
 from heron.topics import InProcess, Topic
 from rossmarie.ir import Machine, TaskCommandKind
 from rossmarie.ir.reactions import Publish
@@ -23,7 +23,7 @@ class Ros1Guard:
     period_ns = 1_000_000_000
 
     def __init__(
-        self, machine: Machine, node: Node, carrier: InProcess, announce: Callable[[], None]
+        self, machine: Machine, node: Ros1Node, carrier: InProcess, announce: Callable[[], None]
     ) -> None:
         self._machine, self._node, self._announce = machine, node, announce
         self._name = name_of(machine)

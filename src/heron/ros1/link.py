@@ -14,7 +14,7 @@ from heron.ros1.carrier import Ros1Carrier
 from heron.ros1.errors import Ros1Error
 from heron.ros1.guard import Ros1Guard, name_of
 from heron.ros1.lockstep import Lockstep
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.scene.scene import STEP_NS
 from heron.topics import InProcess, Topic
 from rossmarie.ir import Machine
@@ -35,7 +35,7 @@ class Ros1Link:
 
     def __init__(self, master: str, host: str) -> None:
         """Raises `Ros1Error` if there is no master."""
-        self._node = Node("/heron", master, host)
+        self._node = Ros1Node("/heron", master, host)
         self._clock: Callable[[], int] = lambda: 0
         self._said_ns = -1
         self._machine: Machine | None = None

@@ -9,7 +9,7 @@ receives /clock serves loggers; the thread of the node serves everything else.
 
 from __future__ import annotations
 
-from heron.ros1.node import Node, text
+from heron.ros1.node import Ros1Node, text
 
 _CALLS_TO_HEAR = 2
 _CALLS_TO_ANSWER = 5  # to hear, to let time pass, and to say what follows
@@ -19,7 +19,7 @@ _NOTHING_NEW = text("ros.heron") + text("info")  # of an unused logger
 class Lockstep:
     """With a node that was generated for rules, by its name. Raises `Ros1Error` when it is gone."""
 
-    def __init__(self, node: Node, name: str) -> None:
+    def __init__(self, node: Ros1Node, name: str) -> None:
         self._time = node.service(f"{name}/set_logger_level")
         self._rest = node.service(f"{name}/why")
 

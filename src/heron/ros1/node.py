@@ -52,7 +52,7 @@ class _Heard:
     connections: dict[str, tuple[Connection, str]] = field(default_factory=dict)
 
 
-class Node:
+class Ros1Node:
     """`host` is the address by which others reach this machine. To be closed."""
 
     def __init__(self, name: str, master: str, host: str) -> None:

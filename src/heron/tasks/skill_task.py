@@ -14,7 +14,7 @@ from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.interruption import InterruptibleTask, NoWayError, Way
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import RunningSkills
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.learning.lessons import Cost
 from ezskiros.planning.replanning import way
 from ezskiros.runner import prepare
@@ -113,7 +113,7 @@ class SkillTask:
         finally:
             CARRIER.reset(token)
 
-    def _note(self, root: RunningSkill) -> None:
+    def _note(self, root: SkillChild) -> None:
         self._trees.append(Begun(root, len(self._events)))
 
     def _way(self, call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:

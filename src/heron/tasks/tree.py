@@ -10,7 +10,7 @@ from typing import NamedTuple
 from py_trees.behaviour import Behaviour
 
 from ezskiros.engine.events import Event, Happened
-from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.skill import SkillChild
 from ezskiros.skills.calls import SkillCall
 from ezskiros.trees.tree import ThingReference, ValueReference
 
@@ -45,7 +45,7 @@ class TreeSkill:
 class Begun:
     """A tree that has begun, by its root, after so many events of all trees."""
 
-    root: RunningSkill
+    root: SkillChild
     after: int
 
 
@@ -89,9 +89,9 @@ def running_of(tree: Sequence[TreeSkill], over: float) -> list[tuple[str, float,
     ]
 
 
-def _skills(node: Behaviour) -> Iterator[RunningSkill]:
+def _skills(node: Behaviour) -> Iterator[SkillChild]:
     """A skill and the skills below it. Processors in between have no name."""
-    if isinstance(node, RunningSkill):
+    if isinstance(node, SkillChild):
         yield node
         below = [] if node.tree is None else [node.tree]
     else:
@@ -109,7 +109,7 @@ def _note(spans: list[Span], at_s: float, happened: Happened) -> None:
         spans.append(Span(start, at_s, _ENDS[happened]))
 
 
-def _label(skill: RunningSkill) -> str:
+def _label(skill: SkillChild) -> str:
     """`Reach(above)`: the name of the skill, and its arguments in its tree."""
     name = skill.name.partition("#")[0]
     arguments = [] if skill.above is None else list(_arguments(skill.call))

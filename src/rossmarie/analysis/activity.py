@@ -8,7 +8,7 @@ import z3
 
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import NO
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.ir import Machine
 
 
@@ -47,7 +47,7 @@ def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
     )
 
 
-def seen_together(trace: Trace, one: int, other: int) -> z3.BoolRef:
+def seen_together(trace: SymbolicTrace, one: int, other: int) -> z3.BoolRef:
     """Say whether two rules are active at one moment of a trace."""
     return z3.Or(
         [

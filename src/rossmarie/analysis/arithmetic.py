@@ -15,8 +15,8 @@ from fractions import Fraction
 import z3
 
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.terms import Number, constant
-from rossmarie.core import AnyFunction, Row, defined, row
+from rossmarie.analysis.terms import NumberTerm, constant
+from rossmarie.core import AnyFunction, FunctionRow, defined, row
 from rossmarie.core.expressions import Operand, Primitive
 
 _LARGEST = constant(sys.float_info.max)
@@ -26,11 +26,11 @@ _ABSOLUTE = Fraction(1, 2**200)
 
 def apply(
     function: AnyFunction,
-    operands: Sequence[Number],
+    operands: Sequence[NumberTerm],
     facts: list[z3.BoolRef],
     *,
     rounded: bool,
-) -> Number:
+) -> NumberTerm:
     """The result of a function. Facts about the result are added to `facts`.
 
     With `rounded`, the result covers all values that doubles can give; otherwise arithmetic is
@@ -42,13 +42,15 @@ def apply(
     if declared.bounds is not None:
         # An orientation of zeros, and squares that are too large, give no result.
         known = z3.And(known, z3.FreshBool("finite")) if rounded else known
-        return Number(known, _bounded(declared, values, facts))
+        return NumberTerm(known, _bounded(declared, values, facts))
     arithmetic = _Arithmetic(facts, rounded=rounded)
     value = Formulas(values, arithmetic.operate).term(defined(function, len(values)))
-    return Number(z3.And(known, *arithmetic.needs), value)
+    return NumberTerm(z3.And(known, *arithmetic.needs), value)
 
 
-def _bounded(declared: Row, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]) -> z3.ArithRef:
+def _bounded(
+    declared: FunctionRow, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]
+) -> z3.ArithRef:
     """A free number for the result of a function that the solver cannot compute."""
     assert declared.bounds is not None, "asked before"
     result = z3.FreshReal("number")

@@ -11,7 +11,7 @@ from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import Chattering
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine
 from rossmarie.ir.duration_text import duration_text
@@ -56,7 +56,7 @@ def _is_simple(machine: Machine, release: int) -> bool:
     return machine.propositions[release].text == "true"
 
 
-def _alternates(trace: Trace, rule: int) -> z3.BoolRef:
+def _alternates(trace: SymbolicTrace, rule: int) -> z3.BoolRef:
     """The condition at the first message of each leg: true, false, true, false or the opposite."""
     condition = trace.asked.machine.rules[rule].condition
     firsts = [moment.proposition(condition) for moment in trace.moments[::2]]

@@ -14,7 +14,7 @@ import z3
 
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import YES, Number, constant, constants_in, within
+from rossmarie.analysis.terms import YES, NumberTerm, constant, constants_in, within
 from rossmarie.ir.carried import si_ends
 
 Ends = tuple[float, float]
@@ -46,7 +46,7 @@ class ClosedState(ArbitraryState):
         super().__init__(asked)
         self._published = published
 
-    def slot(self, index: int) -> Number:
+    def slot(self, index: int) -> NumberTerm:
         """The number in a slot of a message, which comes from a rule or from outside."""
         is_new = index not in self._slots
         number = super().slot(index)
@@ -57,7 +57,7 @@ class ClosedState(ArbitraryState):
         return number
 
     def _carried(
-        self, index: int, channel: int, number: Number, fresh: z3.BoolRef
+        self, index: int, channel: int, number: NumberTerm, fresh: z3.BoolRef
     ) -> Iterator[z3.BoolRef]:
         """Facts: a slot belongs to the message that arrived last, and this message is the same for
         all slots.

@@ -34,10 +34,10 @@ from rossmarie.ir import (
     Constant,
     Count,
     Element,
+    FieldKind,
     Flag,
     Fold,
     Held,
-    Kind,
     Literal,
     Machine,
     Not,
@@ -202,7 +202,7 @@ def _is_free(machine: Machine, proposition: int) -> bool:
     if len(others) != 1 or not isinstance(others[0], Read):
         return False
     slot = machine.slots[others[0].slot]
-    return (slot.kind is Kind.REAL and slot.limits is None) or len(nodes) == 1
+    return (slot.kind is FieldKind.REAL and slot.limits is None) or len(nodes) == 1
 
 
 def _joins_apart(inquiry: Inquiry, proposition: int, varied: set[int]) -> bool:

@@ -13,7 +13,7 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.terms import number_of
-from rossmarie.analysis.trace import Leg, Moment, Trace
+from rossmarie.analysis.trace import Leg, LegMoment, SymbolicTrace
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.carried import raw_of
@@ -68,7 +68,7 @@ class Draft:
         return replace(self, legs=(*self.legs[:leg], *put, *self.legs[leg + 1 :]))
 
 
-def drafted(trace: Trace, model: z3.ModelRef, *, is_calm: bool) -> Draft:
+def drafted(trace: SymbolicTrace, model: z3.ModelRef, *, is_calm: bool) -> Draft:
     """Read a model of a trace."""
     machine = trace.asked.machine
     legs = []
@@ -93,7 +93,7 @@ def _is_true(model: z3.ModelRef, term: z3.BoolRef) -> bool:
 def _values(
     machine: Machine,
     leg: Leg,
-    moments: Sequence[Moment],
+    moments: Sequence[LegMoment],
     sending: Sequence[int],
     model: z3.ModelRef,
 ) -> Iterator[tuple[Knob, float]]:

@@ -23,7 +23,7 @@ from rossmarie.analysis.terms import (
     NO,
     YES,
     Fact,
-    Number,
+    NumberTerm,
     conjunction,
     constant,
     disjunction,
@@ -39,7 +39,7 @@ class Cell:
 
     array: int
     is_there: z3.BoolRef
-    number: Number
+    number: NumberTerm
 
 
 class Questioned:
@@ -101,7 +101,7 @@ class Encoding(ABC):
         self.asked = asked
         self.machine = asked.machine
         self.facts: list[z3.BoolRef] = []
-        self._signals: dict[int, Number] = {}
+        self._signals: dict[int, NumberTerm] = {}
         self._propositions: dict[int, Fact] = {}
 
     @property
@@ -112,7 +112,7 @@ class Encoding(ABC):
     # --- what lies outside of one evaluation -------------------------------------------------
 
     @abstractmethod
-    def slot(self, index: int) -> Number:
+    def slot(self, index: int) -> NumberTerm:
         """The value of a slot."""
 
     @abstractmethod
@@ -128,11 +128,11 @@ class Encoding(ABC):
         """The age of the last message, in ns."""
 
     @abstractmethod
-    def sampled(self, index: int, node: ir.Sampled) -> Number:
+    def sampled(self, index: int, node: ir.Sampled) -> NumberTerm:
         """S18 to S21, S43, S49, S50: a function of samples."""
 
     @abstractmethod
-    def count(self, node: ir.Count) -> Number:
+    def count(self, node: ir.Count) -> NumberTerm:
         """S24: a count of elements."""
 
     @abstractmethod
@@ -164,16 +164,16 @@ class Encoding(ABC):
 
     # --- signals -----------------------------------------------------------------------------
 
-    def signal(self, index: int) -> Number:
+    def signal(self, index: int) -> NumberTerm:
         """A signal that has one value for the whole machine."""
         if index not in self._signals:
             self._signals[index] = self._signal(index, self.machine.signals[index].node)
         return self._signals[index]
 
-    def _signal(self, index: int, node: ir.SignalNode) -> Number:
+    def _signal(self, index: int, node: ir.SignalNode) -> NumberTerm:
         match node:
             case ir.Constant(value=value):
-                return Number(YES, constant(value))
+                return NumberTerm(YES, constant(value))
             case ir.Read(slot=slot):
                 return self.slot(slot)
             case ir.Apply(function=function, operands=operands):
@@ -190,17 +190,19 @@ class Encoding(ABC):
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
 
-    def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
+    def apply(
+        self, index: int, function: ir.AnyFunction, numbers: Sequence[NumberTerm]
+    ) -> NumberTerm:
         """A function of other signals, or of an element."""
         result = arithmetic.apply(function, numbers, self.facts, rounded=self.rounded)
         support = self.asked.supports.signals[index]
         if self.rounded and (support.arrays or support.samples):
             # An element may be infinite (S8). Results computed from an infinite element are
             # unknown.
-            return Number(z3.And(result.known, z3.FreshBool("finite")), result.value)
+            return NumberTerm(z3.And(result.known, z3.FreshBool("finite")), result.value)
         return result
 
-    def _fold(self, node: ir.Fold) -> Number:
+    def _fold(self, node: ir.Fold) -> NumberTerm:
         array = self.asked.elements.signals[node.element]
         assert array is not None
         cells = self.cells(array)
@@ -218,7 +220,7 @@ class Encoding(ABC):
         is_one = [z3.And(cell.is_there, result == number.value) for cell, number in pairs]
         known = [z3.Implies(cell.is_there, number.known) for cell, number in pairs]
         self.facts.append(z3.Implies(cells[0].is_there, z3.Or(is_one)))
-        return Number(z3.And(self.is_kept(array), cells[0].is_there, *known), result)
+        return NumberTerm(z3.And(self.is_kept(array), cells[0].is_there, *known), result)
 
     # --- propositions
     # ------------------------------------------------------------------------------
@@ -295,7 +297,7 @@ class Encoding(ABC):
             complete = z3.And(complete, z3.FreshBool("complete")) if self.rounded else NO
         return z3.Or(*lacking, complete)
 
-    def _oscillates(self, index: int, node: ir.Oscillates, number: Number) -> Fact:
+    def _oscillates(self, index: int, node: ir.Oscillates, number: NumberTerm) -> Fact:
         if not self.asked.supports.signals[node.signal].channels:
             return literal(False)
         unknown = z3.Not(number.known)
@@ -334,7 +336,7 @@ class Encoding(ABC):
         unknown = z3.Not(z3.Or(true, false))
         return Fact(true, false, z3.And(unknown, self.is_stale(index, node)))
 
-    def _element_signal(self, index: int, cell: Cell) -> Number:
+    def _element_signal(self, index: int, cell: Cell) -> NumberTerm:
         if self.asked.elements.signals[index] is None:
             return self._beside(cell.array, index)
         match self.machine.signals[index].node:
@@ -348,14 +350,14 @@ class Encoding(ABC):
             ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def _beside(self, array: int, signal: int) -> Number:
+    def _beside(self, array: int, signal: int) -> NumberTerm:
         """A number beside elements (S74): any value that the number may have had when the elements
         arrived. A proposed trace of events uses its present value.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)
         name = f"array{array}.beside{signal}"
-        return Number(z3.Bool(f"{name}.known"), z3.Real(f"{name}.value"))
+        return NumberTerm(z3.Bool(f"{name}.known"), z3.Real(f"{name}.value"))
 
     def is_kept(self, array: int) -> z3.BoolRef:
         """Say whether a result over elements is still stored. It is forgotten with the numbers

@@ -22,7 +22,7 @@ from rossmarie.analysis.published import Publication, publications, values_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.terms import constant
-from rossmarie.analysis.trace import Leg, Trace
+from rossmarie.analysis.trace import Leg, SymbolicTrace
 from rossmarie.analysis.witness import Witness
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.duration_text import duration_text
@@ -173,7 +173,9 @@ class Circle:
         order = [*range(start, len(self._rules)), *range(start)]
         self._part.check_time()
         is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
-        trace = Trace(self._part.asked, self._propositions, len(order) + 1 if is_whole else 1)
+        trace = SymbolicTrace(
+            self._part.asked, self._propositions, len(order) + 1 if is_whole else 1
+        )
         predicate = self._follows(trace, order)
         if beginning is not _Beginning.ANY:
             predicate = z3.And(predicate, trace.is_active(start, 1))
@@ -194,7 +196,7 @@ class Circle:
                 return witness
         return None
 
-    def _follows(self, trace: Trace, order: Sequence[int]) -> z3.BoolRef:
+    def _follows(self, trace: SymbolicTrace, order: Sequence[int]) -> z3.BoolRef:
         """The facts that each rule becomes active by the message of the rule before it, and that
         the first rule is inactive before its next turn.
         """
@@ -234,7 +236,7 @@ class Circle:
         return z3.And(found)
 
 
-def _is_each_alone(trace: Trace, order: Sequence[int]) -> z3.BoolRef:
+def _is_each_alone(trace: SymbolicTrace, order: Sequence[int]) -> z3.BoolRef:
     """The fact that at the end of each leg only the rule whose turn it is can be active."""
     ends = range(1, len(trace.moments), 2)
     turns = [order[number % len(order)] for number in range(len(trace.legs))]

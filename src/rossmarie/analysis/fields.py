@@ -30,11 +30,11 @@ def kind_facts(
 ) -> list[z3.BoolRef]:
     """Facts about the numbers that encode flags and texts."""
     match source.kind:
-        case ir.Kind.FLAG:
+        case ir.FieldKind.FLAG:
             return [z3.Or(value == 0, value == 1)]
-        case ir.Kind.TEXT:
+        case ir.FieldKind.TEXT:
             return [z3.Or([value == number for number in range(-1, len(machine.texts))])]
-        case ir.Kind.REAL:
+        case ir.FieldKind.REAL:
             return []
 
 

@@ -12,13 +12,13 @@ from rossmarie.core.expressions import (
     Chosen,
     Computed,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsEqual,
     IsLess,
     IsUnknown,
     Local,
-    Number,
     Operand,
     Primitive,
 )
@@ -36,7 +36,7 @@ class Formulas:
     def term(self, expression: Expression) -> z3.ArithRef:
         """A number. An unknown number can have any value."""
         match expression:
-            case Number(value=value):
+            case ConstantNumber(value=value):
                 return constant(value) if value == value else z3.FreshReal("unknown")
             case Operand(index=index):
                 return self._operands[index]

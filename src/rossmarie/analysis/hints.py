@@ -11,7 +11,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import within
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.core import row
 from rossmarie.core.expressions import Operand
 
@@ -19,7 +19,7 @@ _APART = z3.RealVal("0.001")
 """The least difference between compared numbers, in their common unit, that survives rounding."""
 
 
-def hints(trace: Trace) -> list[list[z3.BoolRef]]:
+def hints(trace: SymbolicTrace) -> list[list[z3.BoolRef]]:
     """Facts that make a proposed trace likely to be confirmed and easy to read, from many to none.
 
     A length or a distance is easy to compute. Compared numbers are apart, because floats are
@@ -46,7 +46,7 @@ def hints(trace: Trace) -> list[list[z3.BoolRef]]:
     ]
 
 
-def _apart(trace: Trace) -> list[z3.BoolRef]:
+def _apart(trace: SymbolicTrace) -> list[z3.BoolRef]:
     """Facts: signals that are compared with one another, not with a constant, are not nearly
     equal.
     """
@@ -67,7 +67,7 @@ def _apart(trace: Trace) -> list[z3.BoolRef]:
     return found
 
 
-def _near(trace: Trace) -> dict[int, tuple[float, float]]:
+def _near(trace: SymbolicTrace) -> dict[int, tuple[float, float]]:
     """The range of numbers around the constants that each signal is compared with."""
     machine = trace.asked.machine
     limits: dict[int, list[float]] = {}
@@ -89,7 +89,7 @@ def _near(trace: Trace) -> dict[int, tuple[float, float]]:
     }
 
 
-def _lengths(trace: Trace) -> set[int]:
+def _lengths(trace: SymbolicTrace) -> set[int]:
     """The requested functions that are easy to compute in some cases: lengths and distances."""
     machine = trace.asked.machine
     waiting = [

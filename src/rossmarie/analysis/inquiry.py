@@ -17,7 +17,7 @@ from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import Predicate, Witness
 from rossmarie.ir import Machine, TruthValue
 
@@ -25,7 +25,7 @@ _MOST_AWAITED = 16
 """The most conditions of `for` in one query that are compared with each other."""
 
 StatePredicate = Callable[[ArbitraryState], z3.BoolRef]
-TracePredicate = Callable[[Trace], z3.BoolRef]
+TracePredicate = Callable[[SymbolicTrace], z3.BoolRef]
 
 
 class OutOfTimeError(Exception):
@@ -45,7 +45,7 @@ class Asked:
 
 
 @dataclass(frozen=True)
-class Result:
+class QueryResult:
     """The answer to a query. If the answer is POSSIBLE, it contains a witness."""
 
     outcome: Satisfiability
@@ -73,18 +73,18 @@ class Inquiry:
         """An inquiry about a proposition, which becomes the last proposition of its machine."""
         return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
-    def decide(self, query: Asked) -> Result:
+    def decide(self, query: Asked) -> QueryResult:
         """Find the answer to a query. The cheapest method comes first."""
         self.check_time()
         state = ArbitraryState(self.asked)
         term = query.in_state(state)
         if ask(state.facts, term).outcome is Satisfiability.IMPOSSIBLE:
-            return Result(Satisfiability.IMPOSSIBLE)
+            return QueryResult(Satisfiability.IMPOSSIBLE)
         witness = self.witness(query, _ATTEMPTS[:1])
         if witness is None and self._is_refuted(state, term):
-            return Result(Satisfiability.IMPOSSIBLE)
+            return QueryResult(Satisfiability.IMPOSSIBLE)
         witness = witness or self.witness(query, _ATTEMPTS[1:])
-        return Result(
+        return QueryResult(
             Satisfiability.UNDECIDED if witness is None else Satisfiability.POSSIBLE, witness
         )
 
@@ -157,13 +157,13 @@ class Inquiry:
         """A witness that the interpreter confirms, preferably one in which all sensors work."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self.check_time()
-            trace = Trace(self.asked, query.propositions, legs)
+            trace = SymbolicTrace(self.asked, query.propositions, legs)
             witness = self._borne_out(trace, query, is_calm)
             if witness is not None:
                 return witness
         return None
 
-    def _borne_out(self, trace: Trace, query: Asked, is_calm: bool) -> Witness | None:
+    def _borne_out(self, trace: SymbolicTrace, query: Asked, is_calm: bool) -> Witness | None:
         """A confirmed witness on a trace, the most readable witness that is found."""
         predicate = query.in_trace(trace)
         wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
@@ -183,7 +183,7 @@ class Inquiry:
     ) -> Witness | None:
         """A witness of single messages, one after another, while all sensors work."""
         self.check_time()
-        trace = Trace(self.asked, propositions, legs, is_brief=True)
+        trace = SymbolicTrace(self.asked, propositions, legs, is_brief=True)
         predicate = in_trace(trace)
         for preferred in hints(trace):
             answer = ask(trace.facts, predicate, *trace.calm, *preferred)
@@ -230,5 +230,5 @@ def is_value(state: ArbitraryState, proposition: int, value: TruthValue) -> z3.B
     return state.proposition(proposition).is_value(value)
 
 
-def _comes_to(trace: Trace, proposition: int, value: TruthValue) -> z3.BoolRef:
+def _comes_to(trace: SymbolicTrace, proposition: int, value: TruthValue) -> z3.BoolRef:
     return z3.Or([moment.proposition(proposition).is_value(value) for moment in trace.moments])

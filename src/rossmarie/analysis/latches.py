@@ -15,10 +15,10 @@ from rossmarie.analysis.activity import becomes_active, may_be_active, propositi
 from rossmarie.analysis.conflict import ordered_pairs
 from rossmarie.analysis.errors import LatchReleased, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry, Result
+from rossmarie.analysis.inquiry import Asked, Inquiry, QueryResult
 from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine, TruthValue
 from rossmarie.ir.reactions import Reset, timeout_ns
@@ -112,10 +112,10 @@ class Release:
         in_the_way = [becomes_active(state, other) for other in self._unless]
         return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.proposition(self._condition).false)
 
-    def _in_trace(self, trace: Trace) -> z3.BoolRef:
+    def _in_trace(self, trace: SymbolicTrace) -> z3.BoolRef:
         return z3.Or([self._at(trace, moment) for moment in range(1, len(trace.moments))])
 
-    def _at(self, trace: Trace, moment: int) -> z3.BoolRef:
+    def _at(self, trace: SymbolicTrace, moment: int) -> z3.BoolRef:
         engaged = partial(_is_engaged, trace, self._unless)
         before = engaged(moment - 1) if self.is_at_once else z3.BoolVal(False)
         is_over = trace.moments[moment].proposition(self._condition).false
@@ -133,7 +133,7 @@ class Release:
         return view.active[RESETTING] and not any(view.active[other] for other in self._unless)
 
 
-def _is_engaged(trace: Trace, unless: Sequence[int], moment: int) -> z3.BoolRef:
+def _is_engaged(trace: SymbolicTrace, unless: Sequence[int], moment: int) -> z3.BoolRef:
     """R1: say whether the resetting rule is engaged."""
     in_the_way = [trace.is_active(other, moment) for other in unless]
     return z3.And(trace.is_active(RESETTING, moment), z3.Not(z3.Or(in_the_way)))
@@ -142,7 +142,7 @@ def _is_engaged(trace: Trace, unless: Sequence[int], moment: int) -> z3.BoolRef:
 # --- words -----------------------------------------------------------------------------------
 
 
-def _released(machine: Machine, rule: int, latched: int, task: int, result: Result) -> Finding:
+def _released(machine: Machine, rule: int, latched: int, task: int, result: QueryResult) -> Finding:
     one, two = machine.rules[rule], machine.rules[latched]
     action = machine.reactions.tasks[task].action
     finding = LatchReleased(

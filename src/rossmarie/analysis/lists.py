@@ -12,7 +12,7 @@ from typing import Protocol
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.terms import Fact, Number
+from rossmarie.analysis.terms import Fact, NumberTerm
 
 
 class Encoding(Protocol):
@@ -39,24 +39,24 @@ def list_of(machine: ir.Machine, array: int | None) -> int | None:
     return machine.arrays[array].list
 
 
-def folded(encoding: Encoding, its_list: int, node: ir.Fold) -> Number:
+def folded(encoding: Encoding, its_list: int, node: ir.Fold) -> NumberTerm:
     """The least or greatest value over the elements."""
     fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
     if encoding.rounded:
-        return Number(z3.And(fresh, z3.FreshBool("fold.known")), z3.FreshReal("fold"))
+        return NumberTerm(z3.And(fresh, z3.FreshBool("fold.known")), z3.FreshReal("fold"))
     is_minimum = node.folding is ir.Folding.MINIMUM
-    return Number(fresh, _BEYOND_ALL if is_minimum else -_BEYOND_ALL)
+    return NumberTerm(fresh, _BEYOND_ALL if is_minimum else -_BEYOND_ALL)
 
 
-def counted(encoding: Encoding, its_list: int) -> Number:
+def counted(encoding: Encoding, its_list: int) -> NumberTerm:
     """The number of elements for which a proposition is true."""
     declared = encoding.machine.lists[its_list]
     fresh = encoding.is_fresh(declared.input)
     if not encoding.rounded:
-        return Number(fresh, z3.RealVal(0))
+        return NumberTerm(fresh, z3.RealVal(0))
     number = z3.FreshInt("count")
     encoding.facts += [number >= 0, number <= declared.most]
-    return Number(z3.And(fresh, z3.FreshBool("count.known")), z3.ToReal(number))
+    return NumberTerm(z3.And(fresh, z3.FreshBool("count.known")), z3.ToReal(number))
 
 
 def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantified) -> Fact:

@@ -16,7 +16,7 @@ from rossmarie.ir import (
     ChannelValues,
     Doing,
     Each,
-    Kind,
+    FieldKind,
     Listed,
     Machine,
     Path,
@@ -79,7 +79,7 @@ Given = dict[Path, Scalar | tuple[Scalar, ...]]
 def _number(machine: Machine, slot: Slot, given: Given) -> float:
     last = slot.path[-1] if slot.path else ""
     if isinstance(last, str | Each | Points | Sector | Beams):
-        value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
+        value = given.get(slot.path, "" if slot.kind is FieldKind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
     if isinstance(last, Doing | Quantity):  # rules publish no lists, so no skill runs
         return answer(last, SkillContext(str(given.get(("digest",), ""))))
@@ -104,12 +104,12 @@ def _elements(path: Path, given: Given) -> tuple[Scalar, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
-def _raw(machine: Machine, kind: Kind, value: Scalar) -> float:
+def _raw(machine: Machine, kind: FieldKind, value: Scalar) -> float:
     match kind:
-        case Kind.TEXT:
+        case FieldKind.TEXT:
             is_known = value in machine.texts
             return float(machine.texts.index(str(value))) if is_known else -1.0
-        case Kind.FLAG | Kind.REAL:
+        case FieldKind.FLAG | FieldKind.REAL:
             return float(value)
 
 

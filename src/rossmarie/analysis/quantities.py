@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.terms import Number
+from rossmarie.analysis.terms import NumberTerm
 
 
 def is_quantity(machine: ir.Machine, slot: int) -> bool:
@@ -15,7 +15,7 @@ def is_quantity(machine: ir.Machine, slot: int) -> bool:
     return any(isinstance(step, ir.Quantity) for step in machine.slots[slot].path)
 
 
-def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterator[z3.BoolRef]:
+def quantity_facts(machine: ir.Machine, numbers: Mapping[int, NumberTerm]) -> Iterator[z3.BoolRef]:
     """Facts: a quantity in a message is unknown if no skill runs that may have the quantity.
     `numbers` are the numbers of some slots.
     """

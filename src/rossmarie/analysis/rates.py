@@ -21,7 +21,7 @@ from rossmarie.analysis.rate_errors import (
     UnfitWindow,
 )
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.core import MOST_SAMPLES, sampling_row
 from rossmarie.core import View as Found
@@ -138,7 +138,7 @@ def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness 
     return Witness((*witness.events, Sending(next_ns, messages)), next_ns, is_calm=True)
 
 
-def _comes_to_loss(trace: Trace, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
+def _comes_to_loss(trace: SymbolicTrace, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
     found = []
     for number, moment in enumerate(trace.moments):
         age = moment.age(declared.channel)

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import RecoveryBlocked, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
-from rossmarie.analysis.inquiry import Inquiry, Result, both_active
+from rossmarie.analysis.inquiry import Inquiry, QueryResult, both_active
 from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine
 from rossmarie.ir.reactions import Bound, Limit, Publish, Task
@@ -58,12 +58,12 @@ def _cut(machine: Machine, publish: Publish, bound: Bound) -> float | None:
     return None
 
 
-def _both(inquiry: Inquiry, rule: int, other: int) -> Result:
+def _both(inquiry: Inquiry, rule: int, other: int) -> QueryResult:
     if rule == other:
-        return Result(Satisfiability.POSSIBLE)
+        return QueryResult(Satisfiability.POSSIBLE)
     plans = inquiry.machine.reactions.plans
     if other in plans[rule].unless or rule in plans[other].unless:
-        return Result(Satisfiability.IMPOSSIBLE)
+        return QueryResult(Satisfiability.IMPOSSIBLE)
     pair = inquiry.about(rule, other)
     return pair.decide(both_active(pair.machine))
 
@@ -76,7 +76,7 @@ def _blocked(
     limit_task: Task,
     bound: Bound,
     value: float,
-    result: Result,
+    result: QueryResult,
 ) -> Finding:
     publish = task.effect
     assert isinstance(publish, Publish)

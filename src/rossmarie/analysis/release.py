@@ -13,7 +13,7 @@ from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import TruthValue
 
@@ -49,7 +49,7 @@ def _is_false(state: ArbitraryState, condition: int) -> z3.BoolRef:
     return state.proposition(condition).is_value(TruthValue.FALSE)
 
 
-def _clears(trace: Trace, rule: int) -> z3.BoolRef:
+def _clears(trace: SymbolicTrace, rule: int) -> z3.BoolRef:
     moments = range(1, len(trace.moments))
     return z3.Or(
         [

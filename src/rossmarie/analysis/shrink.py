@@ -12,9 +12,9 @@ from rossmarie.analysis.witness import Predicate, View, Witness, views
 from rossmarie.ir import (
     AgeReaches,
     Count,
+    FieldKind,
     Fold,
     Held,
-    Kind,
     Machine,
     Read,
     all_channels,
@@ -144,7 +144,7 @@ def _channel(machine: Machine, knob: Knob) -> int:
 def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
     """Rounder values near a value, in the unit that the user sees, the roundest first."""
     is_slot = knob.array is None and knob.angle is None
-    if is_slot and machine.slots[knob.slots[0]].kind is not Kind.REAL:
+    if is_slot and machine.slots[knob.slots[0]].kind is not FieldKind.REAL:
         return
     shown_value = knob.unit.from_si(value)
     source = machine.slots[knob.slots[0]] if knob.array is None else machine.arrays[knob.array]

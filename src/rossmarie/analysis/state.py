@@ -17,7 +17,7 @@ from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.quantities import quantity_facts
-from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
+from rossmarie.analysis.terms import Fact, NumberTerm, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
 
@@ -33,14 +33,14 @@ class ArbitraryState(Encoding):
     def __init__(self, asked: Questioned, *, settled: bool = False) -> None:
         super().__init__(asked)
         self._settled = settled
-        self._slots: dict[int, Number] = {}
+        self._slots: dict[int, NumberTerm] = {}
         self._calls = Calls(self.machine, "state")
         self._cells: dict[int, Sequence[Cell]] = {}
         self._before: dict[int, Fact] = {}
         self._elapsed: dict[int, z3.ArithRef] = {}
         self._ages: dict[int, z3.ArithRef] = {}
 
-    def slot(self, index: int) -> Number:
+    def slot(self, index: int) -> NumberTerm:
         """Any value of the slot's kind, while the input is fresh."""
         if index not in self._slots:
             slot = self.machine.slots[index]
@@ -48,7 +48,7 @@ class ArbitraryState(Encoding):
             self.facts += slot_facts(self.machine, slot, value, rounded=True)
             self.facts += self._calls.facts(slot, value)
             self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
-            self._slots[index] = Number(known, value)
+            self._slots[index] = NumberTerm(known, value)
             for other, number in self._slots.items():
                 pair = {index: self._slots[index], other: number}
                 self.facts += quantity_facts(self.machine, pair)
@@ -61,7 +61,9 @@ class ArbitraryState(Encoding):
                 Cell(
                     array,
                     z3.Bool(f"array{array}.{i}"),
-                    Number(z3.Bool(f"array{array}.{i}.known"), z3.Real(f"array{array}.{i}.value")),
+                    NumberTerm(
+                        z3.Bool(f"array{array}.{i}.known"), z3.Real(f"array{array}.{i}.value")
+                    ),
                 )
                 for i in range(self.asked.array_uses[array])
             ]
@@ -85,7 +87,7 @@ class ArbitraryState(Encoding):
             self.facts.append(self._ages[channel] >= 0)
         return self._ages[channel]
 
-    def sampled(self, _: int, node: ir.Sampled) -> Number:
+    def sampled(self, _: int, node: ir.Sampled) -> NumberTerm:
         """Any number; samples do not outlive their inputs (S21)."""
         known = z3.FreshBool("sampled")
         support = self.asked.supports.signals[node.signal]
@@ -93,9 +95,9 @@ class ArbitraryState(Encoding):
         needed |= {self.machine.arrays[array].input for array in support.arrays}
         for used in sorted(needed):
             self.facts.append(z3.Implies(known, self.is_fresh(used)))
-        return Number(known, z3.FreshReal("sample"))
+        return NumberTerm(known, z3.FreshReal("sample"))
 
-    def count(self, node: ir.Count) -> Number:
+    def count(self, node: ir.Count) -> NumberTerm:
         """Any number of elements, if all elements are known."""
         array = self.asked.elements.propositions[node.element]
         assert array is not None
@@ -105,7 +107,7 @@ class ArbitraryState(Encoding):
             known.append(z3.Implies(cell.is_there, z3.Or(found.true, found.false)))
         number = z3.FreshInt("count")
         self.facts.append(number >= 0)
-        return Number(z3.And(known), z3.ToReal(number))
+        return NumberTerm(z3.And(known), z3.ToReal(number))
 
     def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
         """True once its condition has been true for long enough; before that, the value that the

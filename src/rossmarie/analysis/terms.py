@@ -25,7 +25,7 @@ NO = z3.BoolVal(False)
 
 
 @dataclass(frozen=True)
-class Number:
+class NumberTerm:
     """A signal: a flag that it is known, and its value in SI if it is known."""
 
     known: z3.BoolRef

@@ -24,7 +24,7 @@ from rossmarie.analysis.terms import (
     FALSE,
     NO,
     Fact,
-    Number,
+    NumberTerm,
     choice,
     literal,
 )
@@ -41,7 +41,7 @@ class Leg:
     """
 
     sends: dict[int, z3.BoolRef]
-    slots: dict[int, Number]
+    slots: dict[int, NumberTerm]
     cells: dict[int, Sequence[Cell]]
     length_ns: z3.ArithRef
     shakes: dict[int, z3.BoolRef]
@@ -53,13 +53,13 @@ class Leg:
         return z3.Not(z3.And(list(self.sends.values())))
 
 
-class Moment(Encoding):
+class LegMoment(Encoding):
     """The evaluation at the first message of a leg, or at its end."""
 
     rounded = False
 
     def __init__(
-        self, asked: Questioned, times: Times, leg: Leg, before: Moment | None, *, is_end: bool
+        self, asked: Questioned, times: Times, leg: Leg, before: LegMoment | None, *, is_end: bool
     ) -> None:
         super().__init__(asked)
         self.leg = leg
@@ -69,17 +69,17 @@ class Moment(Encoding):
         self._elapsed: dict[int, z3.ArithRef] = {}
 
     @once_each
-    def slot(self, index: int) -> Number:
+    def slot(self, index: int) -> NumberTerm:
         """The value that the leg sends; else the value that was sent before, until it expires."""
         slot = self.machine.slots[index]
         sends = self.leg.sends[self.machine.inputs[slot.input].channel]
         sent = self.leg.slots[index]
         fresh = self.is_fresh(slot.input)
         if self._before is None:
-            return Number(z3.And(sends, fresh, sent.known), sent.value)
+            return NumberTerm(z3.And(sends, fresh, sent.known), sent.value)
         kept = self._before.slot(index)
         known = z3.And(fresh, z3.If(sends, sent.known, kept.known))
-        return Number(known, z3.If(sends, sent.value, kept.value))
+        return NumberTerm(known, z3.If(sends, sent.value, kept.value))
 
     @once_each
     def cells(self, array: int) -> Sequence[Cell]:
@@ -94,10 +94,12 @@ class Moment(Encoding):
             if kept is not None:
                 there = z3.If(sends, sent.is_there, kept[i].is_there)
                 value = z3.If(sends, value, kept[i].number.value)
-            found.append(Cell(array, z3.And(fresh, there), Number(sent.number.known, value)))
+            found.append(Cell(array, z3.And(fresh, there), NumberTerm(sent.number.known, value)))
         return found
 
-    def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
+    def apply(
+        self, index: int, function: ir.AnyFunction, numbers: Sequence[NumberTerm]
+    ) -> NumberTerm:
         """A function of unchanged operands is unchanged. Its terms may not imply this, for example
         for an angle or a length.
         """
@@ -129,28 +131,28 @@ class Moment(Encoding):
         channels = self.asked.supports.signals[signal].channels
         return z3.Or([self.leg.sends[channel] for channel in channels])
 
-    def sampled(self, index: int, node: ir.Sampled) -> Number:
+    def sampled(self, index: int, node: ir.Sampled) -> NumberTerm:
         """A step at the first message, then no change; before the message, the old value."""
         declared = sampling_row(node.function)
         number, brings = self.signal(node.signal), self._is_sampled(node.signal)
         at_rest = Formulas([number.value], exactly).term(declared.at_rest(Operand(0)))
         if self._before is None:
             known = z3.And(brings, number.known) if declared.takes_time else NO
-            return Number(known, at_rest)
+            return NumberTerm(known, at_rest)
         earlier = self._before.signal(index)
         needed = [number.known] if View.NEWEST in declared.views else []
         if self._is_end:
             known = z3.And(z3.If(brings, number.known, earlier.known), *needed)
-            return Number(known, z3.If(brings, at_rest, earlier.value))
+            return NumberTerm(known, z3.If(brings, at_rest, earlier.value))
         if declared.takes_time:
             return earlier
         last = self._before.signal(node.signal)
         known = z3.If(brings, z3.And(last.known, *needed), earlier.known)
         views = [self._view(view, number, last) for view in declared.views]
         step = Formulas(views, exactly).term(declared.expression)
-        return Number(known, z3.If(brings, step, earlier.value))
+        return NumberTerm(known, z3.If(brings, step, earlier.value))
 
-    def _view(self, view: View, number: Number, last: Number) -> z3.ArithRef:
+    def _view(self, view: View, number: NumberTerm, last: NumberTerm) -> z3.ArithRef:
         """The value of a view at the first message of a leg."""
         match view:
             case View.NEWEST:
@@ -162,7 +164,7 @@ class Moment(Encoding):
             case View.LOWER | View.UPPER | View.TOTAL | View.COUNT | View.CONSTANT:
                 raise AssertionError("windows and filters are not looked into")
 
-    def count(self, node: ir.Count) -> Number:
+    def count(self, node: ir.Count) -> NumberTerm:
         """The number of elements for which the proposition is true."""
         array = self.asked.elements.propositions[node.element]
         assert array is not None
@@ -171,7 +173,7 @@ class Moment(Encoding):
         pairs = list(zip(cells, found, strict=True))
         ones = [z3.If(z3.And(cell.is_there, one.true), 1, 0) for cell, one in pairs]
         known = [z3.Implies(cell.is_there, z3.Or(one.true, one.false)) for cell, one in pairs]
-        return Number(z3.And(cells[0].is_there, *known), z3.ToReal(z3.Sum(ones)))
+        return NumberTerm(z3.And(cells[0].is_there, *known), z3.ToReal(z3.Sum(ones)))
 
     def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
         """True once the operand has been true for long enough; before that, the value that the
@@ -237,7 +239,7 @@ class Moment(Encoding):
         return FALSE if self._before is None else self._before.proposition(index)
 
 
-class Trace:
+class SymbolicTrace:
     """A few legs, and the rules that are active at each of their moments. In a brief trace, each
     leg is a single message.
     """
@@ -249,11 +251,11 @@ class Trace:
         self._is_brief = is_brief
         self.times = Times(asked, propositions)
         self.legs = [self._leg(number) for number in range(legs)]
-        self.moments: list[Moment] = []
+        self.moments: list[LegMoment] = []
         for leg in self.legs:
             for is_end in (False, True):
                 before = self.moments[-1] if self.moments else None
-                self.moments.append(Moment(asked, self.times, leg, before, is_end=is_end))
+                self.moments.append(LegMoment(asked, self.times, leg, before, is_end=is_end))
         self._active: dict[tuple[int, int], z3.BoolRef] = {}
 
     @property
@@ -301,7 +303,7 @@ class Trace:
     def _leg(self, number: int) -> Leg:
         machine, channels = self.asked.machine, self.times.channels
         slots = {
-            index: Number(z3.Bool(f"leg{number}.slot{index}.known"),
+            index: NumberTerm(z3.Bool(f"leg{number}.slot{index}.known"),
                           z3.Real(f"leg{number}.slot{index}"))
             for index, slot in enumerate(machine.slots)
             if machine.inputs[slot.input].channel in channels
@@ -325,7 +327,7 @@ class Trace:
 
     def _cells(self, name: str, array: int) -> Sequence[Cell]:
         numbers = [
-            Number(z3.BoolVal(True), z3.Real(f"{name}.{i}.value"))
+            NumberTerm(z3.BoolVal(True), z3.Real(f"{name}.{i}.value"))
             for i in range(self.asked.array_uses[array])
         ]
         return [Cell(array, z3.Bool(f"{name}.{i}"), number) for i, number in enumerate(numbers)]

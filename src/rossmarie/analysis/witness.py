@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import ChannelValues, Kind, Machine, TruthValue, kind_of, path_text
+from rossmarie.ir import ChannelValues, FieldKind, Machine, TruthValue, kind_of, path_text
 from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
@@ -145,13 +145,13 @@ class _Column:
         raw = values.slots.get(self.index, math.nan)
         kind = machine.slots[self.index].kind
         if math.isnan(raw):
-            return "nan" if kind is Kind.REAL else ""
+            return "nan" if kind is FieldKind.REAL else ""
         match kind:
-            case Kind.FLAG:
+            case FieldKind.FLAG:
                 return str(raw != 0.0).lower()
-            case Kind.TEXT:
+            case FieldKind.TEXT:
                 return machine.texts[int(raw)] if raw >= 0.0 else other_text(machine)
-            case Kind.REAL:
+            case FieldKind.REAL:
                 return repr(raw)
 
 
@@ -240,9 +240,9 @@ def shown_value(machine: Machine, index: int, value: float) -> str:
     if math.isnan(value):
         return "unknown"
     match kind_of(machine, index):
-        case Kind.FLAG:
+        case FieldKind.FLAG:
             return str(value != 0.0).lower()
-        case Kind.TEXT:
+        case FieldKind.TEXT:
             return f'"{machine.texts[int(value)]}"' if value >= 0.0 else "another string"
-        case Kind.REAL:
+        case FieldKind.REAL:
             return f"{value * signal.scale + signal.offset:.6g} {signal.unit}".rstrip()

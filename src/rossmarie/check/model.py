@@ -19,7 +19,7 @@ from rossmarie.ir import Edge, Path, Quantity
 from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
-from rossmarie.skills import Closure, Place, SkillFile, span_at
+from rossmarie.skills import Closure, SkillFile, SourcePlace, span_at
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
@@ -131,7 +131,7 @@ class CheckedSkills:
         """The skills, and the skills derived from them."""
         return Closure({name: each.parents for name, each in self.file.skills.items()})
 
-    def span_at(self, place: Place | None) -> Span | None:
+    def span_at(self, place: SourcePlace | None) -> Span | None:
         """A place in the source of the skills, if it can be shown."""
         return span_at(place, self.folder)
 

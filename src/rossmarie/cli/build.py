@@ -15,7 +15,7 @@ from rossmarie.cli.output import output
 from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.build import TARGETS, Built, build_files
-from rossmarie.driver.manifest import Described, describe
+from rossmarie.driver.manifest import DescribedManifest, describe
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
 from rossmarie.ir import Category
@@ -98,7 +98,7 @@ def _make_folder_of(path: Path) -> None:
 
 def _placement(
     rules: Path, target: str, package: PackageOptions
-) -> tuple[Described | None, Placement]:
+) -> tuple[DescribedManifest | None, Placement]:
     """The place of the node, and the description of its package if it has one of its own."""
     given = package.given()
     if not TARGETS[target].is_package:
@@ -121,7 +121,7 @@ def _placement(
     return described, Placement(described.manifest)
 
 
-def _tell(built: Built, described: Described | None) -> None:
+def _tell(built: Built, described: DescribedManifest | None) -> None:
     """Print the warnings, the written files, the missing package fields, and the next steps."""
     output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
     for line in lines_of_written(built.written):

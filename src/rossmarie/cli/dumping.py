@@ -10,7 +10,7 @@ import typer
 from rossmarie.cli.choices import DumpFormat, StageName
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
-from rossmarie.driver.dump import JSON_STAGES, Stage, dump
+from rossmarie.driver.dump import JSON_STAGES, CompilerStage, dump
 
 
 def run_dump(
@@ -21,7 +21,7 @@ def run_dump(
     message_folders: Sequence[Path],
 ) -> None:
     """Print the state after a stage; a stage without a JSON form refuses that form."""
-    stage, as_json = Stage(after.value), form is DumpFormat.JSON
+    stage, as_json = CompilerStage(after.value), form is DumpFormat.JSON
     if as_json and stage not in JSON_STAGES:
         those = " or ".join(one.value for one in JSON_STAGES)
         output.fail(f"--after {stage.value} has no JSON form; {those} has", exit_code=2)

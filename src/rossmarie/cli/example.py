@@ -8,7 +8,7 @@ import typer
 
 from dslkit.examples import UnknownExampleError
 from rossmarie.cli.output import output
-from rossmarie.driver.robots import Robot, robot, robots
+from rossmarie.driver.robots import BuiltInRobot, robot, robots
 
 
 def run_example(name: str | None, folder: Path | None) -> None:
@@ -30,7 +30,7 @@ def _list_robots() -> None:
         typer.echo(f"{each.name:{width}}  {each.summary}")
 
 
-def _copy(wanted: Robot, folder: Path) -> None:
+def _copy(wanted: BuiltInRobot, folder: Path) -> None:
     output.copy_example(wanted.folder, folder)
     rules, recording = (folder / path.name for path in (wanted.rules, wanted.recording))
     typer.echo(f"now try: rossmarie replay {rules} {recording}")

@@ -16,7 +16,7 @@ from rossmarie.cli.choices import GraphFormat
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
-from rossmarie.report.wiring.model import Use
+from rossmarie.report.wiring.model import EffectUse
 
 _RULES = ".ross"
 _COMMENTS = {GraphFormat.DOT: Comment.SLASHES, GraphFormat.TEXT: Comment.HASH}
@@ -75,5 +75,5 @@ def wiring_result(wiring: Wiring) -> Mapping[str, Json]:
     }
 
 
-def _uses(uses: Sequence[Use]) -> list[Json]:
+def _uses(uses: Sequence[EffectUse]) -> list[Json]:
     return [{**asdict(each), "rules": list(each.rules)} for each in uses]

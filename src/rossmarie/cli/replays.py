@@ -16,7 +16,7 @@ import typer
 from rich.console import Console
 
 from dslkit.answer import Answer
-from dslkit.campaign import Campaign, Journal, Processes, Result, Value, run
+from dslkit.campaign import Campaign, EpisodeResult, Journal, Processes, Value, run
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import Json
 from dslkit.diagnostics.wire import Receiver, Sender
@@ -135,7 +135,7 @@ class _Reported:
         """Begin a campaign of `count` recordings."""
         self._count, self._done = count, done
 
-    def hear(self, result: Result) -> None:
+    def hear(self, result: EpisodeResult) -> None:
         """Print one more result."""
         self._done += 1
         words = result.failure if result.value is None else result.value["summary"]

@@ -5,8 +5,16 @@ The core does not depend on messages, rules or targets. The numbered rules of
 """
 
 from rossmarie.core.finite import may_be_infinite, rounds, shown_by
-from rossmarie.core.functions import FUNCTIONS, AnyFunction, Function, Row, defined, parameters, row
-from rossmarie.core.regions import Measure, Region, RegionFunction
+from rossmarie.core.functions import (
+    FUNCTIONS,
+    AnyFunction,
+    Function,
+    FunctionRow,
+    defined,
+    parameters,
+    row,
+)
+from rossmarie.core.regions import Region, RegionFunction, RegionMeasure
 from rossmarie.core.sampling import MOST_SAMPLES, SAMPLINGS, Sampling, View, sampling_row
 from rossmarie.core.shapes import Circle, Polygon, Rectangle, Shape
 
@@ -17,12 +25,12 @@ __all__ = [
     "AnyFunction",
     "Circle",
     "Function",
-    "Measure",
+    "FunctionRow",
     "Polygon",
     "Rectangle",
     "Region",
     "RegionFunction",
-    "Row",
+    "RegionMeasure",
     "Sampling",
     "Shape",
     "View",

@@ -16,10 +16,10 @@ from collections.abc import Sequence
 from functools import reduce
 
 from rossmarie.core.expressions import (
+    ConstantNumber,
     Either,
     Expression,
     Local,
-    Number,
     Operand,
     Subfunction,
     Written,
@@ -192,7 +192,7 @@ def _arc_tangent(y: Expression, x: Expression) -> Expression:
     start = Local("start", axis + turn)
     rest = Local("rest", ((axis - start) + turn) + (axis_rest + turn_rest))
     angle = Local("angle", start + way * (upper + (way * rest + (lower + surplus))))
-    return choose(Either(y < 0.0, Number(1.0) / y < 0.0), -angle, angle)
+    return choose(Either(y < 0.0, ConstantNumber(1.0) / y < 0.0), -angle, angle)
 
 
 def _halves(quotient: Expression, over: Expression, along: Expression) -> tuple[Local, Local]:

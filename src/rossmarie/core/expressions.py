@@ -65,12 +65,12 @@ class _Formula:
         return IsEqual(self._own(), written(other))
 
     def _own(self) -> Expression:
-        assert isinstance(self, Number | Operand | Computed | Chosen | Local | Applied)
+        assert isinstance(self, ConstantNumber | Operand | Computed | Chosen | Local | Applied)
         return self
 
 
 @dataclass(frozen=True)
-class Number(_Formula):
+class ConstantNumber(_Formula):
     """A number that is known at compile time."""
 
     value: float
@@ -135,7 +135,7 @@ class Applied(_Formula):
     operands: tuple[Expression, ...]
 
 
-Expression = Number | Operand | Computed | Chosen | Local | Applied
+Expression = ConstantNumber | Operand | Computed | Chosen | Local | Applied
 Written = _Formula | float
 
 
@@ -172,12 +172,12 @@ class Either:
 
 Condition = IsLess | IsEqual | IsUnknown | Either
 
-UNKNOWN = Number(math.nan)
+UNKNOWN = ConstantNumber(math.nan)
 
 
 def written(value: Written) -> Expression:
     """An expression, or a number as an expression."""
-    return value._own() if isinstance(value, _Formula) else Number(value)  # noqa: SLF001
+    return value._own() if isinstance(value, _Formula) else ConstantNumber(value)  # noqa: SLF001
 
 
 def choose(condition: Condition, then: Written, otherwise: Written) -> Chosen:
@@ -193,7 +193,7 @@ def square_root(x: Expression) -> Computed:
 def operands_of(expression: Expression) -> Iterator[int]:
     """The operands in an expression, from left to right, including repetitions."""
     match expression:
-        case Number():
+        case ConstantNumber():
             pass
         case Operand(index=index):
             yield index
@@ -247,7 +247,7 @@ def _named_in(expression: Expression) -> dict[Local | Subfunction, None]:
 
 def _collect(expression: Expression, found: dict[Local | Subfunction, None]) -> None:
     match expression:
-        case Number() | Operand():
+        case ConstantNumber() | Operand():
             pass
         case Computed(operands=operands):
             for operand in operands:

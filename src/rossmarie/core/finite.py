@@ -13,9 +13,9 @@ from rossmarie.core.expressions import (
     Applied,
     Chosen,
     Computed,
+    ConstantNumber,
     Expression,
     Local,
-    Number,
     Operand,
     Primitive,
     Subfunction,
@@ -35,7 +35,7 @@ def may_be_infinite(function: AnyFunction, count: int, *, of_infinite: bool) -> 
 
 def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
     match expression:
-        case Number(value=value):
+        case ConstantNumber(value=value):
             return value in (float("inf"), float("-inf"))
         case Operand():
             return of_infinite
@@ -64,7 +64,7 @@ def rounds(function: AnyFunction, count: int) -> bool:
 
 def _rounds(expression: Expression) -> bool:
     match expression:
-        case Number() | Operand():
+        case ConstantNumber() | Operand():
             return False
         case Local(value=value):
             return _rounds(value)
@@ -84,7 +84,7 @@ def shown_by(function: AnyFunction, count: int) -> frozenset[int]:
 
 def _shown_by(expression: Expression) -> frozenset[int]:
     match expression:
-        case Number():
+        case ConstantNumber():
             return frozenset()
         case Operand(index=index):
             return frozenset({index})

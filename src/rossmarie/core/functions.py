@@ -36,8 +36,8 @@ from rossmarie.core.regions import (
     OPERANDS,
     RULES,
     Easy,
-    Measure,
     RegionFunction,
+    RegionMeasure,
     bounds,
     define,
     easy,
@@ -94,7 +94,7 @@ class Function(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Row:
+class FunctionRow:
     """The description of a function.
 
     `rule` is its rule in the semantics. It takes `least` to `most` operands (None: any number).
@@ -133,15 +133,15 @@ AnyFunction = Function | RegionFunction
 """A function of all machines, or a function of a region of one machine."""
 
 
-def row(function: AnyFunction) -> Row:
+def row(function: AnyFunction) -> FunctionRow:
     """The row of a function."""
     return _row_of(function) if isinstance(function, RegionFunction) else FUNCTIONS[function]
 
 
 @cache
-def _row_of(function: RegionFunction) -> Row:
+def _row_of(function: RegionFunction) -> FunctionRow:
     is_easy = bounds(function, UNKNOWN, tuple(map(Operand, range(OPERANDS)))) is None
-    return Row(
+    return FunctionRow(
         RULES[function.measure],
         OPERANDS,
         OPERANDS,
@@ -149,7 +149,9 @@ def _row_of(function: RegionFunction) -> Row:
         phrase(function),
         range_of(function),
         None if is_easy else lambda result, operands: bounds(function, result, operands) or (),
-        None if function.measure is Measure.INSIDE else lambda operands: easy(function, operands),
+        None
+        if function.measure is RegionMeasure.INSIDE
+        else lambda operands: easy(function, operands),
     )
 
 
@@ -289,17 +291,17 @@ _WAVE = (-1.0, 1.0)
 _VECTOR, _TURNING = "{0}, {1}, {2}", "{3}, {4}, {5}, {6}"
 _BEHIND, _BEFORE = "{0}, {1}, {2}, {3}", "{4}, {5}, {6}, {7}"
 
-FUNCTIONS: Mapping[Function, Row] = {
-    Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
-    Function.SUBTRACT: Row("S3", 2, 2, lambda a, b: a - b, "({0} - {1})"),
-    Function.MULTIPLY: Row("S3", 2, 2, lambda a, b: a * b, "({0} * {1})"),
-    Function.DIVIDE: Row("S3", 2, 2, lambda a, b: a / b, "({0} / {1})"),
-    Function.NEGATE: Row("S3", 1, 1, lambda a: -a, "-({0})"),
-    Function.ABSOLUTE: Row("S6", 1, 1, abs, "the absolute value of {0}", _LENGTH),
-    Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
-    Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
-    Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
-    Function.BRAKING_DISTANCE: Row(
+FUNCTIONS: Mapping[Function, FunctionRow] = {
+    Function.ADD: FunctionRow("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
+    Function.SUBTRACT: FunctionRow("S3", 2, 2, lambda a, b: a - b, "({0} - {1})"),
+    Function.MULTIPLY: FunctionRow("S3", 2, 2, lambda a, b: a * b, "({0} * {1})"),
+    Function.DIVIDE: FunctionRow("S3", 2, 2, lambda a, b: a / b, "({0} / {1})"),
+    Function.NEGATE: FunctionRow("S3", 1, 1, lambda a: -a, "-({0})"),
+    Function.ABSOLUTE: FunctionRow("S6", 1, 1, abs, "the absolute value of {0}", _LENGTH),
+    Function.MINIMUM: FunctionRow("S6", 2, 2, _minimum, "the lesser of ({all})"),
+    Function.MAXIMUM: FunctionRow("S6", 2, 2, _maximum, "the greater of ({all})"),
+    Function.ABOVE: FunctionRow("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
+    Function.BRAKING_DISTANCE: FunctionRow(
         "S83",
         3,
         3,
@@ -308,7 +310,7 @@ FUNCTIONS: Mapping[Function, Row] = {
         _LENGTH,
         bounds_of_braking,
     ),
-    Function.TIME_TO: Row(
+    Function.TIME_TO: FunctionRow(
         "S84",
         2,
         2,
@@ -317,24 +319,28 @@ FUNCTIONS: Mapping[Function, Row] = {
         (0.0, LONGEST_TIME),
         bounds_of_time,
     ),
-    Function.SEEN: Row("S77", 3, 3, _seen, "({0} where {1} is {2})"),
-    Function.RAISED: Row("S87", 3, 3, _raised, "({0} where it is above {1}, up to {2}, else {1})"),
-    Function.LOWERED: Row(
+    Function.SEEN: FunctionRow("S77", 3, 3, _seen, "({0} where {1} is {2})"),
+    Function.RAISED: FunctionRow(
+        "S87", 3, 3, _raised, "({0} where it is above {1}, up to {2}, else {1})"
+    ),
+    Function.LOWERED: FunctionRow(
         "S87", 3, 3, _lowered, "({0} where it is below {1}, down to {2}, else {1})"
     ),
-    Function.NORM: Row(
+    Function.NORM: FunctionRow(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
-    Function.HYPOT: Row(
+    Function.HYPOT: FunctionRow(
         "S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, _along_one
     ),
-    Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
-    Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
-    Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
-    Function.SINE: Row("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
-    Function.COSINE: Row("S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine),
+    Function.ROLL: FunctionRow("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
+    Function.PITCH: FunctionRow("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
+    Function.YAW: FunctionRow("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
+    Function.SINE: FunctionRow("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
+    Function.COSINE: FunctionRow(
+        "S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine
+    ),
     **{
-        function: Row(
+        function: FunctionRow(
             "S76", 7, 7, define, f"the {axis} of ({_VECTOR}) turned by ({_TURNING})",
             bounds=bounds_of_turned, easy=easy_turned("xyz".index(axis)),
         )
@@ -345,7 +351,7 @@ FUNCTIONS: Mapping[Function, Row] = {
         )
     },
     **{
-        function: Row(
+        function: FunctionRow(
             "S76", 8, 8, define, f"the {axis} of the turn ({_BEFORE}), turned by ({_BEHIND})",
             bounds=_unbounded, easy=easy_composed("xyzw".index(axis)),
         )

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 from rossmarie.core.expressions import (
     UNKNOWN,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsUnknown,
     Local,
-    Number,
     Operand,
     choose,
     square_root,
@@ -49,7 +49,7 @@ class Easy:
     value: Expression
 
 
-class Measure(enum.Enum):
+class RegionMeasure(enum.Enum):
     """The functions of a region, of x and y in m."""
 
     INSIDE = "inside"
@@ -71,7 +71,7 @@ class RegionFunction:
     and the frame of the region; frames are numbers of texts.
     """
 
-    measure: Measure
+    measure: RegionMeasure
     region: Region
 
     @property
@@ -87,10 +87,10 @@ OPERANDS = 4
 """x, y, the frame of the point, and the frame of the region."""
 
 _ABOUT = {
-    Measure.INSIDE: "whether ({0}, {1}) is in {region}",
-    Measure.DISTANCE: "the distance of ({0}, {1}) from {region}",
+    RegionMeasure.INSIDE: "whether ({0}, {1}) is in {region}",
+    RegionMeasure.DISTANCE: "the distance of ({0}, {1}) from {region}",
 }
-RULES = {Measure.INSIDE: "S63", Measure.DISTANCE: "S64"}
+RULES = {RegionMeasure.INSIDE: "S63", RegionMeasure.DISTANCE: "S64"}
 """The rules of the semantics."""
 
 
@@ -102,7 +102,7 @@ def phrase(function: RegionFunction) -> str:
 def define(function: RegionFunction, operands: Sequence[Expression]) -> Expression:
     """The expression of the function."""
     x, y, seen, wanted = operands
-    found = {Measure.INSIDE: _inside, Measure.DISTANCE: _distance}[function.measure]
+    found = {RegionMeasure.INSIDE: _inside, RegionMeasure.DISTANCE: _distance}[function.measure]
     known = choose(seen.equals(wanted), found(function.region, x, y), UNKNOWN)
     return choose(Either(IsUnknown(x), IsUnknown(y)), UNKNOWN, known)
 
@@ -116,7 +116,7 @@ def _inside(region: Region, x: Expression, y: Expression) -> Expression:
     """S63: in at least one shape."""
     parts = [inside_of(each)(_X, _Y) for each in region.shapes if has_area(each)]
     if not parts:
-        return Number(0.0)
+        return ConstantNumber(0.0)
     return together(f"in_{region.name}", f"shapes of {region.about}", parts, first)(x, y)
 
 
@@ -151,7 +151,7 @@ def bounds(
     simple enough.
     """
     xs, ys = zip(*(each for part in function.region.shapes for each in part.corners), strict=True)
-    if function.measure is Measure.INSIDE:
+    if function.measure is RegionMeasure.INSIDE:
         return _bounds_of_inside(xs, ys, result, operands) if len(xs) > _FEW else None
     return _bounds_of_distance(xs, ys, result, operands)
 
@@ -196,9 +196,12 @@ def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy
         low, high = shape.low[1], shape.high[1]
         level = [Either(y > low, y.equals(low)), Either(y < high, y.equals(high))]
     beside = (seen.equals(wanted), *level)
-    return (Easy((*beside, x > end[0]), x - end[0]), Easy((*beside, x.equals(end[0])), Number(0.0)))
+    return (
+        Easy((*beside, x > end[0]), x - end[0]),
+        Easy((*beside, x.equals(end[0])), ConstantNumber(0.0)),
+    )
 
 
 def range_of(function: RegionFunction) -> tuple[float, float]:
     """The range of the results."""
-    return (0.0, 1.0) if function.measure is Measure.INSIDE else (0.0, math.inf)
+    return (0.0, 1.0) if function.measure is RegionMeasure.INSIDE else (0.0, math.inf)

@@ -12,7 +12,7 @@ import enum
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rossmarie.core.expressions import Expression, IsUnknown, Number, Operand, choose
+from rossmarie.core.expressions import ConstantNumber, Expression, IsUnknown, Operand, choose
 
 MOST_SAMPLES = 64
 """The greatest number of samples in a window. The window keeps the newest samples."""
@@ -114,7 +114,7 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
         views=(View.NEWEST, View.BEFORE, View.SECONDS),
         define=_rate,
         phrase="the rate of change of {0}",
-        at_rest=lambda _: Number(0.0),
+        at_rest=lambda _: ConstantNumber(0.0),
         waits=True,
     ),
     Sampling.PREVIOUS: SamplingRow(

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from functools import cache
 
 from rossmarie.core.expressions import (
+    ConstantNumber,
     Expression,
     Local,
-    Number,
     Operand,
     Subfunction,
     choose,
@@ -85,7 +85,7 @@ def inside_of(shape: Shape) -> Subfunction:
         case Polygon():
             found = _in_polygon(shape)
         case Rectangle(low=(left, lower), high=(right, upper)):
-            found = Number(1.0)
+            found = ConstantNumber(1.0)
             for beyond in (upper < _Y, lower > _Y, right < _X, left > _X):
                 found = choose(beyond, 0.0, found)
         case Circle(radius=radius):
@@ -113,7 +113,7 @@ def _crossings(name: str, about: str, edges: Sequence[_Edge]) -> Subfunction:
     above = [edge for edge in edges if edge[3] > middle]
     most = len(edges) * _MOST_IN_HALF
     if len(edges) <= _ALL_AT_ONCE or len(below) > most or len(above) > most:
-        crossed = [_CROSSES(_X, _Y, *map(Number, edge)) for edge in edges]
+        crossed = [_CROSSES(_X, _Y, *map(ConstantNumber, edge)) for edge in edges]
         return together(name, about, crossed, chain(_ODD))
     halves = (
         _crossings(f"{name}_below", f"{about} below {middle:g}", below),
@@ -176,7 +176,7 @@ def square_of(shape: Polygon | Rectangle) -> Subfunction:
         ((ax, ay),) = shape.corners
         found = (_X - ax) * (_X - ax) + (_Y - ay) * (_Y - ay)
     else:
-        edges = [_TO_EDGE(_X, _Y, *map(Number, (*a, *b))) for a, b in _edges(shape)]
+        edges = [_TO_EDGE(_X, _Y, *map(ConstantNumber, (*a, *b))) for a, b in _edges(shape)]
         name, about = f"square_edges_{shape.name}", f"edges of {shape.about}"
         beyond = together(name, about, edges, chain(LESSER))(_X, _Y)
         found = choose(inside_of(shape)(_X, _Y).equals(1.0), 0.0, beyond)
@@ -262,7 +262,7 @@ def together(name: str, about: str, parts: Sequence[Expression], combine: Combin
 
 def first(parts: Sequence[Expression]) -> Expression:
     """1 if one of the parts is 1, else 0. C stops at the first such part."""
-    found: Expression = Number(0.0)
+    found: Expression = ConstantNumber(0.0)
     for part in reversed(parts):
         found = choose(part.equals(1.0), 1.0, found)
     return found
@@ -272,7 +272,7 @@ def chain(function: Subfunction) -> Combine:
     """All parts, combined from the first to the last."""
 
     def combined(parts: Sequence[Expression]) -> Expression:
-        found: Expression = Number(0.0)
+        found: Expression = ConstantNumber(0.0)
         for number, part in enumerate(parts):
             found = Local(f"from_{number}", function(found, part) if number else part)
         return found

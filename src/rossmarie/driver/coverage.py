@@ -23,9 +23,16 @@ from rossmarie.testing.cone import cone_of, reported_by
 from rossmarie.testing.coverage import Coverage, Watcher
 from rossmarie.testing.goals import Goal
 from rossmarie.testing.history import History
-from rossmarie.testing.margins import Margin, Replay, Threshold, Verdicts, margin, thresholds
+from rossmarie.testing.margins import (
+    Replay,
+    Threshold,
+    ThresholdMargin,
+    Verdicts,
+    margin,
+    thresholds,
+)
 from rossmarie.testing.places import compared_with_constants, seen_by
-from rossmarie.testing.play import Step
+from rossmarie.testing.play import InstantEvents
 from rossmarie.testing.unreachable import unreachable
 
 Progress = Callable[[float], None]
@@ -41,7 +48,7 @@ class Exercised:
 
     coverage: Coverage
     reasons: Mapping[Goal, str]
-    margins: tuple[Margin, ...]
+    margins: tuple[ThresholdMargin, ...]
     findings: tuple[Diagnostic, ...]
     sources: tuple[SourceFile, ...]
     length_ns: int
@@ -77,7 +84,7 @@ def cover_recordings(
     watcher = Watcher(machine, kept=compared_with_constants(machine))
     histories = []
     for trace in traces:
-        steps = (Step(update.at_ns, update.channels) for update in trace.updates)
+        steps = (InstantEvents(update.at_ns, update.channels) for update in trace.updates)
         histories.append(watcher.watch(steps, trace.end_ns, from_zero=False))
     coverage = watcher.coverage()
     missing = [goal for goal in coverage.goals if goal not in coverage.reached]
@@ -131,7 +138,7 @@ def _margins(
     traces: Sequence[Trace],
     histories: Sequence[History],
     on_progress: Progress,
-) -> Iterator[Margin]:
+) -> Iterator[ThresholdMargin]:
     found = list(thresholds(machine))
     for index, threshold in enumerate(found):
         seen = [value for history in histories for value in seen_by(machine, threshold, history)]

@@ -15,7 +15,7 @@ from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
 from rossmarie.ir import dump_text, machine_to_json
 
 
-class Stage(str, enum.Enum):
+class CompilerStage(str, enum.Enum):
     """A stage of the compiler, by its verb."""
 
     PARSE = "parse"
@@ -24,13 +24,13 @@ class Stage(str, enum.Enum):
     GENERATE = "generate"
 
 
-JSON_STAGES = (Stage.PARSE, Stage.LOWER)
+JSON_STAGES = (CompilerStage.PARSE, CompilerStage.LOWER)
 """The stages whose result has a JSON form."""
 
 
 def dump(
     rules: Path,
-    after: Stage,
+    after: CompilerStage,
     *,
     as_json: bool = False,
     systems: Sequence[Path] = (),
@@ -42,7 +42,7 @@ def dump(
     """
     assert after in JSON_STAGES or not as_json
     result = check_file(rules, systems=systems, message_folders=message_folders)
-    if after is Stage.PARSE:
+    if after is CompilerStage.PARSE:
         if as_json:
             files = [{"path": module.file.path, "items": module.items} for module in result.modules]
             return json.dumps({"files": files}, indent=1, default=_json) + "\n"
@@ -50,14 +50,14 @@ def dump(
         return "\n".join(line for tree in trees for line in _tree(tree)) + "\n"
     if result.program is None:
         raise RulesError(result.diagnostics)
-    if after is Stage.CHECK:
+    if after is CompilerStage.CHECK:
         return "\n".join(_symbols(result.program)) + "\n"
     compiled = compile_checked(result, message_folders)
     match after:
-        case Stage.LOWER:
+        case CompilerStage.LOWER:
             machine = compiled.with_margins
             return machine_to_json(machine) if as_json else dump_text(machine)
-        case Stage.GENERATE:
+        case CompilerStage.GENERATE:
             return "\n".join(own_code(generate(compiled.machine, "c99")).values())
 
 

@@ -35,14 +35,16 @@ _VERSION = re.compile(r"\d+\.\d+\.\d+")
 
 
 @dataclass(frozen=True)
-class Described:
+class DescribedManifest:
     """A manifest, and the fields without a value, in words."""
 
     manifest: Manifest
     missing: tuple[str, ...]
 
 
-def describe(rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]) -> Described:
+def describe(
+    rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]
+) -> DescribedManifest:
     """The manifest of the package of some rules. Values from options are not searched for.
 
     Raises `BadPackageXmlError` if the package of the rules cannot be read or has a field that is
@@ -55,7 +57,7 @@ def describe(rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]
         maintainers=tuple(maintainers) or _maintainers(found),
     )
     fields = (("license", manifest.licenses), ("maintainer", manifest.maintainers))
-    return Described(manifest, tuple(name for name, value in fields if not value))
+    return DescribedManifest(manifest, tuple(name for name, value in fields if not value))
 
 
 def _package_of(rules: Path) -> PackageXml | None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.engines.python_monitor import PythonMonitor
-from rossmarie.ir import ChannelValues, Event, Kind, Machine
+from rossmarie.ir import ChannelValues, Event, FieldKind, Machine
 from rossmarie.native import FLAG_VALUES, Columns
 
 
@@ -42,7 +42,7 @@ class PythonColumns:
         self._arriving: list[int] = np.flatnonzero(columns.arriving).tolist()
         flags = np.array(FLAG_VALUES)
         self._slots = [
-            flags[column] if slot.kind is Kind.FLAG else column
+            flags[column] if slot.kind is FieldKind.FLAG else column
             for slot, column in zip(machine.slots, columns.slots, strict=True)
         ]
 

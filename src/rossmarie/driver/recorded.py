@@ -15,7 +15,7 @@ from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
 from rossmarie.check.model import CheckedInput
 from rossmarie.driver.sampler import Kept
-from rossmarie.ir import AXES, Channel, Input, Kind, Machine, Slot, is_setting
+from rossmarie.ir import AXES, Channel, FieldKind, Input, Machine, Slot, is_setting
 from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.path import path_words
 from rossmarie.recordings.errors import RecordingError
@@ -58,7 +58,7 @@ class _Number:
 
     channel: Channel
     path: FieldPath
-    kind: Kind
+    kind: FieldKind
     unit: str
     name: str = field(compare=False)
 
@@ -114,13 +114,13 @@ def _numbers_of(inputs: Sequence[CheckedInput]) -> Iterator[_Number]:
                 yield _Number(channel, (*each.path, *path), kind, unit, name)
 
 
-def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
+def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, FieldKind, str]]:
     """The path, the kind and the unit of each number; arrays, lists and headers are left out."""
     match type_:
         case Boolean():
-            yield (), Kind.FLAG, ""
+            yield (), FieldKind.FLAG, ""
         case Quantity(unit=unit):
-            yield (), Kind.REAL, "" if unit is None else unit.symbol
+            yield (), FieldKind.REAL, "" if unit is None else unit.symbol
         case Vector(element=element):
             for axis in AXES:
                 yield from _below(axis, element)
@@ -137,7 +137,7 @@ def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
             return
 
 
-def _below(part: str, inner: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
+def _below(part: str, inner: Type) -> Iterator[tuple[FieldPath, FieldKind, str]]:
     for path, kind, unit in _numbers_in(inner):
         yield (part, *path), kind, unit
 

@@ -15,8 +15,8 @@ from rossmarie.report.safety import (
     Declared,
     Evidence,
     EvidenceKind,
+    RulesFile,
     SafetyFile,
-    Source,
     parse_evidence,
 )
 from rossmarie.report.safety.errors import (
@@ -65,7 +65,8 @@ def safety_file(
         machine=compiled.machine,
         rules_file=rules.name,
         sources=tuple(
-            Source(name_of(Path(file.path), rules), file, file.sha256) for file in compiled.sources
+            RulesFile(name_of(Path(file.path), rules), file, file.sha256)
+            for file in compiled.sources
         ),
         constants=tuple(_constants(result)),
         priorities=tuple(_priorities(result)),

@@ -16,7 +16,7 @@ _COMMENT = "//"
 
 
 @dataclass(frozen=True)
-class Robot:
+class BuiltInRobot:
     """A built-in robot, and its folder."""
 
     folder: Path
@@ -48,12 +48,12 @@ class Robot:
         return files_of(self.folder)
 
 
-def robots() -> Sequence[Robot]:
+def robots() -> Sequence[BuiltInRobot]:
     """All built-in robots, sorted by name."""
     models = ROBOTS.glob(f"*/{SYSTEM_MODEL}")
-    return [Robot(folder) for folder in sorted(path.parent for path in models)]
+    return [BuiltInRobot(folder) for folder in sorted(path.parent for path in models)]
 
 
-def robot(name: str) -> Robot:
+def robot(name: str) -> BuiltInRobot:
     """The robot with this name, in upper or lower case. Raises `UnknownExampleError`."""
     return named({each.name: each for each in robots()}, name, "robot")

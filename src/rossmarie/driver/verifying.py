@@ -21,7 +21,7 @@ from rossmarie.report.safety.proved import bound_of, verification_results
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
-from rossmarie.verification.prover import PROGRAMS, ProofOutcome, Prover, ProverError, Verdict
+from rossmarie.verification.prover import PROGRAMS, ProofOutcome, ProofVerdict, Prover, ProverError
 from rossmarie.verification.reactor_harness import reactor_harness
 
 
@@ -120,12 +120,14 @@ def _outcome(
     try:
         return prover.run(program, check, folder, seconds)
     except ProverError as error:
-        return ProofOutcome(check, Verdict.UNDECIDED, (f"the prover fails: {complaint(error)}",))
+        return ProofOutcome(
+            check, ProofVerdict.UNDECIDED, (f"the prover fails: {complaint(error)}",)
+        )
 
 
 def _ended(check: Check) -> ProofOutcome:
     return ProofOutcome(
-        check, Verdict.UNDECIDED, ("the system ended the prover; memory may be short",)
+        check, ProofVerdict.UNDECIDED, ("the system ended the prover; memory may be short",)
     )
 
 

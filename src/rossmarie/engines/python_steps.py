@@ -16,8 +16,8 @@ from rossmarie.ir import (
     ChannelValues,
     CommandPart,
     FieldBounds,
+    FieldPart,
     Machine,
-    Part,
     Publication,
     State,
     Wiring,
@@ -76,10 +76,10 @@ class PythonSteps:
 
     def _by_channel(
         self, machine: Machine
-    ) -> tuple[dict[int, dict[int, Part]], dict[int, dict[int, Part]]]:
+    ) -> tuple[dict[int, dict[int, FieldPart]], dict[int, dict[int, FieldPart]]]:
         """The parts of the slots and arrays of each arriving channel."""
-        slots: dict[int, dict[int, Part]] = {each: {} for each in self._wiring.arriving}
-        arrays: dict[int, dict[int, Part]] = {each: {} for each in self._wiring.arriving}
+        slots: dict[int, dict[int, FieldPart]] = {each: {} for each in self._wiring.arriving}
+        arrays: dict[int, dict[int, FieldPart]] = {each: {} for each in self._wiring.arriving}
         for index, slot in enumerate(machine.slots):
             channel, part = machine.inputs[slot.input].channel, self._wiring.slots[index]
             if part.count and channel in slots:
@@ -178,17 +178,17 @@ class PythonSteps:
         return said
 
 
-def _of(part: Part, numbers: Sequence[float]) -> list[float]:
+def _of(part: FieldPart, numbers: Sequence[float]) -> list[float]:
     return [_of_message(part, numbers[place]) for place in part.places]
 
 
-def _of_message(part: Part, number: float) -> float:
+def _of_message(part: FieldPart, number: float) -> float:
     if part.is_flag:
         return float(number != 0.0) if math.isfinite(number) else math.nan
     is_same = part.scale == 1.0 and part.offset == 0.0
     return number if is_same else number * part.scale + part.offset
 
 
-def _of_action(part: Part, value: float) -> float:
+def _of_action(part: FieldPart, value: float) -> float:
     is_same = part.scale == 1.0 and part.offset == 0.0
     return value if is_same else (value - part.offset) / part.scale

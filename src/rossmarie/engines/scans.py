@@ -6,12 +6,14 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from rossmarie.ir import Array, ChannelValues, Kind, Machine, Path, ScanFields, Slot
+from rossmarie.ir import Array, ChannelValues, FieldKind, Machine, Path, ScanFields, Slot
 from rossmarie.ir.beams import is_of_scan
-from rossmarie.ir.scans import Scan, all_taken
+from rossmarie.ir.scans import LaserScan, all_taken
 
 
-def values_of_scan(machine: Machine, fields: ScanFields, scan: Scan) -> tuple[int, ChannelValues]:
+def values_of_scan(
+    machine: Machine, fields: ScanFields, scan: LaserScan
+) -> tuple[int, ChannelValues]:
     """The channel of a scan, and the values that the machine reads there: its sectors and beams
     (S70), and its plain fields.
     """
@@ -43,7 +45,7 @@ def _along(value: Any, path: Path) -> Any:
 
 
 def _number(machine: Machine, slot: Slot, value: Any) -> float:
-    if slot.kind is Kind.TEXT:
+    if slot.kind is FieldKind.TEXT:
         return float(machine.texts.index(value)) if value in machine.texts else -1.0
     if hasattr(value, "nanosec"):
         return float(value.sec) + float(value.nanosec) * 1e-9

@@ -15,7 +15,7 @@ from rossmarie.ir import (
     EACH,
     POINTS,
     ChannelValues,
-    Kind,
+    FieldKind,
     Machine,
     arrival_names,
     columns_of,
@@ -28,11 +28,11 @@ from rossmarie.ir import (
 )
 from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud, leave_out
-from rossmarie.ir.scans import Scan, is_scan
+from rossmarie.ir.scans import LaserScan, is_scan
 from rossmarie.ir.skills import SkillMessage
 
 Value: TypeAlias = (
-    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | Scan
+    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | LaserScan
     | SkillMessage | None
 )  # fmt: skip
 """The content of a message field: a number, a flag, a string, the elements of an array, or the
@@ -43,7 +43,7 @@ skills as the message about the running skills.
 
 _FRAME = ("header", "frame_id")
 """The field with the frame of a message."""
-_WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
+_WANTED = {FieldKind.REAL: "a number", FieldKind.FLAG: "a flag", FieldKind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 
@@ -150,21 +150,21 @@ class NamedValues:
         """The number of a value. A string is its index among the strings of the machine, or -1."""
         return self._number_of(self._machine.slots[slot].kind, value)
 
-    def _number_of(self, kind: Kind, value: object) -> float:
-        if isinstance(value, str) and kind is Kind.TEXT:
+    def _number_of(self, kind: FieldKind, value: object) -> float:
+        if isinstance(value, str) and kind is FieldKind.TEXT:
             texts = self._machine.texts
             return float(texts.index(value)) if value in texts else -1.0
-        if isinstance(value, _NUMBERS) and kind is not Kind.TEXT:
+        if isinstance(value, _NUMBERS) and kind is not FieldKind.TEXT:
             number = float(value)
-            return _flag(number) if kind is Kind.FLAG else number
+            return _flag(number) if kind is FieldKind.FLAG else number
         raise TypeError(f"expected {_WANTED[kind]}, not {value!r}")
 
     def _elements(self, name: str, array: int, value: Value) -> list[float]:
-        if self._machine.arrays[array].kind is not Kind.TEXT:
+        if self._machine.arrays[array].kind is not FieldKind.TEXT:
             return _numbers(name, value)
         if isinstance(value, str) or not isinstance(value, Sequence):
             raise TypeError(f"`{name}` takes the strings of all elements, not {value!r}")
-        return [self._number_of(Kind.TEXT, each) for each in value]
+        return [self._number_of(FieldKind.TEXT, each) for each in value]
 
     def _columns(self, name: str, its_list: int, value: Value) -> dict[int, list[float]]:
         """The columns of a list of dictionaries or objects, or of a cloud; empty if the list is
@@ -182,7 +182,7 @@ class NamedValues:
         found = {}
         for column in columns_of(self._machine, its_list):
             array = self._machine.arrays[column]
-            kind = Kind.FLAG if holds_flags(array) else array.kind
+            kind = FieldKind.FLAG if holds_flags(array) else array.kind
             words = path_names(array.path[array.path.index(EACH) + 1 :])
             fields = [_field(name, element, words) for element in value]
             if is_of_points and None in fields:

@@ -19,10 +19,10 @@ from typing import TypeAlias, TypeVar
 from rossmarie.engines import NamedValues
 from rossmarie.ir import (
     CommandPart,
-    Kind,
+    FieldKind,
+    FieldPart,
     Listed,
     Machine,
-    Part,
     Publication,
     Wiring,
     columns_of,
@@ -54,11 +54,11 @@ class _Entry:
 
     name: str
     index: Index | None
-    part: Part
+    part: FieldPart
     is_array: bool = False
     listed: Listed | None = None
 
-    def placed(self, what: str, size: int) -> Part:
+    def placed(self, what: str, size: int) -> FieldPart:
         """The part in an array of a given size."""
         if self.index is None:
             return self.part
@@ -77,7 +77,7 @@ class _Entry:
             raise MappingError(f"`{self.name}` is one number, not {len(places)}")
         return replace(self.part, first=places[0], count=len(places), step=places.step)
 
-    def _element(self, listed: Listed, places: range) -> Part:
+    def _element(self, listed: Listed, places: range) -> FieldPart:
         if len(places) != listed.count:
             raise MappingError(f"`{self.name}` has {listed.count} names, not {len(places)}")
         return replace(self.part, first=places[listed.place], count=1)
@@ -145,16 +145,16 @@ class ArrayMapping:
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         if name in values.slots and not whole:
             slot = values.slots[name]
-            if machine.slots[slot].kind is Kind.TEXT and place is not None:
+            if machine.slots[slot].kind is FieldKind.TEXT and place is not None:
                 raise MappingError(f"`{name}` is a string, which an array cannot contain")
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         elif name in values.arrays:
             array = machine.arrays[values.arrays[name]]
-            if array.kind is Kind.TEXT and place is not None:
+            if array.kind is FieldKind.TEXT and place is not None:
                 raise MappingError(f"`{name}` has strings, which an array cannot contain")
             if isinstance(index, int):
                 raise MappingError(f"`{name}` is an array: give a slice, such as slice(0, 7)")
-            part = Part()
+            part = FieldPart()
             if unit is not None:
                 part = _converted(name, unit, array.unit, array.scale, array.offset)
             _enter(self._arrays, values.arrays[name], _Entry(name, index, part, is_array=True))
@@ -163,11 +163,11 @@ class ArrayMapping:
         elif not whole and not asked:
             raise MappingError(values.unknown(name))
 
-    def _slot_part(self, index: int, name: str, unit: str | None) -> Part:
+    def _slot_part(self, index: int, name: str, unit: str | None) -> FieldPart:
         slot = self._machine.slots[index]
         if unit is not None:
             return _converted(name, unit, slot.unit, slot.scale, slot.offset)
-        return Part(is_flag=slot.kind is Kind.FLAG)
+        return FieldPart(is_flag=slot.kind is FieldKind.FLAG)
 
     def _require_all(self) -> None:
         """Raise `MappingError` unless every field that rules read is declared."""
@@ -226,7 +226,7 @@ class ArrayMapping:
         command, number = known[name]
         field = self._machine.reactions.commands[command].fields[number]
         index, unit = place if isinstance(place, tuple) else (place, None)
-        part = Part() if unit is None else _converted(name, unit, field.unit)
+        part = FieldPart() if unit is None else _converted(name, unit, field.unit)
         _enter(self._fields, known[name], _Entry(name, index, part, field.is_array))
 
     def _require_limited(self) -> None:
@@ -316,7 +316,7 @@ def _command_names(machine: Machine) -> dict[str, tuple[int, int]]:
 
 def _converted(
     name: str, unit: str, of_message: str, scale: float | None = None, offset: float = 0.0
-) -> Part:
+) -> FieldPart:
     """The part of a field whose unit differs from that of its message. The message's own scale and
     offset, or those of its unit, convert a number of a message to SI.
     """
@@ -324,7 +324,7 @@ def _converted(
     if given.dimension != wanted.dimension:
         raise MappingError(f"`{name}` is in {wanted}, not in {given}")
     own_scale, own_offset = (wanted.scale, wanted.offset) if scale is None else (scale, offset)
-    return Part(scale=given.scale / own_scale, offset=(given.offset - own_offset) / own_scale)
+    return FieldPart(scale=given.scale / own_scale, offset=(given.offset - own_offset) / own_scale)
 
 
 def _parsed(name: str, unit: str) -> Unit:

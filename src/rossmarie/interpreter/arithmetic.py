@@ -16,13 +16,13 @@ from rossmarie.core.expressions import (
     Chosen,
     Computed,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsEqual,
     IsLess,
     IsUnknown,
     Local,
-    Number,
     Operand,
     Primitive,
     Subfunction,
@@ -92,7 +92,7 @@ def _program_of(expression: Expression, count: int) -> Callable[[_Values], float
 
 def _compiled(expression: Expression, places: Mapping[Local, int]) -> Callable[[_Values], float]:
     match expression:
-        case Number(value=number):
+        case ConstantNumber(value=number):
             return lambda _: number
         case Operand(index=index):
             return lambda values: values[index]

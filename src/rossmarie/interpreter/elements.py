@@ -18,7 +18,7 @@ from rossmarie.ir import TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
 
 
-class Elements:
+class ElementEvaluation:
     """Evaluates elementwise nodes, once for each element of an array, with the numbers of the
     evaluation in which the elements arrive.
     """

@@ -12,7 +12,7 @@ from rossmarie import ir
 from rossmarie.core import View, sampling_row
 from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.arithmetic import NAN
-from rossmarie.interpreter.elements import Elements
+from rossmarie.interpreter.elements import ElementEvaluation
 from rossmarie.interpreter.memory import Memory, Samples
 from rossmarie.ir import InputState, TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
@@ -26,7 +26,7 @@ class Evaluator:
         self._memory = memory
         self._supports = ir.supports(machine)
         self._element_arrays = ir.element_arrays(machine)
-        self.elements = Elements(machine, memory)
+        self.elements = ElementEvaluation(machine, memory)
 
     def evaluate(self, at_ns: int, updated: frozenset[int], expired: frozenset[int]) -> None:
         """Evaluate at an instant at which these channels were updated and these inputs have

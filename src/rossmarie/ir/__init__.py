@@ -3,7 +3,7 @@
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.applied import functions, samplings
-from rossmarie.ir.batch import Batch, Elements, Taken, each_update
+from rossmarie.ir.batch import Batch, ElementColumns, Taken, each_update
 from rossmarie.ir.beside import beside, made_beside, stand_beside
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.calls import SkillCall
@@ -51,12 +51,12 @@ from rossmarie.ir.model import (
     Constant,
     Count,
     Element,
+    FieldKind,
     Flag,
     Fold,
     Folding,
     Held,
     Input,
-    Kind,
     List,
     Literal,
     Machine,
@@ -133,7 +133,14 @@ from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
-from rossmarie.ir.wiring import CommandPart, Part, PointColumns, Publication, Wiring, point_columns
+from rossmarie.ir.wiring import (
+    CommandPart,
+    FieldPart,
+    PointColumns,
+    Publication,
+    Wiring,
+    point_columns,
+)
 
 __all__ = [
     "AXES",
@@ -176,12 +183,14 @@ __all__ = [
     "Edge",
     "Element",
     "ElementArrays",
-    "Elements",
+    "ElementColumns",
     "Event",
     "Exemption",
     "Explanation",
     "Feedback",
     "FieldBounds",
+    "FieldKind",
+    "FieldPart",
     "Flag",
     "Fold",
     "Folding",
@@ -190,7 +199,6 @@ __all__ = [
     "Held",
     "Input",
     "InputState",
-    "Kind",
     "LeftOut",
     "List",
     "Listed",
@@ -203,7 +211,6 @@ __all__ = [
     "Once",
     "Or",
     "Oscillates",
-    "Part",
     "Path",
     "PointColumns",
     "Points",

@@ -16,7 +16,7 @@ if TYPE_CHECKING:  # NumPy is slow to import, and most commands do not need it
     from rossmarie.ir.verdict import Event
 
 
-class Elements(NamedTuple):
+class ElementColumns(NamedTuple):
     """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. If `known[i]` is 0,
     update i has no such array; then a list with this column is unknown.
     """
@@ -38,7 +38,7 @@ class Batch:
     times_ns: NDArray[np.int64]
     arriving: NDArray[np.uint8]
     slots: NDArray[np.float64]
-    arrays: Sequence[Elements]
+    arrays: Sequence[ElementColumns]
 
 
 class Taken(NamedTuple):
@@ -85,7 +85,7 @@ def _by_channel(machine: Machine, fields: Sequence[Slot | Array]) -> list[list[i
     ]
 
 
-def _elements(array: Elements, update: int) -> list[float]:
+def _elements(array: ElementColumns, update: int) -> list[float]:
     start = array.ends[update - 1] if update else 0
     found: list[float] = array.values[start : array.ends[update]].tolist()
     return found

@@ -333,12 +333,12 @@ class _Snapshot:
         if value != value:
             return "unknown"
         match kind_of(self._machine, index):
-            case ir.Kind.FLAG:
+            case ir.FieldKind.FLAG:
                 return str(value != 0.0).lower()
-            case ir.Kind.TEXT:
+            case ir.FieldKind.TEXT:
                 texts = self._machine.texts
                 return f'"{texts[int(value)]}"' if value >= 0.0 else "another string"
-            case ir.Kind.REAL:
+            case ir.FieldKind.REAL:
                 return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
     def _value(self, proposition: int) -> TruthValue:

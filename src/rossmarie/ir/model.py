@@ -26,7 +26,7 @@ from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.signs import Comparison
 
 
-class Kind(enum.Enum):
+class FieldKind(enum.Enum):
     """The kind of message field behind a slot or array."""
 
     REAL = "real"
@@ -59,7 +59,7 @@ class Slot:
 
     input: int
     path: Path
-    kind: Kind
+    kind: FieldKind
     scale: float
     offset: float
     unit: str
@@ -93,7 +93,7 @@ class Array:
     offset: float
     unit: str
     limits: tuple[float, float] | None = None
-    kind: Kind = Kind.REAL
+    kind: FieldKind = FieldKind.REAL
     list: int | None = None
 
 

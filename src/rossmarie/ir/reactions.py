@@ -339,7 +339,7 @@ def is_block(command: CommandTopic, effect: Limit) -> bool:
 
 
 @dataclass(frozen=True)
-class Target:
+class ExclusiveTarget:
     """The target that an effect needs exclusively: `controller manager /controller_manager`. `name`
     is the ROS name; a parameter adds its own name.
     """
@@ -352,19 +352,19 @@ class Target:
         return f"{self.kind} {self.name}{self.parameter}"
 
 
-def target_of(effect: Effect) -> Target | None:
+def target_of(effect: Effect) -> ExclusiveTarget | None:
     """The target that an effect needs exclusively; None if it needs none (R2)."""
     match effect:
         case Publish(topic=topic) | Retrace(topic=topic):
-            return Target("topic", topic)
+            return ExclusiveTarget("topic", topic)
         case Call(service=service):
-            return Target("service", service)
+            return ExclusiveTarget("service", service)
         case SetParameter(node=node, parameter=parameter):
-            return Target("parameter", node, f".{parameter}")
+            return ExclusiveTarget("parameter", node, f".{parameter}")
         case SwitchControllers(manager=manager):
-            return Target("controller manager", manager)
+            return ExclusiveTarget("controller manager", manager)
         case SendGoal(server=server) | CancelGoal(server=server):
-            return Target("action server", server)
+            return ExclusiveTarget("action server", server)
         case Limit() | Scale() | Log() | Diagnose() | Hook() | Reset():
             return None
 

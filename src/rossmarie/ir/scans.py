@@ -31,7 +31,7 @@ _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers differ by one beam in its definition."""
 
 
-class Scan(Protocol):
+class LaserScan(Protocol):
     """An object of any class with the fields of the message."""
 
     angle_min: float
@@ -67,12 +67,12 @@ class _Measured:
         return self.returns | self.is_close | self.sees_nothing
 
 
-def is_scan(value: object) -> TypeGuard[Scan]:
+def is_scan(value: object) -> TypeGuard[LaserScan]:
     """Say whether a value looks like the message of a scan."""
     return hasattr(value, "angle_increment") and hasattr(value, "ranges")
 
 
-def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
+def taken(scan: LaserScan, array: Array, most: int) -> NDArray[np.float64]:
     """The numbers of an array that is computed from a scan; `most` is the bound of its list, if it
     has one.
 
@@ -86,7 +86,7 @@ def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
     raise AssertionError(f"{array.path} is of no scan")
 
 
-def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, list[float]]:
+def all_taken(machine: Machine, scan: LaserScan, arrays: Sequence[int]) -> dict[int, list[float]]:
     """The numbers of these arrays of a machine, computed from this scan. Unknown arrays are left
     out.
     """
@@ -99,7 +99,7 @@ def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, 
     return found
 
 
-def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
+def sector(scan: LaserScan, wanted: Sector) -> NDArray[np.float64]:
     """The valid readings of a sector, with +inf for nothing in range.
 
     Raises `UnreadableScanError` if there are none, or if the beams do not cover the whole sector.
@@ -114,13 +114,13 @@ def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
     return found
 
 
-def beams_inside(scan: Scan, wanted: Sector) -> NDArray[np.bool_]:
+def beams_inside(scan: LaserScan, wanted: Sector) -> NDArray[np.bool_]:
     """The beams of a scan that are in a sector, whatever their readings."""
     angles = _angles(float(scan.angle_min), float(scan.angle_increment), len(scan.ranges))
     return _inside(angles, abs(float(scan.angle_increment)), wanted)
 
 
-def beams(scan: Scan, kind: Beams, field: str, most: int) -> NDArray[np.float64]:
+def beams(scan: LaserScan, kind: Beams, field: str, most: int) -> NDArray[np.float64]:
     """One field of the points of a scan, or of the beams without a reading.
 
     Raises `UnreadableScanError`, also if the scan has more than `most` beams.
@@ -143,7 +143,7 @@ def beams(scan: Scan, kind: Beams, field: str, most: int) -> NDArray[np.float64]
     return intensities[which]
 
 
-def _measured(scan: Scan) -> _Measured:
+def _measured(scan: LaserScan) -> _Measured:
     ranges = np.asarray(scan.ranges, np.float64)
     first, last, step = (
         float(each) for each in (scan.angle_min, scan.angle_max, scan.angle_increment)

@@ -42,7 +42,7 @@ class FieldValue:
 
 
 @dataclass(frozen=True)
-class Running:
+class ScriptedSkills:
     """The skills that run and that can start next, and no other skills, from this message on
     `topic` on. `text` is the notation of tests.
     """
@@ -65,7 +65,7 @@ class ScriptedArrival:
     inputs: tuple[str, ...]
     topics: tuple[str, ...]
     settings: tuple[FieldValue, ...]
-    running: Running | None = None
+    running: ScriptedSkills | None = None
 
     @property
     def count(self) -> int:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rossmarie.core import Measure, RegionFunction, sampling_row
+from rossmarie.core import RegionFunction, RegionMeasure, sampling_row
 from rossmarie.ir import model as ir
 
 
@@ -318,20 +318,20 @@ def _single(arrays: Iterable[int | None]) -> int | None:
 # --- kinds -----------------------------------------------------------------------------------
 
 
-def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
+def kind_of(machine: ir.Machine, signal: int) -> ir.FieldKind:
     """The kind of a signal's values."""
     match machine.signals[signal].node:
         case ir.Read(slot=slot):
             return machine.slots[slot].kind
         case ir.Sampled(function=function, signal=sampled):
             gives_a_sample = sampling_row(function).gives_a_sample
-            return kind_of(machine, sampled) if gives_a_sample else ir.Kind.REAL
+            return kind_of(machine, sampled) if gives_a_sample else ir.FieldKind.REAL
         case ir.Element(array=array):
             return machine.arrays[array].kind
-        case ir.Apply(function=RegionFunction(measure=Measure.INSIDE)):
-            return ir.Kind.FLAG
+        case ir.Apply(function=RegionFunction(measure=RegionMeasure.INSIDE)):
+            return ir.FieldKind.FLAG
         case ir.Constant() | ir.Apply() | ir.Fold() | ir.Count():
-            return ir.Kind.REAL
+            return ir.FieldKind.REAL
 
 
 # --- what a rule stands on -------------------------------------------------------------------

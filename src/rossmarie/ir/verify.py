@@ -20,6 +20,7 @@ from rossmarie.ir.malformed import (
     require_finite,
     require_index,
 )
+from rossmarie.ir.model import FieldKind
 from rossmarie.ir.path import EACH, Doing, Path, Quantity
 from rossmarie.ir.settings import setting_numbers
 from rossmarie.ir.signs import Comparison
@@ -79,8 +80,8 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require_index(slot.input, len(machine.inputs), where, "input")
         require_finite((slot.scale, slot.offset), where)
         is_plain = (slot.scale, slot.offset) == (1.0, 0.0)
-        require(is_plain or slot.kind is ir.Kind.REAL, where, f"a scaled {slot.kind.value}")
-        is_number = slot.limits is None or slot.kind is ir.Kind.REAL
+        require(is_plain or slot.kind is FieldKind.REAL, where, f"a scaled {slot.kind.value}")
+        is_number = slot.limits is None or slot.kind is FieldKind.REAL
         require(is_number, where, f"limits of a {slot.kind.value}")
         _require_limits(slot.limits, where)
         _verify_query(slot, where)
@@ -102,13 +103,13 @@ def _verify_query(slot: ir.Slot, where: str) -> None:
     """Require that a query about running skills applies to the message itself."""
     match slot.path:
         case (Doing(skills=skills, arguments=arguments),):
-            require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
+            require(slot.kind is FieldKind.FLAG, where, f"an answer of the kind {slot.kind.value}")
             choices = [skills, *(classes for _, classes in arguments)]
             require(all(map(_is_choice, choices)), where, "names that are not sorted, or none")
             parameters = tuple(parameter for parameter, _ in arguments)
             require(parameters == tuple(sorted(set(parameters))), where, "unsorted parameters")
         case (Quantity(skills=skills, is_boolean=is_boolean),):
-            kind = ir.Kind.FLAG if is_boolean else ir.Kind.REAL
+            kind = FieldKind.FLAG if is_boolean else FieldKind.REAL
             require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths contain no query about skills
@@ -126,10 +127,10 @@ def _is_choice(names: tuple[str, ...]) -> bool:
 def _verify_column(machine: ir.Machine, array: ir.Array, where: str) -> None:
     """Require that a column belongs to the input of its list, and leads through each element."""
     if array.list is None:
-        require(array.kind is ir.Kind.REAL, where, f"an array of the kind {array.kind.value}")
+        require(array.kind is FieldKind.REAL, where, f"an array of the kind {array.kind.value}")
         require(EACH not in array.path, where, "a field of each element, but of no list")
         return
-    require(array.kind is not ir.Kind.FLAG, where, "flags are numbers within limits")
+    require(array.kind is not FieldKind.FLAG, where, "flags are numbers within limits")
     require_index(array.list, len(machine.lists), where, "list")
     its_list = machine.lists[array.list]
     require(array.input == its_list.input, where, "another input than that of its list")
@@ -137,7 +138,7 @@ def _verify_column(machine: ir.Machine, array: ir.Array, where: str) -> None:
     is_inside = array.path[: length + 1] == (*its_list.path, EACH)
     require(is_inside and EACH not in array.path[length + 1 :], where, "a path beside its list")
     is_plain = (array.scale, array.offset, array.limits) == (1.0, 0.0, None)
-    require(is_plain or array.kind is ir.Kind.REAL, where, f"a scaled {array.kind.value}")
+    require(is_plain or array.kind is FieldKind.REAL, where, f"a scaled {array.kind.value}")
 
 
 def _require_limits(limits: tuple[float, float] | None, where: str) -> None:
@@ -299,19 +300,19 @@ def _verify_kinds(machine: ir.Machine) -> None:
             kind = kind_of(machine, operand)
             if operand in _frames_of(machine, signal.node, where):
                 continue
-            is_right = kind is ir.Kind.REAL or (kind is ir.Kind.FLAG and _keeps(signal.node))
+            is_right = kind is FieldKind.REAL or (kind is FieldKind.FLAG and _keeps(signal.node))
             require(is_right, where, f"operand {operand} is a {kind.value}")
     for index, node in enumerate(each.node for each in machine.propositions):
         where = f"proposition {index} ({type(node).__name__})"
         if isinstance(node, ir.Flag):
             kind = kind_of(machine, node.signal)
             is_element = isinstance(machine.signals[node.signal].node, ir.Element)
-            is_flag = kind is ir.Kind.FLAG or (is_element and kind is ir.Kind.REAL)
+            is_flag = kind is FieldKind.FLAG or (is_element and kind is FieldKind.REAL)
             require(is_flag, where, f"tests a {kind.value}")
         elif not (_compares_text(machine, node) or _compares_flags(machine, node)):
             for operand in compared_signals(node):
                 kind = kind_of(machine, operand)
-                require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
+                require(kind is FieldKind.REAL, where, f"operand {operand} is a {kind.value}")
 
 
 def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[int, ...]:
@@ -320,12 +321,12 @@ def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[in
         case ir.Apply(function=RegionFunction(), operands=(_, _, seen, wanted)):
             pass
         case ir.Apply(function=Function.SEEN, operands=(_, seen, wanted)) if (
-            kind_of(machine, seen) is ir.Kind.TEXT
+            kind_of(machine, seen) is FieldKind.TEXT
         ):
             pass
         case _:  # open: no other function compares texts
             return ()
-    is_reported = kind_of(machine, seen) is ir.Kind.TEXT
+    is_reported = kind_of(machine, seen) is FieldKind.TEXT
     require(is_reported or _is_literal(machine, seen), where, "a frame that is no text")
     require(_is_literal(machine, wanted), where, "the wanted frame is no text")
     return (seen, wanted)
@@ -344,14 +345,14 @@ def _keeps(node: ir.SignalNode) -> bool:
 def _compares_flags(machine: ir.Machine, node: ir.PropositionNode) -> bool:
     if not isinstance(node, ir.Compare) or node.comparison not in _EQUALITY:
         return False
-    return all(kind_of(machine, side) is ir.Kind.FLAG for side in (node.left, node.right))
+    return all(kind_of(machine, side) is FieldKind.FLAG for side in (node.left, node.right))
 
 
 def _compares_text(machine: ir.Machine, node: ir.PropositionNode) -> bool:
     """Say whether a node compares a text with a literal. All unknown texts have one number."""
     if not isinstance(node, ir.Compare):
         return False
-    is_of_text = kind_of(machine, node.left) is ir.Kind.TEXT
+    is_of_text = kind_of(machine, node.left) is FieldKind.TEXT
     return node.comparison in _EQUALITY and is_of_text and _is_literal(machine, node.right)
 
 
@@ -381,7 +382,7 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
 def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, where: str) -> None:
     require_index(margin.signal, len(machine.signals), where, "signal")
     require(arrays.signals[margin.signal] is None, where, "an elementwise margin")
-    require(kind_of(machine, margin.signal) is ir.Kind.REAL, where, "a margin that is no number")
+    require(kind_of(machine, margin.signal) is FieldKind.REAL, where, "a margin that is no number")
     require_finite((margin.scale,), where)
     require(margin.scale > 0.0, where, f"a margin times {margin.scale}")
 

@@ -12,7 +12,7 @@ from rossmarie.ir.support import columns_of
 
 
 @dataclass(frozen=True)
-class Part:
+class FieldPart:
     """The numbers of a field: `count` numbers from index `first` on, `step` apart; none if the
     arrays do not contain the field. A number x stands for `x * scale + offset` in the unit of the
     message; with `is_flag`, it stands for a flag.
@@ -37,7 +37,7 @@ class CommandPart:
 
     command: int
     field: int
-    part: Part
+    part: FieldPart
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,8 @@ class Wiring:
 
     observed: int
     acted: int
-    slots: tuple[Part, ...]
-    arrays: tuple[Part, ...]
+    slots: tuple[FieldPart, ...]
+    arrays: tuple[FieldPart, ...]
     arriving: frozenset[int]
     commands: tuple[CommandPart, ...]
     publications: tuple[Publication, ...]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rossmarie import ir
-from rossmarie.check.names.parts import Part
-from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.check.names.parts import MessagePart
+from rossmarie.lowering.inputs import InputPart, Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.types import AXES, Quantity
 from rossmarie.units import parse_unit
@@ -14,20 +14,20 @@ from rossmarie.units import parse_unit
 ANGLE = Quantity(parse_unit("rad"))
 
 
-def is_of_point(place: Place) -> bool:
+def is_of_point(place: InputPart) -> bool:
     """Say whether a part is a coordinate of a point of a scan."""
     *before, last = place.path
     return tuple(before[-2:]) == (ir.RETURNS, ir.EACH) and last in AXES
 
 
 def coordinate(
-    place: Place, distance_type: Quantity, shown: Shown, inputs: Inputs, nodes: Nodes
+    place: InputPart, distance_type: Quantity, shown: Shown, inputs: Inputs, nodes: Nodes
 ) -> int:
     """The signal of a coordinate of the current point, in the frame of the scanner."""
     *before, axis = place.path
 
     def column(name: str, type_: Quantity) -> int:
-        index = inputs.column(Place(place.input, Part((*before, name))), type_)
+        index = inputs.column(InputPart(place.input, MessagePart((*before, name))), type_)
         text = f"{shown.text.rpartition('.')[0]}.{name}"
         return nodes.signal(ir.Element(index), replace(shown, text=text, unit=type_.unit))
 

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedSkills
-from rossmarie.skills import Parameter, Skill
+from rossmarie.skills import Skill, SkillParameter
 
 MOST_CALLS = 512
 """The most calls that are kept. If there are more calls, the machine has no information about
@@ -69,7 +69,7 @@ def _calls_of(
         )
 
 
-def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) -> str | None:
+def _text(skill: Skill, chosen: Sequence[tuple[SkillParameter, Kinds]], word: str) -> str | None:
     """The call in the notation of tests. None if the call has a thing with several classes, or a
     missing thing, because the notation cannot express them.
     """
@@ -81,7 +81,7 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) ->
 
 
 def _kinds(
-    thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
+    thing: SkillParameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
     """The classes that an argument may have, one for each kind that the queries distinguish, the
     most general first. A thing can have other classes besides the class that its parameter

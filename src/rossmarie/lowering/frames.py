@@ -8,8 +8,8 @@ from rossmarie import ir
 from rossmarie.check.frames import CheckedFrame, Leg
 from rossmarie.check.model import CheckedInput, CheckedProgram
 from rossmarie.check.names.frames import frame_field, is_reported
-from rossmarie.check.names.parts import Part
-from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.check.names.parts import MessagePart
+from rossmarie.lowering.inputs import InputPart, Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.types import Quantity, Quaternion, Text, Vector
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
@@ -28,13 +28,13 @@ _UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 _METRE = parse_unit("m")
 
 
-def is_in_frame(place: Place) -> bool:
+def is_in_frame(place: InputPart) -> bool:
     """Say whether the rules give the frame of a part of a message."""
     used = place.input
     return used.frame is not None and is_reported(used, place.path)
 
 
-class Frames:
+class FrameLowering:
     """Lowers transformations between frames."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
@@ -42,7 +42,9 @@ class Frames:
         self._inputs = inputs
         self._nodes = nodes
 
-    def seen(self, place: Place, type_: Vector | Quaternion, arrived: Axis, shown: Shown) -> Axis:
+    def seen(
+        self, place: InputPart, type_: Vector | Quaternion, arrived: Axis, shown: Shown
+    ) -> Axis:
         """The components of a vector or an orientation in the frame of the rules. `arrived` gives
         the components of the message.
         """
@@ -56,7 +58,7 @@ class Frames:
             parts = self._along(leg, parts, type_, shown)
         return parts
 
-    def frame(self, place: Place, shown: Shown) -> int:
+    def frame(self, place: InputPart, shown: Shown) -> int:
         """The signal of the frame that the rules give for a part of a message, as a text."""
         used = place.input
         reported = frame_field(used.whole, place.path)
@@ -69,7 +71,7 @@ class Frames:
 
     # --- the frame of the message ------------------------------------------------------------
 
-    def _in_source(self, place: Place, arrived: Axis) -> Axis:
+    def _in_source(self, place: InputPart, arrived: Axis) -> Axis:
         """The components of the message; unknown if the message has another frame (S77)."""
         used = place.input
         reported = frame_field(used.whole, place.path)
@@ -86,7 +88,7 @@ class Frames:
         return seen
 
     def _reported(self, used: CheckedInput, field: ir.Path, shown: Shown) -> int:
-        place, name = Place(used, Part(field)), Shown("frame", shown.span)
+        place, name = InputPart(used, MessagePart(field)), Shown("frame", shown.span)
         if place.list_path is not None:
             return self._nodes.signal(ir.Element(self._inputs.column(place, Text())), name)
         return self._nodes.signal(ir.Read(self._inputs.slot(place, Text())), name)
@@ -164,7 +166,7 @@ class Frames:
 
     def _read(self, frame: CheckedFrame, field: str, axis: str, unit: Unit, shown: Shown) -> int:
         used = self._program.frame_inputs[frame.name]
-        slot = self._inputs.slot(Place(used, Part((field, axis))), Quantity(unit))
+        slot = self._inputs.slot(InputPart(used, MessagePart((field, axis))), Quantity(unit))
         text = f"{used.declaration.name.text}.{field}.{axis}"
         return self._nodes.signal(ir.Read(slot), Shown(text, shown.span, unit))
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedInput, Gaps
-from rossmarie.check.names.parts import Part
+from rossmarie.check.names.parts import MessagePart
 from rossmarie.types import (
     Array,
     Boolean,
@@ -33,32 +33,32 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
+class InputPart:
     """A part of the message that an input reads."""
 
     input: CheckedInput
-    part: Part
+    part: MessagePart
 
     @property
     def path(self) -> ir.Path:
         """The path from the message to the part."""
         return self.part.path
 
-    def field(self, name: str, type_: Type) -> Place:
+    def field(self, name: str, type_: Type) -> InputPart:
         """A field of this part, with its type."""
-        return Place(self.input, self.part.field(name, type_))
+        return InputPart(self.input, self.part.field(name, type_))
 
-    def sector(self, sector: ir.Sector) -> Place:
+    def sector(self, sector: ir.Sector) -> InputPart:
         """A sector of this part, which is the `ranges` of a scan."""
-        return Place(self.input, self.part.sector(sector))
+        return InputPart(self.input, self.part.sector(sector))
 
-    def element(self, index: int | str, owner: Type) -> Place:
+    def element(self, index: int | str, owner: Type) -> InputPart:
         """An element of this part. `owner` is the type of this part."""
-        return Place(self.input, self.part.element(index, owner))
+        return InputPart(self.input, self.part.element(index, owner))
 
-    def each(self) -> Place:
+    def each(self) -> InputPart:
         """Any element of this part. This part is a list."""
-        return Place(self.input, Part((*self.part.path, ir.EACH)))
+        return InputPart(self.input, MessagePart((*self.part.path, ir.EACH)))
 
     @property
     def list_path(self) -> ir.Path | None:
@@ -102,19 +102,19 @@ class Inputs:
             self.inputs.append(ir.Input(name.text, channel, used.timeout_ns, name.span))
         return index
 
-    def slot(self, place: Place, type_: Type) -> int:
+    def slot(self, place: InputPart, type_: Type) -> int:
         """The slot of one number, flag or text of a message."""
         used = self.input(place.input)
         index = self._slots_by_place.setdefault((used, place.path), len(self.slots))
         if index == len(self.slots):
             unit = _unit(type_)
             kind, shown = _kind(type_), _symbol(unit)
-            limits = _limits(type_) if kind is ir.Kind.REAL else None
+            limits = _limits(type_) if kind is ir.FieldKind.REAL else None
             slot = ir.Slot(used, place.path, kind, unit.scale, unit.offset, shown, limits)
             self.slots.append(slot)
         return index
 
-    def array(self, place: Place, type_: Array) -> int:
+    def array(self, place: InputPart, type_: Array) -> int:
         """The array of all numbers or flags of an array of a message."""
         used = self.input(place.input)
         index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
@@ -125,14 +125,14 @@ class Inputs:
             self.arrays.append(array)
         return index
 
-    def column(self, place: Place, type_: Type) -> int:
+    def column(self, place: InputPart, type_: Type) -> int:
         """The array of one number, flag or text of each element of a list."""
         used = self.input(place.input)
         index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
         if index == len(self.arrays):
             unit, kind = _unit(type_), _kind(type_)
             shown, limits = _symbol(unit), _limits(type_)
-            stored = ir.Kind.TEXT if kind is ir.Kind.TEXT else ir.Kind.REAL
+            stored = ir.FieldKind.TEXT if kind is ir.FieldKind.TEXT else ir.FieldKind.REAL
             its_list = self._list(place)
             column = ir.Array(
                 used, place.path, unit.scale, unit.offset, shown, limits, stored, its_list
@@ -140,7 +140,7 @@ class Inputs:
             self.arrays.append(column)
         return index
 
-    def _list(self, place: Place) -> int:
+    def _list(self, place: InputPart) -> int:
         path, most = place.list_path, place.input.most
         assert path is not None, "only elements of lists are columns"
         assert most is not None, "checked: lists that are read have a bound"
@@ -156,17 +156,17 @@ class Inputs:
         return self.texts.index(text)
 
 
-def _kind(type_: Type) -> ir.Kind:
+def _kind(type_: Type) -> ir.FieldKind:
     match type_:
         case Boolean():
-            return ir.Kind.FLAG
+            return ir.FieldKind.FLAG
         case Text():
-            return ir.Kind.TEXT
+            return ir.FieldKind.TEXT
         case (
             Quantity() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
             | Region() | Motion() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
-            return ir.Kind.REAL
+            return ir.FieldKind.REAL
 
 
 def _unit(type_: Type) -> Unit:

@@ -15,14 +15,14 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
 from rossmarie.check.operations.lists import counts_all
 from rossmarie.check.scopes.trees import stripped
-from rossmarie.core import Measure, RegionFunction, sampling_row
+from rossmarie.core import RegionFunction, RegionMeasure, sampling_row
 from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
 from rossmarie.lowering.braking import way_to_stop
 from rossmarie.lowering.durations import duration_ns
-from rossmarie.lowering.frames import Axis, Frames, is_in_frame
-from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.lowering.frames import Axis, FrameLowering, is_in_frame
+from rossmarie.lowering.inputs import InputPart, Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.places import Places
+from rossmarie.lowering.places import PartPlaces
 from rossmarie.lowering.wording import unit_of, words
 from rossmarie.syntax import ast
 from rossmarie.types import (
@@ -72,7 +72,7 @@ Components = tuple[int, ...]
 """The signals of a scalar (one), a vector (x, y, z) or an orientation (x, y, z, w)."""
 
 
-class Numbers:
+class NumberLowering:
     """Lowers numeric expressions of one program. `count` needs conditions, which `truth` lowers."""
 
     def __init__(
@@ -86,8 +86,8 @@ class Numbers:
         self._inputs = inputs
         self._nodes = nodes
         self._proposition = proposition
-        self._frames = Frames(program, inputs, nodes)
-        self._places = Places(program)
+        self._frames = FrameLowering(program, inputs, nodes)
+        self._places = PartPlaces(program)
 
     def scalar(self, node: ast.Expression) -> int:
         """The signal of a number, of a text, or of any one element of an array."""
@@ -161,7 +161,7 @@ class Numbers:
 
     # --- parts of messages -------------------------------------------------------------------
 
-    def place(self, node: ast.Expression) -> Place | None:
+    def place(self, node: ast.Expression) -> InputPart | None:
         """The part of a message that an expression names; None if it names something else."""
         return self._places.place(node)
 
@@ -169,7 +169,7 @@ class Numbers:
         """A context in which the variable of a fold is the current element of its list."""
         return self._places.elements_of(node)
 
-    def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
+    def _read(self, place: InputPart, type_: Type, shown: Shown) -> Components:
         match type_:
             case Message(fields=fields):
                 # For a std_msgs message, its data is used.
@@ -188,7 +188,7 @@ class Numbers:
             ):  # fmt: skip
                 return (self._read_scalar(place, type_, shown),)
 
-    def _is_component(self, node: ast.Expression, place: Place) -> TypeGuard[ast.Member]:
+    def _is_component(self, node: ast.Expression, place: InputPart) -> TypeGuard[ast.Member]:
         """Say whether a part of a message is a component of a quantity with a known frame. The
         whole quantity is needed then.
         """
@@ -205,11 +205,13 @@ class Numbers:
         parts = self._seen(place, type_, self.shown(node.value))
         return parts("xyzw".index(node.member.text))
 
-    def _read_vector(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Components:
+    def _read_vector(
+        self, place: InputPart, type_: Vector | Quaternion, shown: Shown
+    ) -> Components:
         parts = self._seen(place, type_, shown)
         return tuple(map(parts, range(3 if isinstance(type_, Vector) else 4)))
 
-    def _seen(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Axis:
+    def _seen(self, place: InputPart, type_: Vector | Quaternion, shown: Shown) -> Axis:
         """The components of a vector or an orientation, in the frame of the rules."""
         element = type_.element if isinstance(type_, Vector) else Quantity(None)
 
@@ -218,11 +220,11 @@ class Numbers:
 
         return self._frames.seen(place, type_, arrived, shown) if is_in_frame(place) else arrived
 
-    def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
+    def _read_part(self, place: InputPart, axis: str, element: Quantity, shown: Shown) -> int:
         part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
         return self._read_scalar(place.field(axis, element), element, part)
 
-    def _read_scalar(self, place: Place, type_: Type, shown: Shown) -> int:
+    def _read_scalar(self, place: InputPart, type_: Type, shown: Shown) -> int:
         """One number, flag or text of the message, or of the current element."""
         if isinstance(type_, Quantity) and is_of_point(place):
             return coordinate(place, type_, shown, self._inputs, self._nodes)
@@ -335,13 +337,13 @@ class Numbers:
         return first
 
     def of_named_region(
-        self, measure: Measure, position: ast.Expression, container: ast.Expression, shown: Shown
+        self, measure: RegionMeasure, position: ast.Expression, region: ast.Expression, shown: Shown
     ) -> int:
         """The signal of a function of the region that a class stands for."""
-        type_ = self.type_of(container)
+        type_ = self.type_of(region)
         assert isinstance(type_, Region), "checked: it is a region"
-        function = RegionFunction(measure, self._program.regions[stripped(container)])
-        wanted = Shown(type_.frame, container.span)
+        function = RegionFunction(measure, self._program.regions[stripped(region)])
+        wanted = Shown(type_.frame, region.span)
         return self.of_region(function, position, wanted, shown)
 
     def of_region(
@@ -364,7 +366,7 @@ class Numbers:
     def _distance(self, node: ast.Call, shown: Shown) -> int:
         if stripped(node.arguments[1]) in self._program.regions:
             position, container = node.arguments
-            return self.of_named_region(Measure.DISTANCE, position, container, shown)
+            return self.of_named_region(RegionMeasure.DISTANCE, position, container, shown)
         left, right = (self.components(argument) for argument in node.arguments)
         pairs = zip(left, right, strict=True)
         gaps = tuple(self._nodes.apply(ir.Function.SUBTRACT, pair, shown) for pair in pairs)
@@ -393,7 +395,4 @@ def _spread(left: Components, right: Components) -> tuple[Components, Components
     vector.
     """
     size = max(len(left), len(right))
-    return (
-        left * (size if len(left) == 1 else 1),
-        right * (size if len(right) == 1 else 1),
-    )
+    return (left * (size if len(left) == 1 else 1), right * (size if len(right) == 1 else 1))

@@ -9,18 +9,18 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedProgram
 from rossmarie.check.names.parts import part_at
 from rossmarie.check.operations.sectors import sector_between
-from rossmarie.lowering.inputs import Place
+from rossmarie.lowering.inputs import InputPart
 from rossmarie.syntax import ast
 
 
-class Places:
+class PartPlaces:
     """Finds the parts of messages that expressions of one program name."""
 
     def __init__(self, program: CheckedProgram) -> None:
         self._program = program
-        self._elements: dict[str, Place] = {}
+        self._elements: dict[str, InputPart] = {}
 
-    def place(self, node: ast.Expression) -> Place | None:
+    def place(self, node: ast.Expression) -> InputPart | None:
         """The part of a message that an expression names; None if it names something else."""
         match node:
             case ast.Parenthesized(inner=inner):
@@ -29,7 +29,7 @@ class Places:
                 return self._elements[name.text]
             case ast.Reference(name=name):
                 used = self._program.symbols.inputs.get(name.text)
-                return None if used is None else Place(used, part_at(used.base, used.type))
+                return None if used is None else InputPart(used, part_at(used.base, used.type))
             case ast.Member(value=value, member=member):
                 place = self.place(value)
                 return (
@@ -55,7 +55,7 @@ class Places:
         assert sector is not None, "checked: it is a sector"
         return sector
 
-    def element(self, name: str) -> Place:
+    def element(self, name: str) -> InputPart:
         """The current element, for which the name of a fold stands."""
         return self._elements[name]
 

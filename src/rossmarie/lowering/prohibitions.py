@@ -17,7 +17,7 @@ from rossmarie.check.actions.trees import AFTERWARDS, SERVER
 from rossmarie.check.model import CheckedSkills
 from rossmarie.ir import overruled, reactions
 from rossmarie.ir.taking import taken
-from rossmarie.skills import Control, Parameter, Skill, Step, UseKind
+from rossmarie.skills import Control, Skill, SkillNode, SkillParameter, UseKind
 from rossmarie.skills.trees import FIRST_FAILURE, FIRST_SUCCESS, RETRY, SELECTOR, SERIAL, TIMEOUT
 from rossmarie.skills.trees import folded as folded_tree
 
@@ -192,7 +192,7 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
     through stopped skills.
     """
 
-    def of_step(step: Step) -> frozenset[Things]:
+    def of_step(step: SkillNode) -> frozenset[Things]:
         ways = (_passed(each, step, skill.parameters) for each in stopped.get(step.skill, ()))
         return frozenset(each for each in ways if each is not None)
 
@@ -222,7 +222,9 @@ def _few(ways: frozenset[Things]) -> frozenset[Things]:
     return frozenset(sorted(general, key=lambda each: (len(each), sorted(each)))[:_MOST_WAYS])
 
 
-def _passed(things: Things, step: Step, parameters: Mapping[str, Parameter]) -> Things | None:
+def _passed(
+    things: Things, step: SkillNode, parameters: Mapping[str, SkillParameter]
+) -> Things | None:
     """The things of a step, expressed by parameters of the compound skill; None if the compound
     skill does not pass all of them.
     """

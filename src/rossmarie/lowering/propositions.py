@@ -12,13 +12,13 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedKeeps, CheckedProgram, ConditionKey, Value
 from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.scopes.trees import stripped
-from rossmarie.core import Measure, RegionFunction
+from rossmarie.core import RegionFunction, RegionMeasure
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.numbers import Numbers
+from rossmarie.lowering.numbers import NumberLowering
 from rossmarie.lowering.references import conditions_in, referred_condition
-from rossmarie.lowering.skills import Skills
+from rossmarie.lowering.skills import SkillLowering
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 from rossmarie.types import Box, Text
@@ -43,8 +43,8 @@ class Propositions:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes
-        self.skills = Skills(program, inputs, nodes)
-        self._numbers = Numbers(program, inputs, nodes, self._element)
+        self.skills = SkillLowering(program, inputs, nodes)
+        self._numbers = NumberLowering(program, inputs, nodes, self._element)
         self._conditions: dict[ConditionKey, int] = {}
         self._is_inside = False
 
@@ -55,7 +55,7 @@ class Propositions:
 
     def too_late(self, keeps: CheckedKeeps, shown: Shown) -> int:
         """The proposition that a motion is closer to some locations than its stopping distance."""
-        function = RegionFunction(Measure.DISTANCE, keeps.region)
+        function = RegionFunction(RegionMeasure.DISTANCE, keeps.region)
         wanted = Shown(keeps.frame, keeps.written.place.span)
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
         numbers, position = self._numbers, keeps.motion.position
@@ -292,7 +292,7 @@ class Propositions:
         inside = Shown(f"{words(node.value.span)} in {words(node.container.span)}", node.span)
         if stripped(node.container) in self._program.regions:
             sides = (node.value, node.container)
-            signal = self._numbers.of_named_region(Measure.INSIDE, *sides, inside)
+            signal = self._numbers.of_named_region(RegionMeasure.INSIDE, *sides, inside)
             index = self._nodes.leaf(ir.Flag(signal), inside)
             return self._nodes.negation(index, _shown(node)) if node.is_negated else index
         container = self._program.values[node.container]

@@ -10,9 +10,9 @@ from collections.abc import Container
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedDoing, CheckedInput, CheckedProgram, CheckedSkills
-from rossmarie.check.names.parts import Part
+from rossmarie.check.names.parts import MessagePart
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.lowering.inputs import InputPart, Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean
@@ -21,7 +21,7 @@ CONTEXT = "skill_context"
 """The name of the input for queries of rules. The name of the other input adds `_kept`."""
 
 
-class Skills:
+class SkillLowering:
     """Lowers queries about skills. Equal queries share a slot."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
@@ -70,7 +70,7 @@ class Skills:
         found = self._found(node)
         file = self._skills.file
         step = ir.Doing(file.digest, found.skills, found.arguments, node.is_ahead, found.text)
-        slot = self._inputs.slot(Place(used, Part((step,))), Boolean())
+        slot = self._inputs.slot(InputPart(used, MessagePart((step,))), Boolean())
         shown = Shown(found.text, node.span)
         return self._nodes.leaf(ir.Flag(self._nodes.signal(ir.Read(slot), shown)), shown)
 

@@ -19,7 +19,7 @@ FLAG_VALUES = (0.0, 1.0, float("nan"))
 """The values for the bytes in a column of flags; `host.c` has the same table."""
 
 _UNKNOWN_FLAG = 2
-_WANTED = {ir.Kind.REAL: "numbers", ir.Kind.FLAG: "flags"}
+_WANTED = {ir.FieldKind.REAL: "numbers", ir.FieldKind.FLAG: "flags"}
 _NUMBERS = "buif"  # the kinds of NumPy types: bool, unsigned, signed and floating-point numbers
 _Number = TypeVar("_Number", np.float64, np.uint8)
 
@@ -116,18 +116,18 @@ def _instants(times_ns: NDArray[np.generic]) -> NDArray[np.int64]:
 
 
 def _scalars(
-    machine: ir.Machine, name: str, kind: ir.Kind, column: NDArray[np.generic]
+    machine: ir.Machine, name: str, kind: ir.FieldKind, column: NDArray[np.generic]
 ) -> NDArray[np.generic]:
     if column.ndim != 1:
         raise ColumnError(f"column {name} has shape {column.shape}, but holds one scalar a row")
-    if kind is ir.Kind.TEXT:
+    if kind is ir.FieldKind.TEXT:
         return _strings(machine, name, column)
     if column.dtype.kind not in _NUMBERS:
         raise ColumnError(f"column {name} holds {column.dtype}, not {_WANTED[kind]}")
     match kind:
-        case ir.Kind.FLAG:
+        case ir.FieldKind.FLAG:
             return _flags(column)
-        case ir.Kind.REAL:
+        case ir.FieldKind.REAL:
             return _aligned(column, np.float64)
 
 
@@ -156,7 +156,7 @@ def _tables(
     """A table for each array. Tables of one list have equal widths."""
     tables = []
     for name, array in zip(names, machine.arrays, strict=True):
-        is_text = array.kind is ir.Kind.TEXT
+        is_text = array.kind is ir.FieldKind.TEXT
         table = _texts(machine, name, given[name]) if is_text else _elements(name, given[name])
         tables.append(table)
     for each in range(len(machine.lists)):

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Machine, Part, Wiring, margins_of, require_instant
+from rossmarie.ir import FieldPart, Machine, Wiring, margins_of, require_instant
 from rossmarie.native.library import Library, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -125,7 +125,7 @@ class WiringTable:
         self._memory = members
 
 
-def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
+def _part(part: FieldPart, command: int = 0, field: int = 0) -> Sequence[float]:
     return (
         part.first, part.step, part.count, part.scale, part.offset, part.is_flag, command, field, 0,
     )  # fmt: skip

@@ -31,7 +31,7 @@ from rossmarie.recordings.errors import (
     RecordingError,
     at_file,
 )
-from rossmarie.recordings.extraction import Wanted
+from rossmarie.recordings.extraction import WantedParts
 from rossmarie.recordings.frames import frames_in
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
@@ -42,7 +42,7 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
-from rossmarie.recordings.model import FramesFound, Observe, Survey, Topic
+from rossmarie.recordings.model import FramesFound, Observe, RecordedTopic, Survey
 from rossmarie.recordings.storage import Storage
 from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
 from rossmarie.recordings.survey import survey_of
@@ -87,8 +87,8 @@ class BagRecording:
         self._salvage = salvage
         self._message_folders = message_folders
         self._connections = _by_topic(storage.connections)
-        self.topics: Mapping[str, Topic] = {
-            name: Topic(name, found[0].message_type, sum(part.count for part in found))
+        self.topics: Mapping[str, RecordedTopic] = {
+            name: RecordedTopic(name, found[0].message_type, sum(part.count for part in found))
             for name, found in sorted(self._connections.items())
         }
 
@@ -283,7 +283,7 @@ def _decoder(
     arrays = {index: array for match in matches for index, array in match.arrays.items()}
     if not matches:
         return None
-    return Decoder(connection, store, Wanted(slots, arrays, machine.lists), machine.texts)
+    return Decoder(connection, store, WantedParts(slots, arrays, machine.lists), machine.texts)
 
 
 def _take(reading: _Reading, messages: Packed, rows: NDArray[np.intp], assembly: Assembly) -> None:

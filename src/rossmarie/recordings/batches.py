@@ -8,7 +8,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Batch, ChannelValues, Elements, Machine, columns_of, each_update
+from rossmarie.ir import Batch, ChannelValues, ElementColumns, Machine, columns_of, each_update
 from rossmarie.recordings.model import Update
 
 _MOST_UPDATES = 1024
@@ -78,14 +78,14 @@ class Assembly:
         return Batch(self._times_ns[rows], self._arriving[rows], self._slots[rows], arrays)
 
 
-def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> Elements:
+def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> ElementColumns:
     """The arrays of all updates as one."""
     found = [_NO_ELEMENTS if array is None else array for array in arrays]
     ends = np.cumsum([len(array) for array in found], dtype=np.int64)
     known = np.array([array is not None for array in arrays], np.uint8)
     with np.errstate(invalid="ignore"):  # all kinds of NaN become the same NaN
         values = np.concatenate([_NO_ELEMENTS, *found], dtype=np.float64)
-    return Elements(values, ends, known)
+    return ElementColumns(values, ends, known)
 
 
 def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:

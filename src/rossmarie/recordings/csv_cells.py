@@ -16,7 +16,7 @@ from rossmarie.ir import (
     LATEST_NS,
     Array,
     ChannelValues,
-    Kind,
+    FieldKind,
     Listed,
     Machine,
 )
@@ -81,9 +81,9 @@ class ChannelReader:
         self._used = columns.used()
         self._names = names
         kinds = {index: match.slots[index].kind for index in columns.slots}
-        self._numbers = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.REAL}
-        self._flags = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.FLAG}
-        self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.TEXT}
+        self._numbers = {i: c for i, c in columns.slots.items() if kinds[i] is FieldKind.REAL}
+        self._flags = {i: c for i, c in columns.slots.items() if kinds[i] is FieldKind.FLAG}
+        self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is FieldKind.TEXT}
         self._arrays = columns.arrays
         self._listed = columns.listed
         self._searches = {index: ElementSearch(match.slots[index]) for index in columns.listed}
@@ -122,7 +122,7 @@ class ChannelReader:
         place = search.place(element, (), len(filled)) if filled else None
         if place is None:
             return math.nan
-        read = self._flag if search.slot.kind is Kind.FLAG else self._number
+        read = self._flag if search.slot.kind is FieldKind.FLAG else self._number
         return read(at_ns, cells, filled[place])
 
     def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
@@ -142,7 +142,7 @@ class ChannelReader:
 
     def _reader(self, array: Array) -> Callable[[int, Sequence[str], int], float]:
         """The reader of a cell of an array. Lists may contain texts, and flags as words."""
-        if array.kind is Kind.TEXT:
+        if array.kind is FieldKind.TEXT:
             return lambda _, cells, column: self._text(cells, column)
         is_of_flags = array.list is not None and array.limits == FLAG_LIMITS
         return self._flag if is_of_flags else self._number

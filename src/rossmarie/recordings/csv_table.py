@@ -64,7 +64,7 @@ from rossmarie.recordings.matching import (
     listed,
     with_reasons,
 )
-from rossmarie.recordings.model import FramesFound, Observe, Survey, Topic, Update
+from rossmarie.recordings.model import FramesFound, Observe, RecordedTopic, Survey, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
@@ -309,7 +309,9 @@ class CsvRecording:
         self.start_ns, self.end_ns = instants[0], instants[-1]
         self._count_filled(patterns, rows)
         named = sorted({topic for name in self._names[1:] if (topic := _topic_of(name))})
-        self.topics: Mapping[str, Topic] = {name: Topic(name, None, rows[name]) for name in named}
+        self.topics: Mapping[str, RecordedTopic] = {
+            name: RecordedTopic(name, None, rows[name]) for name in named
+        }
         self.findings = setbacks.findings(SEEN_BY_THE_MONITOR, self.path)
         if skipped:
             lost = skipped.total()

@@ -18,7 +18,7 @@ from rossmarie.ir.clouds import UnreadableCloudError
 from rossmarie.ir.scans import UnreadableScanError
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch
-from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
+from rossmarie.recordings.extraction import Message, WantedParts, compile_extractor
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.planning import plan_for
@@ -58,7 +58,7 @@ class Decoder:
     """
 
     def __init__(
-        self, connection: Connection, store: Typestore, wanted: Wanted, texts: Sequence[str]
+        self, connection: Connection, store: Typestore, wanted: WantedParts, texts: Sequence[str]
     ) -> None:
         self._name = full_type(connection.message_type)
         self._message = decoding_of(connection, store)

@@ -23,7 +23,7 @@ from rossmarie.ir import (
     Array,
     ByName,
     ChannelValues,
-    Kind,
+    FieldKind,
     List,
     Listed,
     Path,
@@ -46,7 +46,7 @@ Message = Any
 
 
 @dataclass(frozen=True)
-class Wanted:
+class WantedParts:
     """The part of messages that a machine reads: slots and arrays with their indices in the
     machine. `lists` are all lists of the machine.
     """
@@ -69,13 +69,13 @@ class Extractor:
 
     read: Callable[[Message], ChannelValues]
     sensed: tuple[CloudReader | ScanReader, ...]
-    found: Wanted
+    found: WantedParts
     missing: tuple[Slot | Array, ...]
     searches: tuple[ElementSearch, ...]
 
 
 def compile_extractor(
-    store: Typestore, message_type: str, wanted: Wanted, texts: Sequence[str]
+    store: Typestore, message_type: str, wanted: WantedParts, texts: Sequence[str]
 ) -> Extractor:
     """An extractor for messages of `message_type`; a missing slot is NaN, a missing array empty."""
     root = (Nodetype.NAME, full_type(message_type))
@@ -107,7 +107,7 @@ def compile_extractor(
             missing.append(array)
         else:
             arrays[index] = reader
-    found = Wanted(
+    found = WantedParts(
         {
             index: slot
             for index, slot in wanted.slots.items()
@@ -194,8 +194,8 @@ def _elements_reader(
     return lambda message: [to_number(get(element)) for element in get_list(message)]
 
 
-def _converter(kind: Kind, description: Any, texts: Sequence[str]) -> Callable[[Any], float]:
-    if kind is Kind.TEXT:
+def _converter(kind: FieldKind, description: Any, texts: Sequence[str]) -> Callable[[Any], float]:
+    if kind is FieldKind.TEXT:
         numbers = {text: float(number) for number, text in enumerate(texts)}
         return lambda value: numbers.get(value, -1.0)
     return _seconds if description[0] == Nodetype.NAME else _number
@@ -295,8 +295,8 @@ def _is_sensed(store: Typestore, root: Any, array: Array) -> bool:
     return description is not None and holds(description, store)
 
 
-def _holds(description: Any, kind: Kind) -> bool:
-    if kind is Kind.TEXT:
+def _holds(description: Any, kind: FieldKind) -> bool:
+    if kind is FieldKind.TEXT:
         return description[0] == Nodetype.BASE and description[1][0] in _TEXTS
     return _is_number(description) or (
         description[0] == Nodetype.NAME and description[1] in _INSTANTS

@@ -14,7 +14,7 @@ from rossmarie.ir import (
     TRANSFORMS,
     Array,
     Channel,
-    Kind,
+    FieldKind,
     Machine,
     Slot,
     Step,
@@ -32,7 +32,7 @@ from rossmarie.recordings.errors import (
     TopicOfAnotherType,
     at_file,
 )
-from rossmarie.recordings.model import Topic
+from rossmarie.recordings.model import RecordedTopic
 
 _OF_TRANSFORMS = (TRANSFORMS, "tf/tfMessage")
 """The types of messages with transforms: the usual type, and the type in old recordings."""
@@ -101,7 +101,7 @@ def channel_match(machine: Machine, channel: int, topic: str) -> Match:
 
 
 def match_topics(
-    topics: Mapping[str, Topic],
+    topics: Mapping[str, RecordedTopic],
     machine: Machine,
     topic_map: Mapping[str, str],
     path: Path,
@@ -128,7 +128,7 @@ def match_topics(
 
 
 def nothing_to_replay(
-    topics: Mapping[str, Topic], machine: Machine, path: Path, collector: Collector
+    topics: Mapping[str, RecordedTopic], machine: Machine, path: Path, collector: Collector
 ) -> RecordingError:
     """The error that no channel of a machine can be read, with all findings on the channels."""
     topics_read = {each.source for each in machine.channels if not is_setting(each)}
@@ -158,7 +158,7 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
 
 
 def _trouble(
-    topics: Mapping[str, Topic], channel: Channel, name: str
+    topics: Mapping[str, RecordedTopic], channel: Channel, name: str
 ) -> tuple[Template | None, Remark | None]:
     """The problem that prevents a channel from reading the recorded topic `name`, and a specific
     help if there is one.
@@ -176,7 +176,7 @@ def _trouble(
     return (TopicNeverSent(topic=name), None) if topic.count == 0 else (None, None)
 
 
-def _alternative(topics: Mapping[str, Topic], name: str, message_type: str) -> str | None:
+def _alternative(topics: Mapping[str, RecordedTopic], name: str, message_type: str) -> str | None:
     """The recorded topic that the user most likely meant: one with the right type and a similar
     name.
     """
@@ -202,7 +202,7 @@ def kind_text(wanted: Slot | Array) -> str:
     """The expected kind of a field, in words."""
     if isinstance(wanted, Array) and wanted.list is None:
         return "an array of numbers"
-    return "a string" if wanted.kind is Kind.TEXT else "a number"
+    return "a string" if wanted.kind is FieldKind.TEXT else "a number"
 
 
 def lengths(counts: Iterable[int]) -> str:

@@ -16,7 +16,7 @@ from rossmarie.ir import Batch, ChannelValues, Machine
 
 
 @dataclass(frozen=True)
-class Topic:
+class RecordedTopic:
     """A recorded topic; `message_type` is, for example, `sensor_msgs/Imu`, or None if the file has
     no types.
 
@@ -96,7 +96,7 @@ class Recording(Protocol):
         """The path of the recording."""
 
     @property
-    def topics(self) -> Mapping[str, Topic]:
+    def topics(self) -> Mapping[str, RecordedTopic]:
         """The topics that were recorded, by name."""
 
     @property

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 
-class Part(enum.Enum):
+class SlotPart(enum.Enum):
     """The parts of a slot that a number may fill."""
 
     ALL = "all"
@@ -21,26 +21,26 @@ class Part(enum.Enum):
     NANOSECONDS = "nanoseconds"
 
 
-class Target(NamedTuple):
+class SlotTarget(NamedTuple):
     """A slot, or a part of it."""
 
     slot: int
-    part: Part
+    part: SlotPart
 
 
 @dataclass(frozen=True)
-class Number:
+class StretchNumber:
     """A number in a stretch, `offset` bytes from the start of the stretch; `kind` is a NumPy type:
     `f8`.
     """
 
-    targets: tuple[Target, ...]
+    targets: tuple[SlotTarget, ...]
     kind: str
     offset: int
 
 
 @dataclass(frozen=True)
-class Row:
+class NumberArray:
     """An array of `count` numbers in a stretch."""
 
     arrays: tuple[int, ...]
@@ -50,25 +50,25 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class ByteStretch:
     """Bytes with fixed distances from the first byte, which lies at a multiple of `align` bytes
     from the start of the message.
     """
 
     align: int
     size: int
-    reads: tuple[Number | Row, ...]
+    reads: tuple[StretchNumber | NumberArray, ...]
 
 
 @dataclass(frozen=True)
-class Text:
+class TextBytes:
     """A string: its length in four bytes, followed by its bytes."""
 
     slots: tuple[int, ...]
 
 
 @dataclass(frozen=True)
-class Numbers:
+class NumberSequence:
     """An array of numbers of any length: the count in four bytes, followed by the numbers. The
     first number, if any, lies at a multiple of `align`. `elements` are the elements that are read
     by index.
@@ -77,7 +77,7 @@ class Numbers:
     align: int
     kind: str
     size: int
-    elements: Mapping[int, tuple[Target, ...]]
+    elements: Mapping[int, tuple[SlotTarget, ...]]
     arrays: tuple[int, ...]
 
 
@@ -91,7 +91,7 @@ class Records:
     others: tuple[Step, ...]
 
 
-Step: TypeAlias = Stretch | Text | Numbers | Records
+Step: TypeAlias = ByteStretch | TextBytes | NumberSequence | Records
 
 
 @dataclass(frozen=True)

@@ -8,21 +8,21 @@ from typing import Any, NamedTuple
 from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import ByName, Doing, Kind, Listed, Path, Quantity
+from rossmarie.ir import ByName, Doing, FieldKind, Listed, Path, Quantity
 from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (
-    Number,
-    Numbers,
-    Part,
+    ByteStretch,
+    NumberArray,
+    NumberSequence,
     ReadPlan,
     Records,
-    Row,
+    SlotPart,
+    SlotTarget,
     Step,
-    Stretch,
-    Target,
-    Text,
+    StretchNumber,
+    TextBytes,
 )
 
 _KINDS = {
@@ -53,7 +53,7 @@ class _Wanted(NamedTuple):
     path: Path
     slot: int | None = None
     array: int | None = None
-    part: Part = Part.ALL
+    part: SlotPart = SlotPart.ALL
 
 
 class _NotPlannedError(Exception):
@@ -61,7 +61,7 @@ class _NotPlannedError(Exception):
 
 
 def plan_for(
-    store: Typestore, message_type: str, encoding: str, wanted: extraction.Wanted
+    store: Typestore, message_type: str, encoding: str, wanted: extraction.WantedParts
 ) -> ReadPlan | None:
     """The plan for messages of a type; None if no plan is possible. `encoding` is `ros1` or `cdr`.
     The definition contains all wanted fields.
@@ -83,7 +83,7 @@ def plan_for(
         planner.message(full_type(message_type), [*slots, *arrays])
     except _NotPlannedError:
         return None
-    is_text = {index: slot.kind is Kind.TEXT for index, slot in wanted.slots.items()}
+    is_text = {index: slot.kind is FieldKind.TEXT for index, slot in wanted.slots.items()}
     return ReadPlan(
         is_cdr,
         planner.steps(),
@@ -106,7 +106,7 @@ class _Planner:
         self._done: list[Step] = []
         self._align = 1
         self._size = 0
-        self._reads: list[Number | Row] = []
+        self._reads: list[StretchNumber | NumberArray] = []
 
     def steps(self) -> tuple[Step, ...]:
         """The steps so far."""
@@ -140,13 +140,15 @@ class _Planner:
     def _base(self, name: str, wanted: Sequence[_Wanted]) -> None:
         if name == "string":
             self._count()
-            self._done.append(Text(tuple(each.slot for each in wanted if each.slot is not None)))
+            self._done.append(
+                TextBytes(tuple(each.slot for each in wanted if each.slot is not None))
+            )
             self._lose_count()
             return
         kind, size = _number(name)
         self._place(size)
         if targets := _targets(wanted):
-            self._reads.append(Number(targets, kind, self._size))
+            self._reads.append(StretchNumber(targets, kind, self._size))
         self._skip(size)
 
     def _fixed_array(self, element: Any, count: int, wanted: Sequence[_Wanted]) -> None:
@@ -157,11 +159,11 @@ class _Planner:
         kind, size = _number(element[1][0])
         self._place(size)
         if arrays := _arrays(wanted):
-            self._reads.append(Row(arrays, kind, self._size, count))
+            self._reads.append(NumberArray(arrays, kind, self._size, count))
         for index in sorted(_indexes(wanted)):
             if index < count:
                 targets = _targets(_below(wanted, index))
-                self._reads.append(Number(targets, kind, self._size + index * size))
+                self._reads.append(StretchNumber(targets, kind, self._size + index * size))
         self._skip(count * size)
 
     def _array(self, element: Any, wanted: Sequence[_Wanted]) -> None:
@@ -171,7 +173,7 @@ class _Planner:
             kind, size = _number(element[1][0])
             elements = {index: _targets(_below(wanted, index)) for index in indexes}
             align = size if self._is_cdr else 1
-            self._done.append(Numbers(align, kind, size, elements, _arrays(wanted)))
+            self._done.append(NumberSequence(align, kind, size, elements, _arrays(wanted)))
         else:
             bodies = {index: self._body(element, _below(wanted, index)) for index in indexes}
             self._done.append(Records(bodies, self._body(element, ())))
@@ -211,7 +213,7 @@ class _Planner:
 
     def _close(self) -> None:
         if self._size or self._align > 1:
-            self._done.append(Stretch(self._align, self._size, tuple(self._reads)))
+            self._done.append(ByteStretch(self._align, self._size, tuple(self._reads)))
         self._align, self._size, self._reads = 1, 0, []
 
 
@@ -229,13 +231,13 @@ def _parts(wanted: _Wanted) -> tuple[_Wanted, ...]:
     if wanted.path:
         return (wanted,)
     return (
-        wanted._replace(path=("sec",), part=Part.SECONDS),
-        wanted._replace(path=("nanosec",), part=Part.NANOSECONDS),
+        wanted._replace(path=("sec",), part=SlotPart.SECONDS),
+        wanted._replace(path=("nanosec",), part=SlotPart.NANOSECONDS),
     )
 
 
-def _targets(wanted: Iterable[_Wanted]) -> tuple[Target, ...]:
-    return tuple(Target(each.slot, each.part) for each in wanted if each.slot is not None)
+def _targets(wanted: Iterable[_Wanted]) -> tuple[SlotTarget, ...]:
+    return tuple(SlotTarget(each.slot, each.part) for each in wanted if each.slot is not None)
 
 
 def _arrays(wanted: Iterable[_Wanted]) -> tuple[int, ...]:

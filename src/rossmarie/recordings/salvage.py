@@ -24,7 +24,7 @@ OUTSIDE = -1
 """The chunk number of a message outside any chunk: the message is in the file itself."""
 
 
-class Place(NamedTuple):
+class MessagePlace(NamedTuple):
     """The place of a message: from `start` to `end` in the content of a chunk."""
 
     at_ns: int
@@ -43,7 +43,7 @@ class Chunk(NamedTuple):
 
 
 @dataclass
-class Scan:
+class SalvageScan:
     """The findings of the first pass; `loss` describes the missing part, None if nothing is
     missing.
     """
@@ -51,7 +51,7 @@ class Scan:
     allowance: Allowance
     connections: dict[int, Connection] = field(default_factory=dict)
     chunks: list[Chunk] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
+    places: list[MessagePlace] = field(default_factory=list)
     loss: str | None = None
 
     def lose(self, reason: str) -> None:
@@ -59,7 +59,7 @@ class Scan:
         if self.loss is None:
             self.loss = reason
 
-    def keep(self, place: Place) -> None:
+    def keep(self, place: MessagePlace) -> None:
         """Record the place of a message."""
         if len(self.places) < self.allowance.messages:
             self.places.append(place)
@@ -79,13 +79,13 @@ class Scan:
 class SalvagedStorage:
     """The messages that a scan has found, in the order of their stamps."""
 
-    def __init__(self, path: Path, scan_file: Callable[[mmap.mmap, Scan], None]) -> None:
+    def __init__(self, path: Path, scan_file: Callable[[mmap.mmap, SalvageScan], None]) -> None:
         with path.open("rb") as file:
             self._file = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
         with ExitStack() as opened:
             opened.callback(self._file.close)
             self._allowance = Allowance(len(self._file))
-            scan = Scan(self._allowance)
+            scan = SalvageScan(self._allowance)
             scan_file(self._file, scan)
             opened.pop_all()  # closed by `close`
         counts = Counter(place.connection for place in scan.places)

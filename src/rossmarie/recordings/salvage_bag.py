@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
-from rossmarie.recordings.salvage import OUTSIDE, Chunk, Place, SalvagedStorage, Scan
+from rossmarie.recordings.salvage import OUTSIDE, Chunk, MessagePlace, SalvagedStorage, SalvageScan
 from rossmarie.recordings.stored import Connection
 
 _MAGIC = b"#ROSBAG V2.0\n"
@@ -45,7 +45,7 @@ class _Record(NamedTuple):
     is_whole: bool
 
 
-def _scan(data: mmap.mmap, scan: Scan) -> None:
+def _scan(data: mmap.mmap, scan: SalvageScan) -> None:
     if data[: len(_MAGIC)] != _MAGIC:
         raise ValueError("it does not start like a ROS 1 bag (version 2.0)")
     is_indexed = False
@@ -59,7 +59,7 @@ def _scan(data: mmap.mmap, scan: Scan) -> None:
         scan.lose("it has no index, because recording was not ended properly")
 
 
-def _scan_chunk(data: mmap.mmap, record: _Record, scan: Scan) -> None:
+def _scan_chunk(data: mmap.mmap, record: _Record, scan: SalvageScan) -> None:
     if not record.is_whole:
         scan.lose(f"it is cut short inside a chunk, at byte {len(data)}")
     compression = record.fields[b"compression"].decode(errors="replace")
@@ -69,7 +69,7 @@ def _scan_chunk(data: mmap.mmap, record: _Record, scan: Scan) -> None:
             _keep(content, inner, number, scan)
 
 
-def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: Scan) -> None:
+def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: SalvageScan) -> None:
     fields = record.fields
     if fields[b"op"] == _CONNECTION:
         connection = _connection(fields, data[record.start : record.end])
@@ -78,10 +78,12 @@ def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: Scan) -> N
         seconds, nanoseconds = _TIME.unpack(fields[b"time"])
         (number,) = _LENGTH.unpack(fields[b"conn"])
         at_ns = seconds * 1_000_000_000 + nanoseconds
-        scan.keep(Place(at_ns, number, chunk, record.start, record.end))
+        scan.keep(MessagePlace(at_ns, number, chunk, record.start, record.end))
 
 
-def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
+def _records(
+    data: bytes | mmap.mmap, position: int, scan: SalvageScan, of: str = ""
+) -> Iterator[_Record]:
     """The records from `position` on, up to the first invalid record. `of` names their source."""
     size = len(data)
     while position + 4 <= size:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
-from rossmarie.recordings.salvage import OUTSIDE, Chunk, Place, SalvagedStorage, Scan
+from rossmarie.recordings.salvage import OUTSIDE, Chunk, MessagePlace, SalvagedStorage, SalvageScan
 from rossmarie.recordings.stored import Connection, plain_type
 
 _MAGIC = b"\x89MCAP0\r\n"
@@ -57,7 +57,7 @@ class _Schema(NamedTuple):
     definition: MessageDefinition
 
 
-def _scan(data: mmap.mmap, scan: Scan) -> None:
+def _scan(data: mmap.mmap, scan: SalvageScan) -> None:
     if data[: len(_MAGIC)] != _MAGIC:
         raise ValueError("it does not start like an MCAP file")
     schemas: dict[int, _Schema] = {}
@@ -76,7 +76,9 @@ def _scan(data: mmap.mmap, scan: Scan) -> None:
         scan.lose("it has no index, because recording was not ended properly")
 
 
-def _scan_chunk(data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], scan: Scan) -> None:
+def _scan_chunk(
+    data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], scan: SalvageScan
+) -> None:
     try:
         _, _, size, checksum = _CHUNK_HEADER.unpack_from(data, record.start)
         compression, position = _string(data, record.start + _CHUNK_HEADER.size)
@@ -95,13 +97,17 @@ def _scan_chunk(data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], s
 
 
 def _keep(
-    data: bytes | mmap.mmap, record: _Record, chunk: int, schemas: dict[int, _Schema], scan: Scan
+    data: bytes | mmap.mmap,
+    record: _Record,
+    chunk: int,
+    schemas: dict[int, _Schema],
+    scan: SalvageScan,
 ) -> None:
     _, start, end, _ = record
     try:
         if record.operation == _MESSAGE:
             channel, _, at_ns, _ = _MESSAGE_HEADER.unpack_from(data, start)
-            scan.keep(Place(at_ns, channel, chunk, start + _MESSAGE_HEADER.size, end))
+            scan.keep(MessagePlace(at_ns, channel, chunk, start + _MESSAGE_HEADER.size, end))
         elif record.operation == _CHANNEL:
             connection = _connection(data[start:end], schemas)
             scan.connections.setdefault(connection.id, connection)
@@ -112,7 +118,9 @@ def _keep(
         scan.lose(f"there is an invalid record at byte {start}")
 
 
-def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
+def _records(
+    data: bytes | mmap.mmap, position: int, scan: SalvageScan, of: str = ""
+) -> Iterator[_Record]:
     """The records from `position` on, up to the first invalid record. `of` names their source."""
     size = len(data)
     while position + _RECORD.size <= size:

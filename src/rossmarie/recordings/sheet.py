@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.recordings.gathering import values_at
-from rossmarie.recordings.plan import Part, ReadPlan, Target
+from rossmarie.recordings.plan import ReadPlan, SlotPart, SlotTarget
 
 _SHORT = 64
 """The longest texts, in bytes, that are compared all at once."""
@@ -50,7 +50,7 @@ class Sheet:
         self._texts = texts
         self._content = content
         self._done = np.zeros(count, np.bool_)
-        self._columns: dict[Target, NDArray[np.float64]] = {}
+        self._columns: dict[SlotTarget, NDArray[np.float64]] = {}
         self._arrays: dict[int, list[NDArray[np.generic] | None]] = {
             array: [_NOTHING] * count for array in plan.arrays
         }
@@ -90,7 +90,7 @@ class Sheet:
     # --- keeping -----------------------------------------------------------------------------
 
     def fill(
-        self, targets: Sequence[Target], rows: NDArray[np.intp], values: NDArray[np.generic]
+        self, targets: Sequence[SlotTarget], rows: NDArray[np.intp], values: NDArray[np.generic]
     ) -> None:
         """Store a number for each of some messages."""
         with np.errstate(invalid="ignore"):  # all kinds of NaN become the same NaN
@@ -129,22 +129,24 @@ class Sheet:
                 filled[row] = _NOTHING
         return Found(self._done, slots, self._arrays)
 
-    def _column(self, target: Target) -> NDArray[np.float64]:
+    def _column(self, target: SlotTarget) -> NDArray[np.float64]:
         if target not in self._columns:
             self._columns[target] = np.full(len(self._done), np.nan)
         return self._columns[target]
 
     def _slot(self, slot: int) -> NDArray[np.float64]:
-        seconds = Target(slot, Part.SECONDS)
+        seconds = SlotTarget(slot, SlotPart.SECONDS)
         if seconds in self._columns:
-            return self._columns[seconds] + self._column(Target(slot, Part.NANOSECONDS)) * 1e-9
-        return self._column(Target(slot, Part.ALL))
+            return (
+                self._columns[seconds] + self._column(SlotTarget(slot, SlotPart.NANOSECONDS)) * 1e-9
+            )
+        return self._column(SlotTarget(slot, SlotPart.ALL))
 
     def _text(self, slot: int) -> NDArray[np.float64]:
         """The texts of a slot. If an array is too short to contain the text, the text counts as
         another text.
         """
-        column = self._column(Target(slot, Part.ALL))
+        column = self._column(SlotTarget(slot, SlotPart.ALL))
         column[np.isnan(column)] = _OTHER_TEXT
         return column
 

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import PurePosixPath
 
 from rossmarie.recordings.errors import RecordingError, RecordingUntyped, at_file
-from rossmarie.recordings.model import FramesFound, Recording, Topic, Transforms
+from rossmarie.recordings.model import FramesFound, RecordedTopic, Recording, Transforms
 from rossmarie.syntax.words import RESERVED
 
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
@@ -78,7 +78,7 @@ def _frame_name(name: str) -> str:
     return name if _NAME.fullmatch(name) and name not in RESERVED else f'"{name}"'
 
 
-def can_be_declared(topic: Topic, definitions: Collection[str] = ()) -> bool:
+def can_be_declared(topic: RecordedTopic, definitions: Collection[str] = ()) -> bool:
     """Say whether a system model can declare a topic. Its name and type must be words of the rule
     language, and its type must be standard or among the definitions.
     """
@@ -90,7 +90,7 @@ def can_be_declared(topic: Topic, definitions: Collection[str] = ()) -> bool:
     return is_standard(name) or name in definitions
 
 
-def _line(topic: Topic, frame: str | None, undefined: Collection[str]) -> str:
+def _line(topic: RecordedTopic, frame: str | None, undefined: Collection[str]) -> str:
     name = topic.name if topic.name.startswith("/") else f"/{topic.name}"
     source = "" if frame is None or '"' in frame else f" from {_frame_name(frame)}"
     declaration = f"topic {name} : {topic.message_type}{source};"
@@ -106,7 +106,7 @@ def _remark(count: int, seconds: float) -> str:
     return messages + rate
 
 
-def _own(topics: Sequence[Topic]) -> set[str]:
+def _own(topics: Sequence[RecordedTopic]) -> set[str]:
     """The types that are not built into the rule language."""
     from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
 

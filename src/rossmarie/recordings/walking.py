@@ -12,16 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.recordings.plan import (
-    Number,
-    Numbers,
-    Part,
+    ByteStretch,
+    NumberArray,
+    NumberSequence,
     ReadPlan,
     Records,
-    Row,
+    SlotPart,
+    SlotTarget,
     Step,
-    Stretch,
-    Target,
-    Text,
+    StretchNumber,
+    TextBytes,
 )
 from rossmarie.recordings.sheet import Found, Sheet
 
@@ -93,31 +93,31 @@ class _Group:
     def _go(self, steps: Sequence[Step]) -> None:
         for step in steps:
             match step:
-                case Stretch():
+                case ByteStretch():
                     self._stretch(step)
-                case Text():
+                case TextBytes():
                     self._text(step)
-                case Numbers():
+                case NumberSequence():
                     self._numbers(step)
                 case Records():
                     self._records(step)
 
     # --- steps -------------------------------------------------------------------------------
 
-    def _stretch(self, step: Stretch) -> None:
+    def _stretch(self, step: ByteStretch) -> None:
         self._places = self._aligned(step.align)
         self._keep(self._places + step.size <= self._ends)
         for read in step.reads:
             places, kind = self._places + read.offset, self._order + read.kind
             match read:
-                case Number(targets=targets):
+                case StretchNumber(targets=targets):
                     self._sheet.fill(targets, self._rows, self._sheet.numbers(kind, places))
-                case Row(arrays=arrays, count=count):
+                case NumberArray(arrays=arrays, count=count):
                     counts = np.full(len(places), count)
                     self._sheet.fill_arrays(arrays, self._rows, kind, places, counts)
         self._places = self._places + step.size
 
-    def _text(self, step: Text) -> None:
+    def _text(self, step: TextBytes) -> None:
         lengths = self._take_counts()
         ends = self._places + lengths
         (ends,) = self._keep(ends <= self._ends, ends)
@@ -129,13 +129,13 @@ class _Group:
             values = self._sheet.texts(self._places, stops)
             is_text = ~np.isnan(values)
             for slot in step.slots:
-                self._sheet.fill([Target(slot, Part.ALL)], self._rows, values)
+                self._sheet.fill([SlotTarget(slot, SlotPart.ALL)], self._rows, values)
         else:
             is_text = self._sheet.are_texts(self._places, stops)
         self._places = ends
         self._keep(is_text)
 
-    def _numbers(self, step: Numbers) -> None:
+    def _numbers(self, step: NumberSequence) -> None:
         counts = self._take_counts()
         self._places = np.where(counts > 0, self._aligned(step.align), self._places)
         ends = self._places + counts * step.size
@@ -152,7 +152,7 @@ class _Group:
     def _records(self, step: Records) -> None:
         counts = self._take_counts()
         match step.others:
-            case (Stretch(align=align, size=size),) if not step.elements:
+            case (ByteStretch(align=align, size=size),) if not step.elements:
                 self._pass_over(counts, align, size)
             case _:  # open: any other steps
                 (counts,) = self._keep(counts <= _MOST_RECORDS, counts)

@@ -13,10 +13,10 @@ from rich.text import Text
 from rossmarie import ir
 from rossmarie.report.coverage import print_table
 from rossmarie.report.spare import MEANING, spares
-from rossmarie.testing.margins import Margin
+from rossmarie.testing.margins import ThresholdMargin
 
 
-def write_margins(machine: ir.Machine, margins: Sequence[Margin], out: TextIO) -> None:
+def write_margins(machine: ir.Machine, margins: Sequence[ThresholdMargin], out: TextIO) -> None:
     """Write a row for each threshold and duration."""
     styled = Console(file=out).is_terminal
     table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")

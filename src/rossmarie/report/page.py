@@ -22,7 +22,7 @@ from rossmarie.report.envelope import envelope, share
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.rehearsal import task_words
-from rossmarie.report.runs import Run, rule_line
+from rossmarie.report.runs import NamedReplay, rule_line
 from rossmarie.report.spans import ActiveSpan, active_spans
 from rossmarie.report.wording import format_length
 
@@ -41,7 +41,7 @@ _TICKS = 2**32 - 1
 _Data = dict[str, object]
 
 
-def page_data(runs: Sequence[Run], sources: Sequence[SourceFile]) -> str:
+def page_data(runs: Sequence[NamedReplay], sources: Sequence[SourceFile]) -> str:
     """JSON that cannot end the script element around it, whatever names it contains.
 
     `sources` are the files with rules that the page shows.
@@ -51,7 +51,7 @@ def page_data(runs: Sequence[Run], sources: Sequence[SourceFile]) -> str:
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def _run(run: Run, sources: Sequence[SourceFile]) -> _Data:
+def _run(run: NamedReplay, sources: Sequence[SourceFile]) -> _Data:
     replay = run.replay
     duration = replay.duration_ns / 1e9
     limit = share(len(replay.plots))

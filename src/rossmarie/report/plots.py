@@ -69,7 +69,7 @@ def _is_number(machine: ir.Machine, signal: int) -> bool:
         case ir.Constant():
             return False
         case ir.Read(slot=slot):
-            return machine.slots[slot].kind is not ir.Kind.TEXT
+            return machine.slots[slot].kind is not ir.FieldKind.TEXT
         case ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold() | ir.Count():
             return True
 

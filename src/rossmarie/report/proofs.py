@@ -18,7 +18,7 @@ from rossmarie.core import sampling_row
 from rossmarie.report.coverage import print_table
 from rossmarie.verification.check import Check
 from rossmarie.verification.errors import PartRefuted
-from rossmarie.verification.prover import ProofOutcome, Verdict
+from rossmarie.verification.prover import ProofOutcome, ProofVerdict
 
 _MESSAGES = "messages"
 _GROUPS = {
@@ -52,7 +52,7 @@ class Proofs:
         """Say whether the proofs cover runs of any length. Each step begins in a state that another
         step may have left, so all steps have to be proved.
         """
-        is_proved = all(outcome.verdict is Verdict.PROVED for outcome in self.outcomes)
+        is_proved = all(outcome.verdict is ProofVerdict.PROVED for outcome in self.outcomes)
         return is_proved and not has_windows(self.machine)
 
     @property
@@ -60,7 +60,7 @@ class Proofs:
         """Say whether everything is proved."""
         return self.is_inductive and not self.unasked
 
-    def having(self, verdict: Verdict) -> tuple[ProofOutcome, ...]:
+    def having(self, verdict: ProofVerdict) -> tuple[ProofOutcome, ...]:
         """The outcomes with this verdict."""
         return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
 
@@ -71,7 +71,7 @@ class Proofs:
 
 def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
     """A finding for each refuted part, at its place in the rules, or at `file`."""
-    for outcome in proofs.having(Verdict.REFUTED):
+    for outcome in proofs.having(ProofVerdict.REFUTED):
         first, *others = proofs.reasons(outcome) or ("what it has to show",)
         finding = PartRefuted(part=outcome.check.about, sentence=first, check=outcome.check.name)
         places = (_place(proofs.machine, words) for words in (first, outcome.check.about))
@@ -134,7 +134,7 @@ def _group(check: Check) -> str:
 
 
 def _counts(outcomes: Sequence[ProofOutcome]) -> str:
-    proved = sum(outcome.verdict is Verdict.PROVED for outcome in outcomes)
+    proved = sum(outcome.verdict is ProofVerdict.PROVED for outcome in outcomes)
     return f"{proved}/{len(outcomes)}"
 
 
@@ -142,13 +142,13 @@ def _left(outcomes: Sequence[ProofOutcome]) -> str:
     return "; ".join(
         f"{outcome.verdict.value}: {outcome.check.about}"
         for outcome in outcomes
-        if outcome.verdict is not Verdict.PROVED
+        if outcome.verdict is not ProofVerdict.PROVED
     )
 
 
 def _conclusion(proofs: Proofs) -> Iterator[str]:
     """Describe the open parts, with the reasons, and the overall result."""
-    for outcome in proofs.having(Verdict.UNDECIDED):
+    for outcome in proofs.having(ProofVerdict.UNDECIDED):
         for reason in proofs.reasons(outcome):
             yield f"undecided: {outcome.check.about}: {reason}"
     yield ""
@@ -160,7 +160,9 @@ def _conclusion(proofs: Proofs) -> Iterator[str]:
         )
         yield f"For runs of any length: {whom}"
     counts = [
-        f"{len(found)} {verdict.value}" for verdict in Verdict if (found := proofs.having(verdict))
+        f"{len(found)} {verdict.value}"
+        for verdict in ProofVerdict
+        if (found := proofs.having(verdict))
     ]
     counts += [f"{len(proofs.unasked)} not asked about"] if proofs.unasked else []
     with_what = ", ".join(f"{tool} {its}" for tool, its in proofs.tools.items())

@@ -13,29 +13,29 @@ from rossmarie.report.spans import Summary, summarize
 
 
 @dataclass(frozen=True)
-class Run:
+class NamedReplay:
     """A replay and its name beside the other replay; the name is empty if there is no other."""
 
     replay: Replay
     label: str
 
 
-def runs_of(replay: Replay, compared: Replay | None = None) -> tuple[Run, ...]:
+def runs_of(replay: Replay, compared: Replay | None = None) -> tuple[NamedReplay, ...]:
     """The runs of one or two replays. Two runs are named after their difference: their recordings,
     or else their rules files.
     """
     if compared is None:
-        return (Run(replay, ""),)
+        return (NamedReplay(replay, ""),)
     pair = (replay, compared)
     paths = [each.recording for each in pair]
     if paths[0] == paths[1]:
         paths = [each.rules_file for each in pair]
     names = [PurePath(path).name for path in paths]
     labels = paths if names[0] == names[1] else names
-    return tuple(Run(each, label) for each, label in zip(pair, labels, strict=True))
+    return tuple(NamedReplay(each, label) for each, label in zip(pair, labels, strict=True))
 
 
-def sources_of(runs: Sequence[Run]) -> tuple[SourceFile, ...]:
+def sources_of(runs: Sequence[NamedReplay]) -> tuple[SourceFile, ...]:
     """The files with the rules of all runs, each version once."""
     files = (rule.span.file for run in runs for rule in run.replay.machine.rules)
     return tuple({(file.path, file.text): file for file in files}.values())
@@ -48,7 +48,7 @@ def rule_line(rule: Rule, sources: Sequence[SourceFile]) -> tuple[int, int]:
     return versions.index((file.path, file.text)), rule.head.begin.line
 
 
-def compared_rules(runs: Sequence[Run]) -> list[tuple[str, list[Summary | None]]]:
+def compared_rules(runs: Sequence[NamedReplay]) -> list[tuple[str, list[Summary | None]]]:
     """The summary of each rule in each run; None if a run does not have the rule."""
     found = [{each.rule: each for each in summarize(run.replay)} for run in runs]
     names = dict.fromkeys(name for summaries in found for name in summaries)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.testing.margins import Margin, Reach
+from rossmarie.testing.margins import ThresholdMargin, ValueRange
 
 Range = tuple[float | None, float | None]
 """The two ends of a range; None means no limit."""
@@ -39,7 +39,7 @@ class Spare:
         )
 
 
-def spares(machine: ir.Machine, margins: Sequence[Margin]) -> Iterator[Spare]:
+def spares(machine: ir.Machine, margins: Sequence[ThresholdMargin]) -> Iterator[Spare]:
     """The margins of a machine, in their order."""
     for each in margins:
         constant = each.threshold.constant
@@ -53,7 +53,7 @@ def spares(machine: ir.Machine, margins: Sequence[Margin]) -> Iterator[Spare]:
         )
 
 
-def _range(shown: ir.Signal | None, reach: Reach) -> Range:
+def _range(shown: ir.Signal | None, reach: ValueRange) -> Range:
     low, high = (None if end is None else _shown(shown, end) for end in (reach.low, reach.high))
     return low, high
 

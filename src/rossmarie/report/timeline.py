@@ -15,7 +15,7 @@ from markupsafe import Markup
 from rossmarie.ir import Verdict
 from rossmarie.report.model import Replay
 from rossmarie.report.page import MOST_DETAILED, page_data
-from rossmarie.report.runs import Run, compared_rules, runs_of, sources_of
+from rossmarie.report.runs import NamedReplay, compared_rules, runs_of, sources_of
 from rossmarie.report.spans import summarize
 from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
@@ -58,14 +58,14 @@ def render_timeline(replay: Replay, compared: Replay | None = None) -> str:
     )
 
 
-def _notes(runs: Sequence[Run]) -> list[str]:
+def _notes(runs: Sequence[NamedReplay]) -> list[str]:
     """The findings about the recordings. With two runs, each begins with the name of its run."""
     return [
         f"{run.label}: {note}" if run.label else note for run in runs for note in run.replay.notes
     ]
 
 
-def _listed(runs: Sequence[Run]) -> str:
+def _listed(runs: Sequence[NamedReplay]) -> str:
     """Describe the list of changes: the page contains only the first changes of a run."""
     counts = [sum(isinstance(each, Verdict) for each in run.replay.events) for run in runs]
     most = max(counts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rossmarie.skills.json_reader import Json
-from rossmarie.skills.model import Location, Place
+from rossmarie.skills.model import Location, SourcePlace
 
 FARTHEST = 1e6
 """The greatest coordinate of a location in m."""
@@ -36,13 +36,13 @@ def _corner(item: Json) -> tuple[float, float]:
     return numbers[0], numbers[1]
 
 
-def place_of(item: Json) -> Place | None:
+def place_of(item: Json) -> SourcePlace | None:
     """The place of a source text; None if it is in no file. Raises `UnreadableJson`."""
     return item.get("place").optional(_place)
 
 
-def _place(item: Json) -> Place:
-    return Place(
+def _place(item: Json) -> SourcePlace:
+    return SourcePlace(
         item.get("path").text(),
         item.get("line").whole(),
         item.get("column").whole(),

@@ -9,7 +9,7 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class Place:
+class SourcePlace:
     """A range of a source. Lines and columns count from 1; the end is after the last character.
     `path` is relative to the folder of the file of skills.
     """
@@ -22,7 +22,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Source:
+class SkillSource:
     """A file that the skills come from, and its SHA-256 in hexadecimal."""
 
     path: str
@@ -35,7 +35,7 @@ class SkillClass:
 
     name: str
     parents: tuple[str, ...]
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
@@ -48,11 +48,11 @@ class Property:
     type: str
     of: tuple[str, ...]
     unit: str | None
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
-class Parameter:
+class SkillParameter:
     """A parameter of a skill: its type is a class of things, or `float`, `int`, `bool`, `str` or
     `enum`. A needed parameter has a value before the skill starts. A given parameter gets its value
     from the program that starts the skill, and has no default. `default` is the default of a
@@ -63,12 +63,12 @@ class Parameter:
     type: str
     is_needed: bool
     is_given: bool
-    place: Place | None
+    place: SourcePlace | None
     default: float | None = None
 
 
 @dataclass(frozen=True)
-class Limit:
+class PermissionLimit:
     """The limit of a permission: `value` in `unit`, or `si` in SI."""
 
     value: float
@@ -88,8 +88,8 @@ class Permission:
 
     kind: str
     things: tuple[tuple[str | None, str], ...]
-    limit: Limit | None
-    place: Place | None
+    limit: PermissionLimit | None
+    place: SourcePlace | None
 
     def __str__(self) -> str:
         """The permission as `contact with skiros.Product up to 30 N`."""
@@ -114,11 +114,11 @@ class Use:
     kind: UseKind
     name: str
     type: str | None
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
-class Child:
+class ChildSkill:
     """A skill in a behavior tree. `arguments` maps the names of its parameters to texts: the name
     of a parameter of the compound skill, or a name that children share, or a Python value. It maps
     them to None for a computed value. `is_retried` is True if the tree can start the skill again
@@ -127,39 +127,39 @@ class Child:
 
     skill: str
     arguments: Mapping[str, str | None]
-    place: Place | None
+    place: SourcePlace | None
     is_retried: bool
 
 
 @dataclass(frozen=True)
-class Condition:
+class SkillCondition:
     """A condition of a skill, as written in the description, and as a JSON object."""
 
     text: str
     statement: Mapping[str, Any]
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
-class Conditions:
+class SkillConditions:
     """The conditions of a skill. It can start if all of `pre` are true; `hold` has to be true while
     it runs; after success, all of `post` are true.
     """
 
-    pre: tuple[Condition, ...]
-    hold: tuple[Condition, ...]
-    post: tuple[Condition, ...]
+    pre: tuple[SkillCondition, ...]
+    hold: tuple[SkillCondition, ...]
+    post: tuple[SkillCondition, ...]
 
 
 @dataclass(frozen=True)
-class Step:
+class SkillNode:
     """A skill in a tree. `arguments` maps the names of its parameters to texts: the name of a
     parameter of the compound, or a written value; None for a value that is computed at run time.
     """
 
     skill: str
     arguments: Mapping[str, str | None]
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
@@ -171,11 +171,11 @@ class Control:
 
     kind: str
     children: tuple[Node, ...]
-    place: Place | None
+    place: SourcePlace | None
     limit: float | str | None = None
 
 
-Node = Step | Control
+Node = SkillNode | Control
 
 
 @dataclass(frozen=True)
@@ -186,13 +186,13 @@ class Skill:
 
     name: str
     parents: tuple[str, ...]
-    parameters: Mapping[str, Parameter]
-    conditions: Conditions
+    parameters: Mapping[str, SkillParameter]
+    conditions: SkillConditions
     permits: tuple[Permission, ...]
     uses: tuple[Use, ...]
-    children: tuple[Child, ...]
+    children: tuple[ChildSkill, ...]
     trees: tuple[Control, ...]
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
@@ -207,7 +207,7 @@ class Location:
     classes: tuple[str, ...]
     frame: str
     corners: tuple[tuple[float, float], ...]
-    place: Place | None
+    place: SourcePlace | None
 
 
 @dataclass(frozen=True)
@@ -217,7 +217,7 @@ class SkillFile:
     """
 
     digest: str
-    sources: tuple[Source, ...]
+    sources: tuple[SkillSource, ...]
     topic: str
     message_type: str
     period_ns: int

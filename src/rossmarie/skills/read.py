@@ -17,18 +17,18 @@ from rossmarie.skills.closed import circle_among
 from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
 from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
-    Child,
-    Condition,
-    Conditions,
-    Limit,
+    ChildSkill,
     Node,
-    Parameter,
     Permission,
+    PermissionLimit,
     Property,
     Skill,
     SkillClass,
+    SkillCondition,
+    SkillConditions,
     SkillFile,
-    Source,
+    SkillParameter,
+    SkillSource,
     Use,
     UseKind,
 )
@@ -184,11 +184,13 @@ def _class_name(value: Json) -> str:
     return _matching(value, _CLASS, "a name such as skiros.Product")
 
 
-def _source(source: Json) -> Source:
+def _source(source: Json) -> SkillSource:
     path = source.get("path")
     if Path(path.text()).is_absolute() or "\0" in path.text():
         path.fail("is not relative to the folder of the file")
-    return Source(path.text(), _matching(source.get("sha256"), _DIGEST, "64 hexadecimal digits"))
+    return SkillSource(
+        path.text(), _matching(source.get("sha256"), _DIGEST, "64 hexadecimal digits")
+    )
 
 
 def _class(item: Json) -> SkillClass:
@@ -224,12 +226,12 @@ def _skill(item: Json) -> Skill:
     )
 
 
-def _conditions(item: Json) -> Conditions:
-    return Conditions(*(item.get(kind).each(_condition) for kind in ("pre", "hold", "post")))
+def _conditions(item: Json) -> SkillConditions:
+    return SkillConditions(*(item.get(kind).each(_condition) for kind in ("pre", "hold", "post")))
 
 
-def _condition(item: Json) -> Condition:
-    return Condition(item.get("text").text(), item.get("statement").fields(), place_of(item))
+def _condition(item: Json) -> SkillCondition:
+    return SkillCondition(item.get("text").text(), item.get("statement").fields(), place_of(item))
 
 
 def _use(item: Json) -> Use:
@@ -238,19 +240,19 @@ def _use(item: Json) -> Use:
     return Use(UseKind(kind), name, item.get("type").optional(Json.text), place_of(item))
 
 
-def _children(trees: Iterable[Node]) -> Iterator[Child]:
+def _children(trees: Iterable[Node]) -> Iterator[ChildSkill]:
     """The skills in all trees, at any depth."""
     for tree in trees:
         for step, above in steps(tree):
             is_retried = any(each.kind in _STARTING_AGAIN for each in above)
-            yield Child(step.skill, step.arguments, step.place, is_retried)
+            yield ChildSkill(step.skill, step.arguments, step.place, is_retried)
 
 
-def _parameter(item: Json) -> Parameter:
+def _parameter(item: Json) -> SkillParameter:
     kind = item.get("kind").one_of("given", "inferred", "optional")
     is_output = item.get("is_output").boolean()
     default = item.get("default").optional(Json.text)
-    return Parameter(
+    return SkillParameter(
         name=_name(item.get("name")),
         type=item.get("type").text(),
         is_needed=kind != "optional" and not is_output,
@@ -269,7 +271,7 @@ def _number_in(spelled: str | None) -> float | None:
     return number if math.isfinite(number) else None
 
 
-def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:
+def _permission(item: Json, parameters: Mapping[str, SkillParameter]) -> Permission:
     return Permission(
         kind=item.get("kind").one_of("contact", "closeness", "speed", "force"),
         things=item.get("with").each(lambda each: _thing(each, parameters)),
@@ -278,7 +280,7 @@ def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:
     )
 
 
-def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str | None, str]:
+def _thing(item: Json, parameters: Mapping[str, SkillParameter]) -> tuple[str | None, str]:
     parameter = item.get("parameter")
     name = parameter.optional(Json.text)
     if name is not None and name not in parameters:
@@ -286,5 +288,7 @@ def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str | None,
     return name, _class_name(item.get("class"))
 
 
-def _limit(item: Json) -> Limit:
-    return Limit(item.get("value").number(), item.get("unit").text(), item.get("si").number())
+def _limit(item: Json) -> PermissionLimit:
+    return PermissionLimit(
+        item.get("value").number(), item.get("unit").text(), item.get("si").number()
+    )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.source import SourceFile, Span, ending, is_file
-from rossmarie.skills.model import Place, SkillFile
+from rossmarie.skills.model import SkillFile, SourcePlace
 
 LARGEST_SOURCE = 256 * 2**20
 """The largest size of a source, such as an ontology, in bytes."""
@@ -55,7 +55,7 @@ def _sha256(path: Path) -> str | None:
     return digest.hexdigest()
 
 
-def span_at(place: Place | None, folder: Path) -> Span | None:
+def span_at(place: SourcePlace | None, folder: Path) -> Span | None:
     """The span of a place in a Python module; None if no text can be shown. Text of other files,
     and of links to them, is never shown: the author of the rules may not be allowed to read them.
     """

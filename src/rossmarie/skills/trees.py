@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from rossmarie.skills.json_reader import Json
 from rossmarie.skills.locations import place_of
-from rossmarie.skills.model import Control, Node, Step
+from rossmarie.skills.model import Control, Node, SkillNode
 
 SERIAL = ("serial", "serialstar")
 """The words for nodes that tick their children in order while these succeed."""
@@ -28,7 +28,7 @@ _Made = TypeVar("_Made")
 
 def folded(
     tree: Node,
-    of_step: Callable[[Step], _Made],
+    of_step: Callable[[SkillNode], _Made],
     of_control: Callable[[Control, Sequence[_Made]], _Made],
 ) -> _Made:
     """The result for a tree: the results of its skills, combined by the nodes above them."""
@@ -36,7 +36,7 @@ def folded(
     waiting: list[tuple[Node, bool]] = [(tree, False)]
     while waiting:
         node, is_below_done = waiting.pop()
-        if isinstance(node, Step):
+        if isinstance(node, SkillNode):
             found.append(of_step(node))
         elif is_below_done:
             first = len(found) - len(node.children)
@@ -47,12 +47,12 @@ def folded(
     return found[0]
 
 
-def steps(tree: Node) -> Iterator[tuple[Step, tuple[Control, ...]]]:
+def steps(tree: Node) -> Iterator[tuple[SkillNode, tuple[Control, ...]]]:
     """The skills of a tree in their order, each with the nodes above it, the root first."""
     waiting: list[tuple[Node, tuple[Control, ...]]] = [(tree, ())]
     while waiting:
         node, above = waiting.pop()
-        if isinstance(node, Step):
+        if isinstance(node, SkillNode):
             yield node, above
         else:
             waiting += [(each, (*above, node)) for each in reversed(node.children)]
@@ -80,10 +80,10 @@ def read_tree(tree: Json, name: Callable[[Json], str], numbers: Container[str]) 
     return root
 
 
-def _step(item: Json, name: Callable[[Json], str]) -> Step:
+def _step(item: Json, name: Callable[[Json], str]) -> SkillNode:
     given = item.find("arguments")
     arguments = {} if given is None else given.members(lambda each: each.optional(Json.text))
-    return Step(name(item.get("skill")), arguments, place_of(item))
+    return SkillNode(name(item.get("skill")), arguments, place_of(item))
 
 
 def _control(

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_up
-from rossmarie.starter.robot import Proposal, Robot, Watched
+from rossmarie.starter.robot import Proposal, RobotTopics, Watched
 
 _ROOM = 1.2
 _UNITS = {"position": "rad", "velocity": "rad/s", "effort": "Nm"}
@@ -48,7 +48,7 @@ class Joints:
         inputs = {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled}
         return inputs or {f"{name}_state": ""}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for fast and loaded joints. If the names of the joints identify an arm, also
         the rules of the library.
         """
@@ -73,7 +73,7 @@ class Joints:
         if not commands.is_twist:
             yield from self._imports(watched, robot)
 
-    def _imports(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def _imports(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         named = _by_parameter(self.names)
         filled = self.largest or {}
         if {"position", "velocity"} <= filled.keys() and len(named) >= len(_PARAMETERS) - 1:
@@ -87,7 +87,7 @@ class Joints:
         parameters: Sequence[str],
         named: Mapping[str, str],
         watched: Watched,
-        robot: Robot,
+        robot: RobotTopics,
     ) -> Proposal:
         names = ", ".join(f'{each} = "{named[each]}"' for each in parameters)
         return Proposal(
@@ -134,7 +134,7 @@ class Force:
         """The inputs for force and torque."""
         return {name: self._path}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for contact."""
         commands = robot.commands
         limit = rounded_up(max(self.largest * _ROOM, 1.0))

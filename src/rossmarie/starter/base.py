@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_down, rounded_up
-from rossmarie.starter.robot import Proposal, Robot, Watched
+from rossmarie.starter.robot import Proposal, RobotTopics, Watched
 
 _ROOM = 1.2
 """The factor by which a limit exceeds the normal values of the recording."""
@@ -42,7 +42,7 @@ class Odometry:
         """A speed limit in m/s, above all speeds in the recording."""
         return rounded_up(max(self.fastest * _ROOM, 0.1))
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for a speed limit, and for stalled wheels, if another odometry measures the
         body.
         """
@@ -99,7 +99,7 @@ class Inertia:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for the tilt if the IMU measures it, else for the turn rate."""
         commands, name = robot.commands, watched.name
         first = self.first_tilt or 0.0
@@ -130,7 +130,7 @@ class Inertia:
             )
 
 
-class Scan:
+class ScannerDistances:
     """The distances that a laser scanner sees."""
 
     word = "scan"
@@ -154,7 +154,7 @@ class Scan:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for near objects, in a visible sector, and for a blind scanner."""
         if self.sector is None:
             return
@@ -172,7 +172,9 @@ class Scan:
         if commands.is_twist:
             yield from self._imports(watched, robot, right, left)
 
-    def _imports(self, watched: Watched, robot: Robot, right: int, left: int) -> Iterator[Proposal]:
+    def _imports(
+        self, watched: Watched, robot: RobotTopics, right: int, left: int
+    ) -> Iterator[Proposal]:
         odometries = robot.of_word(Odometry.word)
         cmd_vel = robot.commands.topic
         if odometries and isinstance(odometries[0].kind, Odometry):

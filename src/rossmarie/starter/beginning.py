@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from rossmarie.recordings.errors import RecordingError, at_file
 from rossmarie.recordings.matching import listed
-from rossmarie.recordings.model import Observe, Recording, Survey, Topic
+from rossmarie.recordings.model import Observe, RecordedTopic, Recording, Survey
 from rossmarie.recordings.system_model import can_be_declared, write_model
 from rossmarie.starter.commands import (
-    Wanted,
+    FastestCommand,
     are_commands,
     chosen,
     commands_of_nobody,
@@ -19,10 +19,10 @@ from rossmarie.starter.commands import (
 )
 from rossmarie.starter.errors import NothingToWatch
 from rossmarie.starter.kinds import ARM, KINDS, OWN
-from rossmarie.starter.names import Names, name_of
+from rossmarie.starter.names import UniqueNames, name_of
 from rossmarie.starter.numbers import FEWEST, is_steady, timeout_s
-from rossmarie.starter.robot import Commands, Kind, Proposal, Robot, Watched
-from rossmarie.starter.writing import Source, write_rules
+from rossmarie.starter.robot import Commands, MessageRules, Proposal, RobotTopics, Watched
+from rossmarie.starter.writing import SourceRecording, write_rules
 
 READING_S = 20.0
 """The longest time in s for reading a recording, however large."""
@@ -53,18 +53,18 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
         if each.count and can_be_declared(each, definitions)
     ]
     kinds = {each.name: KINDS[each.message_type or ""]() for each in _known(topics)}
-    wanted = {each.name: Wanted() for each in topics if are_commands(each)}
+    wanted = {each.name: FastestCommand() for each in topics if are_commands(each)}
     observers: dict[str, Observe] = {name: each.see for name, each in kinds.items()}
     observers |= {name: each.see for name, each in wanted.items()}
     survey = recording.survey(observers, seconds)
     # raises an error for a table, which has no types
     model = write_model(recording, definitions, survey.frames)
-    names = Names()
+    names = UniqueNames()
     watched = list(_watched(topics, kinds, survey, names))
     if not any(each.is_steady for each in watched):
         raise _nothing(recording, watched)
     commands, recorded = _commands(topics, watched)
-    robot = Robot(watched, commands, names)
+    robot = RobotTopics(watched, commands, names)
     proposals: dict[str, list[Proposal]] = {
         each.topic: list(each.kind.proposals(each, robot)) for each in watched
     }
@@ -72,7 +72,9 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     if recorded is not None and _is_free(commands, types):
         proposals[commands.topic] = [proposal(robot, wanted, recorded)]
     has_own = any(_absolute(each.name) == OWN for each in topics)
-    source = Source(recording.path.name, _unread(recording, survey), OWN if has_own else None)
+    source = SourceRecording(
+        recording.path.name, _unread(recording, survey), OWN if has_own else None
+    )
     return Beginning(
         model,
         definitions,
@@ -83,7 +85,7 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     )
 
 
-def _known(topics: Sequence[Topic]) -> Iterator[Topic]:
+def _known(topics: Sequence[RecordedTopic]) -> Iterator[RecordedTopic]:
     """The topics with messages that have a kind, in the order of the types. Of equivalent names,
     the first counts.
     """
@@ -97,7 +99,10 @@ def _known(topics: Sequence[Topic]) -> Iterator[Topic]:
 
 
 def _watched(
-    topics: Sequence[Topic], kinds: Mapping[str, Kind], survey: Survey, names: Names
+    topics: Sequence[RecordedTopic],
+    kinds: Mapping[str, MessageRules],
+    survey: Survey,
+    names: UniqueNames,
 ) -> Iterator[Watched]:
     types = {each.name: each.message_type or "" for each in topics}
     for recorded, kind in kinds.items():
@@ -119,7 +124,9 @@ def _watched(
         )
 
 
-def _commands(topics: Sequence[Topic], watched: Sequence[Watched]) -> tuple[Commands, str | None]:
+def _commands(
+    topics: Sequence[RecordedTopic], watched: Sequence[Watched]
+) -> tuple[Commands, str | None]:
     """The actions that bound commands, and the recorded topic of these commands, or None."""
     found = [each for each in topics if are_commands(each)]
     topic = chosen(found)

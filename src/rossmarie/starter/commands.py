@@ -7,9 +7,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rossmarie.recordings.model import Topic
+from rossmarie.recordings.model import RecordedTopic
 from rossmarie.starter.numbers import plain, rounded_up
-from rossmarie.starter.robot import UNFILTERED, Commands, Proposal, Robot
+from rossmarie.starter.robot import UNFILTERED, Commands, Proposal, RobotTopics
 
 TYPES = ("geometry_msgs/Twist", "geometry_msgs/TwistStamped")
 _TWIST, _STAMPED = TYPES
@@ -20,7 +20,7 @@ _SILENCE_S = 1
 
 
 @dataclass
-class Wanted:
+class FastestCommand:
     """The fastest command of a recording, in m/s."""
 
     fastest: float = 0.0
@@ -33,19 +33,19 @@ class Wanted:
             self.fastest = max(self.fastest, speed)
 
 
-def are_commands(topic: Topic) -> bool:
+def are_commands(topic: RecordedTopic) -> bool:
     """Say whether the messages on a topic are velocity commands."""
     last = topic.name.rpartition("/")[2]
     is_named_so = any(word in last for word in _WORDS) and not last.startswith(UNFILTERED)
     return topic.message_type in TYPES and is_named_so
 
 
-def chosen(topics: Sequence[Topic]) -> Topic | None:
+def chosen(topics: Sequence[RecordedTopic]) -> RecordedTopic | None:
     """The command topic that most likely reaches the robot. A topic with the usual name comes
     first, then the topic with the most messages.
     """
 
-    def rank(topic: Topic) -> tuple[bool, int, int, str]:
+    def rank(topic: RecordedTopic) -> tuple[bool, int, int, str]:
         parts = topic.name.split("/")
         return parts[-1] == _USUAL, topic.count, len(parts), topic.name
 
@@ -84,7 +84,7 @@ def _free(topic: str, others: Collection[str]) -> str:
     return topic
 
 
-def proposal(robot: Robot, wanted: Mapping[str, Wanted], recorded: str) -> Proposal:
+def proposal(robot: RobotTopics, wanted: Mapping[str, FastestCommand], recorded: str) -> Proposal:
     """A proposal for a limit of commands."""
     commands = robot.commands
     fastest = wanted[recorded].fastest

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from rossmarie.starter.arm import Force, Joints
-from rossmarie.starter.base import Inertia, Odometry, Scan
-from rossmarie.starter.robot import Kind
+from rossmarie.starter.base import Inertia, Odometry, ScannerDistances
+from rossmarie.starter.robot import MessageRules
 from rossmarie.starter.supply import Battery, Diagnostics, Heat
 
-KINDS: Mapping[str, Callable[[], Kind]] = {
+KINDS: Mapping[str, Callable[[], MessageRules]] = {
     "nav_msgs/Odometry": Odometry,
     "sensor_msgs/Imu": Inertia,
-    "sensor_msgs/LaserScan": Scan,
+    "sensor_msgs/LaserScan": ScannerDistances,
     "sensor_msgs/JointState": Joints,
     "geometry_msgs/WrenchStamped": lambda: Force(".wrench"),
     "geometry_msgs/Wrench": lambda: Force(""),

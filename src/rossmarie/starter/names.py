@@ -18,7 +18,7 @@ _SHORTEST = 3
 """The number of letters of an abbreviation."""
 
 
-class Names:
+class UniqueNames:
     """Returns each name only once."""
 
     def __init__(self) -> None:

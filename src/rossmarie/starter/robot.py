@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from rossmarie.recordings.model import Rhythm
-from rossmarie.starter.names import Names
+from rossmarie.starter.names import UniqueNames
 
 UNFILTERED = "unfil_"
 """The prefix of the topic on which commands enter the filter of a topic."""
@@ -53,7 +53,7 @@ class Commands:
         return "linear.x" if self.is_twist else "twist.linear.x"
 
 
-class Kind(Protocol):
+class MessageRules(Protocol):
     """The rules about messages of a type, with limits from the messages on one topic."""
 
     @property
@@ -66,7 +66,7 @@ class Kind(Protocol):
     def fields(self, name: str) -> Mapping[str, str]:
         """The inputs by name, each with its field and unit."""
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """Proposals for rules that may fit the robot."""
 
 
@@ -77,7 +77,7 @@ class Watched:
     topic: str
     recorded: str
     message_type: str
-    kind: Kind
+    kind: MessageRules
     name: str
     rhythm: Rhythm
     timeout: float
@@ -89,12 +89,12 @@ class Watched:
 
 
 @dataclass(frozen=True)
-class Robot:
+class RobotTopics:
     """The topics of a robot that rules read, and the topic of its commands."""
 
     watched: Sequence[Watched]
     commands: Commands
-    names: Names = field(default_factory=Names)
+    names: UniqueNames = field(default_factory=UniqueNames)
 
     def of_word(self, word: str) -> Sequence[Watched]:
         """The topics with messages of a kind."""

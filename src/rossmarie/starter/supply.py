@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_down
-from rossmarie.starter.robot import Proposal, Robot, Watched
+from rossmarie.starter.robot import Proposal, RobotTopics, Watched
 
 _FEWEST_STATUSES = 16
 
@@ -34,7 +34,7 @@ class Battery:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """A proposal for a low battery, by its charge or, if the charge is unknown, by its
         voltage.
         """
@@ -79,7 +79,7 @@ class Heat:
         """An input for the temperature."""
         return {name: ".temperature"}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """A proposal for a hot part."""
         if not math.isfinite(self.hottest):
             return
@@ -117,7 +117,7 @@ class Diagnostics:
             bound *= 2
         return {name: f".status up to {bound}"}
 
-    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
         """A proposal for a part with an error."""
         commands = robot.commands
         yield Proposal(

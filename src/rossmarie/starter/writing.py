@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from rossmarie.driver.formatting import format_text
 from rossmarie.starter.numbers import GAPS, MOST_PERIODS, PERIODS, SHORTEST_S, plain, rounded_down
-from rossmarie.starter.robot import Proposal, Robot, Watched
+from rossmarie.starter.robot import Proposal, RobotTopics, Watched
 
 _WIDTH = 100
 _CLEAR_S = 1
@@ -21,7 +21,7 @@ _JOINT = "\N{WORD JOINER}"
 
 
 @dataclass(frozen=True)
-class Source:
+class SourceRecording:
     """The recording behind the rules. `part` is the part that was read; None for the whole
     recording. `shared` is a recorded topic on which the node of the rules also publishes; None if
     there is none.
@@ -32,7 +32,9 @@ class Source:
     shared: str | None
 
 
-def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[Proposal]]) -> str:
+def write_rules(
+    source: SourceRecording, robot: RobotTopics, proposals: Mapping[str, Sequence[Proposal]]
+) -> str:
     """Rules in canonical layout: inputs, a rule about their silence with its tests, and `proposals`
     by topic, as comments.
     """
@@ -53,7 +55,7 @@ def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[P
     return format_text("\n\n".join(parts) + "\n")
 
 
-def _opening(source: Source) -> str:
+def _opening(source: SourceRecording) -> str:
     begun = f"First rules for a robot, begun by `rossmarie init` from {source.name}"
     begun += f", of which {source.part} were read." if source.part else "."
     paragraphs = (
@@ -96,7 +98,7 @@ def _first_input(watched: Watched) -> str:
     return next(iter(watched.kind.fields(watched.name)))
 
 
-def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: Robot) -> str:
+def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: RobotTopics) -> str:
     late = " or ".join(f"age({_first_input(each)}) > {plain(each.timeout)} sec" for each in steady)
     return (
         "'''\nThe robot stops when a sensor falls silent. At the start the rule is active until all"
@@ -130,7 +132,7 @@ def _comment(proposal: Proposal) -> str:
     return "\n".join([_prose(proposal.about), *(f"//{line}" if line else "" for line in lines)])
 
 
-def _tests(silent: str, steady: Sequence[Watched], robot: Robot) -> Iterator[str]:
+def _tests(silent: str, steady: Sequence[Watched], robot: RobotTopics) -> Iterator[str]:
     """The tests of the rule about silence."""
     soonest = min(steady, key=lambda each: each.timeout)
     step = f"{plain(rounded_down(soonest.timeout / 2))} s"

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_expression import ExpressionBuilder, Part
+from rossmarie.syntax.build_expression import ExpressionBuilder, WordArgument
 from rossmarie.syntax.scan import Token
 
 
@@ -39,9 +39,9 @@ class EffectBuilder(ExpressionBuilder):
         """`PATH in RANGE`."""
         return ast.FieldBound(parts[0], parts[2], self._span(parts))
 
-    def ramps(self, parts: list[Any]) -> Part:
+    def ramps(self, parts: list[Any]) -> WordArgument:
         """`ramp RAMP, ...`."""
-        return Part("ramp", tuple(parts[1::2]), self._span(parts))
+        return WordArgument("ramp", tuple(parts[1::2]), self._span(parts))
 
     # --- messages --------------------------------------------------------------------------------
 
@@ -86,10 +86,10 @@ class EffectBuilder(ExpressionBuilder):
             manager, named["start"], named["stop"], timeout, otherwise, span
         )
 
-    def message(self, parts: list[Any]) -> Part:
+    def message(self, parts: list[Any]) -> WordArgument:
         """`{ PATH = VALUE; ... }`."""
         assignments = tuple(part for part in parts if not isinstance(part, Token))
-        return Part("{", assignments, self._span(parts))
+        return WordArgument("{", assignments, self._span(parts))
 
     def field_assignment(self, parts: list[Any]) -> ast.FieldAssignment:
         """`PATH = VALUE`."""
@@ -140,21 +140,21 @@ class EffectBuilder(ExpressionBuilder):
         """`doing SKILL.PARAMETER`."""
         return ast.Passed(self.name(parts[1]), self.name(parts[3]), self._span(parts))
 
-    def afterwards(self, parts: list[Any]) -> Part:
+    def afterwards(self, parts: list[Any]) -> WordArgument:
         """`then resume`, `then retry`, `then replan`."""
-        return Part("then", self.name(parts[1]), self._span(parts))
+        return WordArgument("then", self.name(parts[1]), self._span(parts))
 
-    def confirmation(self, parts: list[Any]) -> Part:
+    def confirmation(self, parts: list[Any]) -> WordArgument:
         """`confirm by CONDITION`."""
-        return Part("confirm", parts[2], self._span(parts))
+        return WordArgument("confirm", parts[2], self._span(parts))
 
-    def interrupted(self, parts: list[Any]) -> Part:
+    def interrupted(self, parts: list[Any]) -> WordArgument:
         """`then resend`, `then drop`."""
-        return Part("then", self.name(parts[1]), self._span(parts))
+        return WordArgument("then", self.name(parts[1]), self._span(parts))
 
-    def otherwise(self, parts: list[Any]) -> Part:
+    def otherwise(self, parts: list[Any]) -> WordArgument:
         """`else ACTION`."""
-        return Part("else", self.name(parts[1]), self._span(parts))
+        return WordArgument("else", self.name(parts[1]), self._span(parts))
 
     # --- other effects -----------------------------------------------------------------------
 
@@ -208,5 +208,5 @@ class EffectBuilder(ExpressionBuilder):
 def clause(parts: list[Any], word: str) -> Any:
     """The part after a word among the parts of an effect; None if it is missing."""
     return next(
-        (part.value for part in parts if isinstance(part, Part) and part.word == word), None
+        (part.value for part in parts if isinstance(part, WordArgument) and part.word == word), None
     )

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Remark, Write
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.scan import ScannedFile, Token
 from rossmarie.syntax.words import FOREIGN
 
 _MOST_DIGITS = 9  # for an index; no message field has more elements
@@ -32,14 +32,14 @@ class _Trailer(NamedTuple):
     """
 
     name: ast.Name | None
-    arguments: tuple[ast.Expression | Part, ...] | None
+    arguments: tuple[ast.Expression | WordArgument, ...] | None
     position: int | str | None
     span: Span
     arc: ast.Arc | None = None
     constant: ast.Name | None = None
 
 
-class Part(NamedTuple):
+class WordArgument(NamedTuple):
     """A word and its argument: `3 times`, `within 0.25 sec`, `by 5 N` among the arguments of a
     call, `ramp 20 %/s` and `else stop` after an effect.
     """
@@ -61,7 +61,7 @@ class _Each(NamedTuple):
 class ExpressionBuilder:
     """Builds the expressions of one file, and reports unacceptable ones to `report`."""
 
-    def __init__(self, source: Scan, report: Callable[[Diagnostic], None]) -> None:
+    def __init__(self, source: ScannedFile, report: Callable[[Diagnostic], None]) -> None:
         self._source = source
         self._file = source.file
         self._report = report
@@ -215,7 +215,7 @@ class ExpressionBuilder:
     ) -> ast.Expression:
         if name.text == "oscillates":
             return self._oscillates(name.span, arguments, span)
-        if [type(each) for each in arguments] == [ast.Edges, Part]:
+        if [type(each) for each in arguments] == [ast.Edges, WordArgument]:
             arguments = arguments[:1]  # a comma before `within`; a missing comma is reported
         if len(arguments) == 1 and isinstance(arguments[0], _Each):
             each = arguments[0]
@@ -224,7 +224,7 @@ class ExpressionBuilder:
         return ast.Call(name, plain, is_method, span)
 
     def _oscillates(self, name: Span, arguments: list[Any], span: Span) -> ast.Expression:
-        shape = [part.word if isinstance(part, Part) else "" for part in arguments]
+        shape = [part.word if isinstance(part, WordArgument) else "" for part in arguments]
         if shape not in (["", "times", "within"], ["", "times", "within", "by"]):
             reason = "a value, how often it turns, and within which time, in this order"
             problem = "`oscillates` needs other parts"
@@ -240,7 +240,7 @@ class ExpressionBuilder:
     def _plain(self, argument: Any) -> ast.Expression:
         if isinstance(argument, _Each):
             return self._not_alone(argument)
-        if not isinstance(argument, Part):
+        if not isinstance(argument, WordArgument):
             return argument  # type: ignore[no-any-return]
         problem = f"`{argument.word}` is only allowed in `oscillates`"
         finding = errors.MalformedOscillates(problem=problem, reason="no other function takes it")
@@ -265,13 +265,13 @@ class ExpressionBuilder:
         self._report(finding.at(self._at(colon)))
         return ast.Broken(self._span(parts))
 
-    def times(self, parts: list[Any]) -> Part:
+    def times(self, parts: list[Any]) -> WordArgument:
         """`3 times`."""
-        return Part("times", self.number(parts[:1]), self._span(parts))
+        return WordArgument("times", self.number(parts[:1]), self._span(parts))
 
-    def within(self, parts: list[Any]) -> Part:
+    def within(self, parts: list[Any]) -> WordArgument:
         """`within 0.25 sec`."""
-        return Part("within", parts[1], self._span(parts))
+        return WordArgument("within", parts[1], self._span(parts))
 
     def edges(self, parts: list[Any]) -> ast.Edges:
         """`edges of a > 1 within 10 sec`."""
@@ -284,9 +284,9 @@ class ExpressionBuilder:
         window = parts[3].value if len(parts) > 3 else None
         return ast.Edges(parts[2], window, self._span(parts))
 
-    def by(self, parts: list[Any]) -> Part:
+    def by(self, parts: list[Any]) -> WordArgument:
         """`by 5 N`."""
-        return Part("by", parts[1], self._span(parts))
+        return WordArgument("by", parts[1], self._span(parts))
 
     def parenthesized(self, parts: list[Any]) -> ast.Parenthesized:
         """`(a)`."""

@@ -9,7 +9,7 @@ from typing import Any
 
 from rossmarie.syntax import ast
 from rossmarie.syntax.build_effect import EffectBuilder
-from rossmarie.syntax.build_expression import Part
+from rossmarie.syntax.build_expression import WordArgument
 from rossmarie.syntax.scan import Token
 
 
@@ -24,7 +24,7 @@ class TestBuilder(EffectBuilder):
 
     def at_instant(self, parts: list[Any]) -> ast.Arrival | ast.OperatorReset:
         """`at INSTANT reset RULE`, `at INSTANT SETTING, ...`."""
-        if isinstance(parts[2], Part):
+        if isinstance(parts[2], WordArgument):
             return ast.OperatorReset(parts[1], parts[2].value, self._span(parts))
         return ast.Arrival(parts[1], None, None, _settings(parts), self._span(parts))
 
@@ -57,14 +57,16 @@ class TestBuilder(EffectBuilder):
         found = parts[middle + 1], at, stretch, self._span(parts)
         return ast.CommandExpectation(topic, path, *found)
 
-    def resetting(self, parts: list[Any]) -> Part:
+    def resetting(self, parts: list[Any]) -> WordArgument:
         """`reset`, `reset RULE`."""
-        return Part("reset", self.name(parts[1]) if len(parts) > 1 else None, self._span(parts))
+        return WordArgument(
+            "reset", self.name(parts[1]) if len(parts) > 1 else None, self._span(parts)
+        )
 
     def setting(self, parts: list[Any]) -> ast.Setting:
         """`PATH = VALUE`, `PATH = unknown`, `PATH = []`, `PATH`."""
         value = parts[2] if len(parts) > 2 else None
-        is_unknown = isinstance(value, Part)
+        is_unknown = isinstance(value, WordArgument)
         return ast.Setting(parts[0], None if is_unknown else value, is_unknown, self._span(parts))
 
     def setting_path(self, parts: list[Any]) -> ast.SettingPath:
@@ -74,9 +76,9 @@ class TestBuilder(EffectBuilder):
             steps += [part] if isinstance(part, ast.Arc) else self.field_path([part]).steps
         return ast.SettingPath(tuple(steps), self._span(parts))
 
-    def unknown(self, parts: list[Any]) -> Part:
+    def unknown(self, parts: list[Any]) -> WordArgument:
         """`unknown`."""
-        return Part("unknown", None, self._span(parts))
+        return WordArgument("unknown", None, self._span(parts))
 
     def nothing(self, parts: list[Any]) -> ast.Bracket:
         """`[]`."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rossmarie.syntax.limits import ends_value
-from rossmarie.syntax.scan import Scan
+from rossmarie.syntax.scan import ScannedFile
 from rossmarie.syntax.words import (
     CONTEXTUAL_ITEM_WORDS,
     ITEM_WORDS,
@@ -49,7 +49,7 @@ class Piece(NamedTuple):
     head: str | None
 
 
-def cut(source: Scan) -> Iterator[Piece]:
+def cut(source: ScannedFile) -> Iterator[Piece]:
     """All items of a file, in order; semicolons between items are dropped."""
     cutter = _Cutter(source)
     index = 0
@@ -63,7 +63,7 @@ def cut(source: Scan) -> Iterator[Piece]:
 
 
 class _Cutter:
-    def __init__(self, source: Scan) -> None:
+    def __init__(self, source: ScannedFile) -> None:
         self._source = source
         self._tokens = source.tokens
 

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Label, Remark
 from dslkit.source import Span
 from rossmarie.syntax import errors
-from rossmarie.syntax.grammar import Failure
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.grammar import ParseFailure
+from rossmarie.syntax.scan import ScannedFile, Token
 from rossmarie.syntax.temporal import PREFIXES, is_operator
 from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, nearest
 
@@ -37,7 +37,7 @@ _ADVICE = {
 
 
 def explain(
-    source: Scan, first: int, last: int, kind: str, failure: Failure
+    source: ScannedFile, first: int, last: int, kind: str, failure: ParseFailure
 ) -> tuple[Diagnostic, ...]:
     """The findings for the tokens from `first` up to, not including, `last`. Their intended kind is
     `kind`.
@@ -52,7 +52,7 @@ def explain(
     return (case.finding(),)
 
 
-def unterminated_text(source: Scan, token: Token) -> Diagnostic:
+def unterminated_text(source: ScannedFile, token: Token) -> Diagnostic:
     """A text without a closing quotation mark. The fix closes it before `then {` or a final `;`."""
     text = source.file.text
     if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
@@ -68,7 +68,7 @@ def unterminated_text(source: Scan, token: Token) -> Diagnostic:
 
 
 def missing_sign(
-    source: Scan, sign: str, behind: Token, kind: str, inserted: str | None = None
+    source: ScannedFile, sign: str, behind: Token, kind: str, inserted: str | None = None
 ) -> Diagnostic:
     """A missing sign directly after a token."""
     end = Span(source.file, behind.end, behind.end)
@@ -77,7 +77,7 @@ def missing_sign(
     return finding.at(source.span(behind), fix=fix)
 
 
-def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
+def wrong_sign(source: ScannedFile, sign: str, found: Token, kind: str) -> Diagnostic:
     """A wrong sign in the place of another sign."""
     fix = Fix(f"write `{sign}`", (Edit(source.span(found), sign),))
     finding = errors.MissingSign(sign=sign, place="instead of", form=FORMS[kind])
@@ -85,7 +85,7 @@ def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
 
 
 def unclosed_bracket(
-    source: Scan, bracket: Token, behind: Token, *labels: Label, inserted: str | None = None
+    source: ScannedFile, bracket: Token, behind: Token, *labels: Label, inserted: str | None = None
 ) -> Diagnostic:
     """A bracket that is missing after a token."""
     closing = _PARTNER[bracket.text]
@@ -96,14 +96,14 @@ def unclosed_bracket(
     return finding.at(source.span(bracket), *labels, fix=fix)
 
 
-def unopened_bracket(source: Scan, bracket: Token) -> Diagnostic:
+def unopened_bracket(source: ScannedFile, bracket: Token) -> Diagnostic:
     """A superfluous closing bracket."""
     fix = Fix(f"remove `{bracket.text}`", (Edit(source.span(bracket), ""),))
     finding = errors.UnopenedBracket(bracket=bracket.text, opening=_PARTNER[bracket.text])
     return finding.at(source.span(bracket), fix=fix)
 
 
-def reserved_word(source: Scan, token: Token) -> Diagnostic:
+def reserved_word(source: ScannedFile, token: Token) -> Diagnostic:
     """A keyword in the place of a name."""
     suggestion = f"{token.text}_value" if token.text != "action" else "action_name"
     finding = errors.ReservedWord(word=token.text, suggestion=suggestion)
@@ -120,7 +120,7 @@ def is_part_word(token: Token) -> bool:
     return nearest(token.text, PART_WORDS) is not None
 
 
-def unexpected_character(source: Scan, token: Token) -> Diagnostic:
+def unexpected_character(source: ScannedFile, token: Token) -> Diagnostic:
     """The first character of a token that no token may contain."""
     offset = next(
         (
@@ -140,7 +140,7 @@ def unexpected_character(source: Scan, token: Token) -> Diagnostic:
     return finding.at(Span(source.file, start, start + 1))
 
 
-def hash_comment(source: Scan, token: Token) -> Diagnostic:
+def hash_comment(source: ScannedFile, token: Token) -> Diagnostic:
     """A comment `# ...`."""
     sign = Token("sign", "#", token.start, token.start + 1)
     finding = unexpected_character(source, sign)
@@ -163,7 +163,7 @@ def _describe(letter: str) -> str:
     return f"`{letter}` ({code}, {name})" if letter.isprintable() else f"the character {code}"
 
 
-def explain_token(source: Scan, index: int, kind: str) -> Diagnostic:
+def explain_token(source: ScannedFile, index: int, kind: str) -> Diagnostic:
     """A single token that is not allowed in a part of kind `kind`."""
     found = source.tokens[index]
     if found.kind == "open_text":
@@ -180,7 +180,9 @@ def explain_token(source: Scan, index: int, kind: str) -> Diagnostic:
 class _Case:
     """One failure. The methods try explanations, the most specific first."""
 
-    def __init__(self, source: Scan, first: int, last: int, kind: str, failure: Failure) -> None:
+    def __init__(
+        self, source: ScannedFile, first: int, last: int, kind: str, failure: ParseFailure
+    ) -> None:
         self._source = source
         self._tokens: Sequence[Token] = source.tokens
         self._first = first

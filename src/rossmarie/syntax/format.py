@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from dslkit.source import Span
 from rossmarie.syntax import ast
 from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
-from rossmarie.syntax.scan import Scan, Token, documentation_text, scan
+from rossmarie.syntax.scan import ScannedFile, Token, documentation_text, scan
 from rossmarie.syntax.style import Style, collect_style
 
 _Statement = ast.Item | ast.Condition | ast.Shape | ast.SystemMember | ast.Effect | ast.Statement
@@ -56,7 +56,7 @@ def format_module(module: ast.Module) -> str:
 class _Formatter:
     """Processes the text once, from start to end."""
 
-    def __init__(self, source: Scan, style: Style) -> None:
+    def __init__(self, source: ScannedFile, style: Style) -> None:
         self._source = source
         self._style = style
         self._text = source.file.text

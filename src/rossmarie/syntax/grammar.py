@@ -16,8 +16,8 @@ from typing import Any
 
 from rossmarie.cache import kept
 from rossmarie.syntax import tables
-from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.tables import Node, Parser, Tables, make_tables, read_tables
+from rossmarie.syntax.scan import ScannedFile, Token
+from rossmarie.syntax.tables import GrammarNode, Parser, Tables, make_tables, read_tables
 from rossmarie.syntax.temporal import PREFIXES, is_operator, names_skill
 from rossmarie.syntax.words import (
     COMPARISONS,
@@ -100,7 +100,7 @@ def _name_of_tables(grammar: str) -> str:
 
 
 @dataclass(frozen=True)
-class Failure:
+class ParseFailure:
     """The place at which parsing stopped: the index of the token that does not fit, relative to the
     start of the range. It is the end of the range if a token is missing there.
     """
@@ -117,7 +117,7 @@ class Failure:
 class Recognizer:
     """Parses stretches of one file with one builder."""
 
-    def __init__(self, source: Scan, builder: object) -> None:
+    def __init__(self, source: ScannedFile, builder: object) -> None:
         self._text = source.file.text
         self._tokens = source.tokens
         self._tables = load_tables()
@@ -125,7 +125,7 @@ class Recognizer:
 
     def run(self, start: str, first: int, last: int, head: str | None = None) -> Any:
         """The value of the rule `start` for the tokens from `first` up to, not including, `last`;
-        or the `Failure`. `head` replaces the first token if this token is misspelt.
+        or the `ParseFailure`. `head` replaces the first token if this token is misspelt.
         """
         parser = Parser(self._tables, self._tables.starts[start][:1])
         index = first
@@ -134,19 +134,19 @@ class Recognizer:
             if head is not None and index == first:
                 symbol = head
             if not parser.feed(symbol, token):
-                return Failure(index - first, parser)
+                return ParseFailure(index - first, parser)
             index = after
         if index > last:
-            return Failure(last - first, parser)
+            return ParseFailure(last - first, parser)
         found = parser.end()
-        return Failure(last - first, parser) if found is None else self._built(found[0])
+        return ParseFailure(last - first, parser) if found is None else self._built(found[0])
 
     def _built(self, part: Any) -> Any:
         """The value of a node, from the builder's method for its rule; a token is its own value.
 
         Recurses along the nodes. The limits on nesting bound their depth before any token is read.
         """
-        if isinstance(part, Node):
+        if isinstance(part, GrammarNode):
             return getattr(self._builder, part.rule)([self._built(each) for each in part.parts])
         return part
 

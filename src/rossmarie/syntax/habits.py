@@ -20,7 +20,7 @@ from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
 from rossmarie.syntax.habit_table import ANY_NAME, HABITS, NEAR_MISSES, PAIRS, Habit, NearMiss
-from rossmarie.syntax.scan import Scan, Token, ends_line, tokens_of
+from rossmarie.syntax.scan import ScannedFile, Token, ends_line, tokens_of
 from rossmarie.syntax.words import MEMBER_WORDS, PART_WORDS, RESERVED, nearest
 
 _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
@@ -41,7 +41,7 @@ class _Change(NamedTuple):
 _Remedy = Callable[[], tuple[tuple[_Change, ...], Diagnostic]]
 
 
-def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
+def mend(source: ScannedFile, kinds: Sequence[str | None], findings: Findings) -> ScannedFile:
     """The file with its habits corrected; each habit is reported.
 
     `kinds` is the kind of the item around each token; None if the item parses.
@@ -62,7 +62,7 @@ def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
     return _changed(source, changes) if changes else source
 
 
-def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
+def _changed(source: ScannedFile, changes: dict[int, _Change]) -> ScannedFile:
     """The file with its changes, by the index of their first token."""
     tokens: list[Token] = []
     reported: set[int] = set()
@@ -80,7 +80,7 @@ def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
 class _Search:
     """Searches one file for all habits."""
 
-    def __init__(self, source: Scan, kinds: Sequence[str | None]) -> None:
+    def __init__(self, source: ScannedFile, kinds: Sequence[str | None]) -> None:
         self._source = source
         self._kinds = kinds
         self._tokens = source.tokens

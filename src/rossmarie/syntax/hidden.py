@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic, Edit, Fix
 from dslkit.source import Span
 from rossmarie.syntax import errors
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.scan import ScannedFile, Token
 
 _LONE_RETURN = re.compile(r"\r(?!\n)")
 _BREAKS = "\v\f\x85\u2028\u2029"
@@ -24,7 +24,7 @@ _HIDDEN = re.compile(rf"[{_BREAKS}{_BIDIRECTIONAL}]")
 _NAMES = {"\v": "vertical tab", "\f": "form feed", "\x85": "next line"}
 
 
-def hidden_characters(source: Scan) -> Iterator[Diagnostic]:
+def hidden_characters(source: ScannedFile) -> Iterator[Diagnostic]:
     """A finding for each such character; one for all lone carriage returns of a file."""
     text = source.file.text
     returns = [Span(source.file, one.start(), one.end()) for one in _LONE_RETURN.finditer(text)]

@@ -21,12 +21,12 @@ from rossmarie.syntax.explain import (
     unterminated_text,
 )
 from rossmarie.syntax.findings import Findings
-from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.limits import MAXIMUM_ERRORS
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover import recover
-from rossmarie.syntax.recover_parts import Stretch
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.recover_parts import TokenStretch
+from rossmarie.syntax.scan import ScannedFile, Token
 from rossmarie.syntax.words import EFFECT_WORDS, MEMBER_WORDS
 
 
@@ -40,10 +40,10 @@ class _Reading(NamedTuple):
     @property
     def is_broken(self) -> bool:
         """True if the item does not parse, or begins like no item."""
-        return self.result is None or isinstance(self.result, Failure)
+        return self.result is None or isinstance(self.result, ParseFailure)
 
 
-def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
+def read_items(source: ScannedFile, findings: Findings) -> list[ast.Item]:
     """All items, in order. Errors are reported, and as little text as possible is lost."""
     part = PartParser(source, findings)
     readings, kinds = _first_readings(part)
@@ -94,7 +94,7 @@ def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | N
 
 
 def _attempt(part: PartParser, piece: Piece) -> Any:
-    """The item; or the `Failure` or None from `PartParser.attempt`."""
+    """The item; or the `ParseFailure` or None from `PartParser.attempt`."""
     if piece.kind is None:
         return None
     return part.attempt(piece.kind, piece.first, piece.last, piece.head)
@@ -111,10 +111,10 @@ def _item(
     if reading is None or (reading.piece.kind, reading.tokens) != (kind, inside):
         reading = _Reading(piece, inside, _attempt(part, piece))
     node = reading.result
-    if isinstance(node, Failure):
+    if isinstance(node, ParseFailure):
         node = _before_stray(part, piece, kind, node)
-    if node is None or isinstance(node, Failure):
-        stretch = Stretch(kind, piece.first, piece.last, piece.head)
+    if node is None or isinstance(node, ParseFailure):
+        stretch = TokenStretch(kind, piece.first, piece.last, piece.head)
         return recover(part, stretch, node)
     return node  # type: ignore[no-any-return]
 
@@ -127,14 +127,14 @@ def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
         return
     node = part.attempt("expression", value, piece.last)
     span = part.source.span(tokens[name])
-    if node is None or isinstance(node, Failure):
+    if node is None or isinstance(node, ParseFailure):
         node = part.broken(value, piece.last, span)
     whole = part.source.span(tokens[name], tokens[piece.last - 1])
     documentation = part.source.documentation.get(span.start)
     yield ast.Constant(ast.Name(tokens[name].text, span), node, documentation, whole)
 
 
-def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -> Any:
+def _before_stray(part: PartParser, piece: Piece, kind: str, failure: ParseFailure) -> Any:
     """The item, if it is complete before the word at which it failed, and if this word begins a
     line. Then the word, which is reported, is not part of the item. Otherwise the failure.
     """
@@ -144,20 +144,20 @@ def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -
     if not is_name(source.tokens[stray]) or is_part_word(source.tokens[stray]):
         return failure
     node = part.attempt(kind, piece.first, stray, piece.head)
-    if node is None or isinstance(node, Failure):
+    if node is None or isinstance(node, ParseFailure):
         return failure
     part.findings.add(_unknown(source, Piece(None, stray, piece.last, None)))
     return node
 
 
-def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
+def _misspelt(source: ScannedFile, piece: Piece, meant: str) -> Diagnostic:
     found = source.tokens[piece.first]
     fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
     finding = errors.UnknownItem(found=found.text)
     return finding.at(source.span(found), help=DidYouMean(near=meant), fix=fix)
 
 
-def _unknown(source: Scan, piece: Piece) -> Diagnostic:
+def _unknown(source: ScannedFile, piece: Piece) -> Diagnostic:
     """A range at the outermost level that is not an item."""
     found = source.tokens[piece.first]
     after = source.tokens[piece.first + 1].text if piece.first + 1 < piece.last else ""

@@ -23,7 +23,7 @@ from rossmarie.syntax.hidden import hidden_characters
 from rossmarie.syntax.items import read_items
 from rossmarie.syntax.limits import MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
 from rossmarie.syntax.respell import respell
-from rossmarie.syntax.scan import Scan, Token, scan
+from rossmarie.syntax.scan import ScannedFile, Token, scan
 
 _REST_OF_LINE = re.compile(r"[^\S\n]*(?:\n|\Z)")
 
@@ -57,7 +57,7 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     return ast.Module(file, items)
 
 
-def _report_trivia(source: Scan, findings: Findings) -> None:
+def _report_trivia(source: ScannedFile, findings: Findings) -> None:
     for trivium in source.trivia:
         if findings.is_full:
             break
@@ -75,14 +75,14 @@ def _too_large(file: SourceFile, size: int, what: str, limit: int) -> Diagnostic
     return errors.FileTooLarge(size=size, what=what, limit=limit).at(Span(file, 0, 0))
 
 
-def _unterminated_documentation(source: Scan, token: Token) -> Diagnostic:
+def _unterminated_documentation(source: ScannedFile, token: Token) -> Diagnostic:
     span = Span(source.file, token.start, token.start + 3)
     end = Span(source.file, token.end, token.end)
     fix = Fix("insert `'''`", (Edit(end, "'''"),))
     return errors.UnterminatedDocumentation().at(span, fix=fix)
 
 
-def _block_comment(source: Scan, token: Token) -> Diagnostic:
+def _block_comment(source: ScannedFile, token: Token) -> Diagnostic:
     span = source.span(token)
     lines = token.text.removeprefix("/*").removesuffix("*/").strip().split("\n")
     text = "\n".join(f"// {line.strip()}".rstrip() for line in lines)
@@ -91,7 +91,7 @@ def _block_comment(source: Scan, token: Token) -> Diagnostic:
     return errors.BlockComment().at(span, fix=fix)
 
 
-def _quoted_documentation(source: Scan, token: Token) -> Diagnostic:
+def _quoted_documentation(source: ScannedFile, token: Token) -> Diagnostic:
     span = source.span(token)
     text = f"'''{token.text[3:-3]}'''"
     fix = Fix("write `'''...'''`", (Edit(span, text),))

@@ -13,9 +13,9 @@ from rossmarie.syntax import ast, errors
 from rossmarie.syntax.build import Builder
 from rossmarie.syntax.explain import explain
 from rossmarie.syntax.findings import Findings
-from rossmarie.syntax.grammar import Failure, Recognizer
+from rossmarie.syntax.grammar import ParseFailure, Recognizer
 from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_LENGTH, MAXIMUM_NESTING, too_deep
-from rossmarie.syntax.scan import Scan
+from rossmarie.syntax.scan import ScannedFile
 from rossmarie.syntax.walk import depth, expressions
 
 _ITEMS = (
@@ -39,14 +39,14 @@ _NODES = (*_ITEMS, *ast.Effect.__args__, *ast.Statement.__args__)
 class PartParser:
     """Parses parts of one file."""
 
-    def __init__(self, source: Scan, findings: Findings) -> None:
+    def __init__(self, source: ScannedFile, findings: Findings) -> None:
         self.source = source
         self.findings = findings
         self._builder = Builder(source, findings.add)
         self._recognizer = Recognizer(source, self._builder)
 
     def attempt(self, kind: str, first: int, last: int, head: str | None = None) -> Any:
-        """The node for the tokens from `first` up to, not including, `last`; or the `Failure`.
+        """The node for the tokens from `first` up to, not including, `last`; or the `ParseFailure`.
 
         A failure is not reported. Returns None if the part exceeds a limit.
         """
@@ -54,20 +54,20 @@ class PartParser:
         if is_long or too_deep(self.source.tokens, first, last) is not None:
             return None
         node = self._recognizer.run(kind, first, last, head)
-        is_suspect = last - first > MAXIMUM_DEPTH and not isinstance(node, Failure)
+        is_suspect = last - first > MAXIMUM_DEPTH and not isinstance(node, ParseFailure)
         return None if is_suspect and _depth(node) > MAXIMUM_DEPTH else node
 
     def parse(self, kind: str, first: int, last: int, head: str | None = None) -> Any:
         """The node; None after reporting an error."""
         node = self.attempt(kind, first, last, head)
-        if isinstance(node, Failure):
+        if isinstance(node, ParseFailure):
             self.explain(kind, first, last, node)
             return None
         if node is None:
             self._explain_limit(first, last)
         return node
 
-    def explain(self, kind: str, first: int, last: int, failure: Failure) -> None:
+    def explain(self, kind: str, first: int, last: int, failure: ParseFailure) -> None:
         """Report the reason why the tokens cannot be parsed as `kind`."""
         for finding in explain(self.source, first, last, kind, failure):
             self.findings.add(finding)

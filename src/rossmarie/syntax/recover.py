@@ -12,12 +12,12 @@ from collections.abc import Iterator, Sequence
 from dslkit.diagnostics import Edit, Fix
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import is_name
-from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover_action import recover_action
 from rossmarie.syntax.recover_parts import (
     Member,
-    Stretch,
+    TokenStretch,
     check_closed,
     name_of,
     parse_members,
@@ -29,7 +29,7 @@ from rossmarie.syntax.scan import Token
 from rossmarie.syntax.words import FORMS, MEMBER_WORDS
 
 
-def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Item | None:
+def recover(part: PartParser, item: TokenStretch, failure: ParseFailure | None) -> ast.Item | None:
     """Recover the readable parts of a failed item. `failure` is None if the item exceeds a
     limit.
     """
@@ -60,7 +60,7 @@ def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Ite
 # --- items without braces ------------------------------------------------------------------------
 
 
-def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
+def _recover_simple(part: PartParser, item: TokenStretch) -> ast.Item | None:
     source = part.source
     span = source.span(source.tokens[item.first], source.tokens[item.last - 1])
     if item.kind == "import_item":
@@ -83,7 +83,7 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     return ast.Input(name, unreadable, None, (), None, None, None, documentation, span)
 
 
-def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:
+def _recover_import(part: PartParser, item: TokenStretch) -> ast.Import | None:
     """Recover `import husky.ross` and `import "husky.ross`, which count as imports."""
     tokens = part.source.tokens
     if item.last - item.first < 2:
@@ -93,7 +93,7 @@ def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:
     return ast.Import(text, part.source.span(tokens[item.first], tokens[item.last - 1]))
 
 
-def _report_unquoted(part: PartParser, item: Stretch) -> bool:
+def _report_unquoted(part: PartParser, item: TokenStretch) -> bool:
     """Report a file name without quotation marks, if this is the error."""
     tokens = part.source.tokens[item.first + 1 : item.last]
     if not tokens or any(token.kind in ("text", "open_text") for token in tokens):
@@ -109,7 +109,7 @@ def _report_unquoted(part: PartParser, item: Stretch) -> bool:
 
 
 def _recover_entity(
-    part: PartParser, item: Stretch, failure: Failure | None
+    part: PartParser, item: TokenStretch, failure: ParseFailure | None
 ) -> ast.Entity | ast.Motion | None:
     start = start_of_body(part, item, failure)
     members = _conditions(part, start, item.last)
@@ -125,7 +125,9 @@ def _recover_entity(
     return kind(name, tuple(conditions), documentation, span)
 
 
-def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Zone | None:
+def _recover_zone(
+    part: PartParser, item: TokenStretch, failure: ParseFailure | None
+) -> ast.Zone | None:
     """A zone with the readable shapes. Without a frame, the zone's own name takes its place."""
     tokens = part.source.tokens
     before = part.findings.count
@@ -145,7 +147,9 @@ def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> a
     return ast.Zone(name, named, tuple(found), documentation, span)
 
 
-def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) -> ast.System | None:
+def _recover_system(
+    part: PartParser, item: TokenStretch, failure: ParseFailure | None
+) -> ast.System | None:
     tokens = part.source.tokens
 
     def kind(member: Member) -> str:

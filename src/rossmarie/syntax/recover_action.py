@@ -7,15 +7,23 @@ from collections.abc import Iterator
 from dslkit.diagnostics import DidYouMean, Edit, Fix
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import explain_token, missing_sign
-from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.recover_parts import Member, Stretch, check_closed, name_of, start_of_body
+from rossmarie.syntax.recover_parts import (
+    Member,
+    TokenStretch,
+    check_closed,
+    name_of,
+    start_of_body,
+)
 from rossmarie.syntax.words import EFFECT_WORDS, nearest
 
 _BEHIND_FIELD = frozenset({"=", ".", "[", "in"})
 
 
-def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Action | None:
+def recover_action(
+    part: PartParser, item: TokenStretch, failure: ParseFailure | None
+) -> ast.Action | None:
     """Recover the readable effects of an action. `failure` is None if the action exceeds a
     limit.
     """

@@ -9,13 +9,13 @@ from dslkit.diagnostics import Label
 from rossmarie.syntax import ast
 from rossmarie.syntax.errors import UnclosedBracket
 from rossmarie.syntax.explain import is_name, missing_sign, unclosed_bracket
-from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
 
 _Node = TypeVar("_Node")
 
 
-class Stretch(NamedTuple):
+class TokenStretch(NamedTuple):
     """The tokens of an item, and its kind. `head` is the correct word if the first word is
     misspelt.
     """
@@ -34,7 +34,7 @@ class Member(NamedTuple):
     is_closed: bool
 
 
-def start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> int:
+def start_of_body(part: PartParser, item: TokenStretch, failure: ParseFailure | None) -> int:
     """The first token after the `{`. Errors before it are reported here."""
     if failure is not None and failure.index <= 2:
         part.explain(item.kind, item.first, item.last, failure)
@@ -44,7 +44,7 @@ def start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> i
     return min(item.first + 2, item.last)
 
 
-def check_closed(part: PartParser, item: Stretch, start: int) -> None:
+def check_closed(part: PartParser, item: TokenStretch, start: int) -> None:
     """Report the brace before `start` if it is still open at the end of the item."""
     tokens = part.source.tokens
     inside = tokens[item.first : item.last]
@@ -82,7 +82,7 @@ def parse_members(
     return nodes
 
 
-def name_of(part: PartParser, item: Stretch) -> ast.Name | None:
+def name_of(part: PartParser, item: TokenStretch) -> ast.Name | None:
     """The name after the first word of an item."""
     if item.last - item.first < 2:
         return None

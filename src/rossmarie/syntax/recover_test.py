@@ -7,13 +7,15 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Edit, Fix
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import explain_token, missing_sign
-from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.recover_parts import Member, Stretch, check_closed, start_of_body
+from rossmarie.syntax.recover_parts import Member, TokenStretch, check_closed, start_of_body
 from rossmarie.syntax.words import STATEMENT_WORDS, nearest
 
 
-def recover_test(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Test | None:
+def recover_test(
+    part: PartParser, item: TokenStretch, failure: ParseFailure | None
+) -> ast.Test | None:
     """Recover the readable statements of a test. `failure` is None if the test exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)

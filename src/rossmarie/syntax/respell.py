@@ -15,7 +15,7 @@ from itertools import chain
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Write
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
-from rossmarie.syntax.scan import Scan, Token, ends_line
+from rossmarie.syntax.scan import ScannedFile, Token, ends_line
 from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, PART_WORDS, RESERVED
 
 _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
@@ -32,7 +32,7 @@ _BEHIND_WORD = {
 _THOUSANDS = 3  # digits after a comma that may separate thousands
 
 
-def respell(source: Scan, findings: Findings) -> Scan:
+def respell(source: ScannedFile, findings: Findings) -> ScannedFile:
     """The file with keywords in small letters and numbers with all digits. Each change is
     reported.
     """
@@ -47,13 +47,13 @@ def respell(source: Scan, findings: Findings) -> Scan:
     return dataclasses.replace(source, tokens=tokens)
 
 
-def _capitals(source: Scan, token: Token) -> Diagnostic:
+def _capitals(source: ScannedFile, token: Token) -> Diagnostic:
     span = source.span(token)
     fix = Fix(f"write `{token.text}`", (Edit(span, token.text),))
     return errors.KeywordInCapitals(found=span.text, meant=token.text).at(span, fix=fix)
 
 
-def _bad_number(source: Scan, token: Token) -> Diagnostic:
+def _bad_number(source: ScannedFile, token: Token) -> Diagnostic:
     span = source.span(token)
     whole, _, rest = token.text.partition(".")
     reason = f"a digit is missing {'in front of' if span.text[0] == '.' else 'after'} the point"

@@ -63,7 +63,7 @@ class Token(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Scan:
+class ScannedFile:
     """A file in pieces: `tokens` carry meaning, `trivia` are comments and documentation strings."""
 
     file: SourceFile
@@ -95,12 +95,12 @@ class Scan:
         return index == 0 or ends_line(self.file.text[before : self.tokens[index].start])
 
 
-def scan(file: SourceFile) -> Scan:
+def scan(file: SourceFile) -> ScannedFile:
     """Cut a text into tokens."""
     found = list(_find(file.text))
     tokens = tuple(token for token in found if token.kind not in _TRIVIA)
     trivia = tuple(token for token in found if token.kind in _TRIVIA)
-    return Scan(file, tokens, trivia)
+    return ScannedFile(file, tokens, trivia)
 
 
 def ends_line(text: str) -> bool:

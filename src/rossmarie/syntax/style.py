@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from rossmarie.syntax import ast
 from rossmarie.syntax.layout import Break
-from rossmarie.syntax.scan import Scan
+from rossmarie.syntax.scan import ScannedFile
 from rossmarie.syntax.walk import expressions, walk
 
 _PART = Break(1, 1)
@@ -25,7 +25,7 @@ _VALUE = Break(2, 2, fills=True)
 class Style:
     """Layout data, which `add` collects item by item."""
 
-    source: Scan
+    source: ScannedFile
     words: dict[int, int] = field(default_factory=dict)
     """Start and end of the units, topics and types."""
     tight_behind: set[int] = field(default_factory=set)
@@ -318,7 +318,7 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 return node
 
 
-def collect_style(source: Scan, items: Iterable[ast.Item]) -> Style:
+def collect_style(source: ScannedFile, items: Iterable[ast.Item]) -> Style:
     """The style of a whole module."""
     style = Style(source)
     for item in items:

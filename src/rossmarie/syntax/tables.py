@@ -18,7 +18,7 @@ END = "$$END"
 """The symbol after the last token."""
 
 
-class Node(NamedTuple):
+class GrammarNode(NamedTuple):
     """A recognised rule of the grammar. Its parts are tokens and nodes."""
 
     rule: str
@@ -124,7 +124,7 @@ class Parser:
         elif reduction.is_transparent and len(parts) == 1:
             self._values.append(parts[0])
         else:
-            self._values.append(Node(reduction.rule, parts))
+            self._values.append(GrammarNode(reduction.rule, parts))
         self._stack.append(self.tables.states[self._stack[-1]][1][reduction.origin])
 
 

@@ -12,13 +12,13 @@ from rossmarie.core.expressions import (
     Chosen,
     Computed,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsEqual,
     IsLess,
     IsUnknown,
     Local,
-    Number,
     Operand,
     Primitive,
     Subfunction,
@@ -63,7 +63,7 @@ class Formulas:
     def _strong(self, expression: Expression, least: int) -> str:
         """An expression, in parentheses unless its operator has at least this precedence."""
         match expression:
-            case Number(value=value):
+            case ConstantNumber(value=value):
                 return self._dialect.number(value)
             case Operand(index=index):
                 return self._operands[index]
@@ -100,7 +100,7 @@ class Formulas:
 
 
 @dataclass(frozen=True)
-class Definition:
+class FunctionDefinition:
     """A function of the core, for languages that define functions. `remark` describes it."""
 
     name: str
@@ -119,7 +119,7 @@ class Definition:
                 return True
             case Computed():
                 return self.expression.operands == operands
-            case Number() | Chosen() | Local() | Applied():
+            case ConstantNumber() | Chosen() | Local() | Applied():
                 return False
 
     def call(self, dialect: Dialect, operands: Sequence[str]) -> str:
@@ -129,31 +129,33 @@ class Definition:
         return f"{self.name}({', '.join(operands)})"
 
 
-def definition_of(function: AnyFunction, count: int) -> Definition:
+def definition_of(function: AnyFunction, count: int) -> FunctionDefinition:
     """A function of `count` numbers."""
     declared, names = row(function), parameters(count)
     number = "" if declared.most is not None else f"_{count}"
     remark = _sentence(declared.worded(names))
-    return Definition(f"{function.value}_of{number}", names, defined(function, count), remark)
+    return FunctionDefinition(
+        f"{function.value}_of{number}", names, defined(function, count), remark
+    )
 
 
-def definition_of_subfunction(function: Subfunction) -> Definition:
+def definition_of_subfunction(function: Subfunction) -> FunctionDefinition:
     """The definition of a subfunction, which other functions apply."""
     remark = _sentence(function.phrase.format(*function.parameters))
-    return Definition(function.name, function.parameters, function.expression, remark)
+    return FunctionDefinition(function.name, function.parameters, function.expression, remark)
 
 
-def definition_of_samples(function: Sampling) -> Definition:
+def definition_of_samples(function: Sampling) -> FunctionDefinition:
     """The definition of a function of samples. Its operands are views of the samples."""
     declared = sampling_row(function)
     remark = _sentence(declared.worded("a number", "a window" if declared.has_window else "a time"))
     names = tuple(view.value for view in declared.views)
-    return Definition(f"{function.value}_of", names, declared.expression, remark)
+    return FunctionDefinition(f"{function.value}_of", names, declared.expression, remark)
 
 
 def definitions(
-    machine: ir.Machine, is_called: Callable[[Definition], bool]
-) -> Iterator[Definition]:
+    machine: ir.Machine, is_called: Callable[[FunctionDefinition], bool]
+) -> Iterator[FunctionDefinition]:
     """The functions of a machine that need a definition and are called, each once, and after the
     functions that it applies.
     """
@@ -162,7 +164,7 @@ def definitions(
     yield from _after_applied([each for each in found if is_called(each)])
 
 
-def fixed_definitions() -> Iterator[Definition]:
+def fixed_definitions() -> Iterator[FunctionDefinition]:
     """All functions that take a fixed number of operands, in the same order. They are the same for
     all machines.
     """
@@ -172,7 +174,7 @@ def fixed_definitions() -> Iterator[Definition]:
     yield from _after_applied([*found, *map(definition_of_samples, Sampling)])
 
 
-def _after_applied(found: Sequence[Definition]) -> Iterator[Definition]:
+def _after_applied(found: Sequence[FunctionDefinition]) -> Iterator[FunctionDefinition]:
     """The definitions that are needed, each after the definitions that it applies."""
     called = [each for each in found if not each.is_inline]
     applied = dict.fromkeys(part for each in called for part in subfunctions_of(each.expression))

@@ -15,7 +15,7 @@ from rossmarie.ir import Comparison
 
 
 @dataclass(frozen=True)
-class Limit:
+class PropositionLimit:
     """A limit. Above `at`, the proposition is true if it `rises`, else false; below, it has the
     opposite value.
     """
@@ -30,7 +30,7 @@ class Limited:
     """The limits of a proposition on one signal, from low to high."""
 
     signal: int
-    limits: list[Limit]
+    limits: list[PropositionLimit]
 
 
 def limits_of(machine: ir.Machine, node: ir.PropositionNode) -> Limited | None:
@@ -56,17 +56,17 @@ def limits_of(machine: ir.Machine, node: ir.PropositionNode) -> Limited | None:
     return None
 
 
-def true_below(limits: list[Limit]) -> set[int]:
+def true_below(limits: list[PropositionLimit]) -> set[int]:
     """The propositions that are true below all their limits, which are sorted from low to high. A
     proposition without limits is never true.
     """
-    lowest: dict[int, Limit] = {}
+    lowest: dict[int, PropositionLimit] = {}
     for limit in limits:
         lowest.setdefault(limit.leaf, limit)
     return {leaf for leaf, limit in lowest.items() if not limit.rises}
 
 
-def twins(limits: list[Limit]) -> list[int | None]:
+def twins(limits: list[PropositionLimit]) -> list[int | None]:
     """For each limit, the index of the other limit of the same proposition; None if there is no
     other.
     """
@@ -88,28 +88,30 @@ def _below(value: float) -> float:
     return math.nextafter(value, -math.inf)
 
 
-def _compared(comparison: Comparison, value: float) -> list[Limit]:
+def _compared(comparison: Comparison, value: float) -> list[PropositionLimit]:
     match comparison:
         case Comparison.GREATER:
-            return [Limit(value, True)]
+            return [PropositionLimit(value, True)]
         case Comparison.GREATER_OR_EQUAL:
-            return [Limit(_below(value), True)]
+            return [PropositionLimit(_below(value), True)]
         case Comparison.LESS:
-            return [Limit(_below(value), False)]
+            return [PropositionLimit(_below(value), False)]
         case Comparison.LESS_OR_EQUAL:
-            return [Limit(value, False)]
+            return [PropositionLimit(value, False)]
         case Comparison.EQUAL:
-            return [Limit(_below(value), True), Limit(value, False)]
+            return [PropositionLimit(_below(value), True), PropositionLimit(value, False)]
         case Comparison.NOT_EQUAL:
-            return [Limit(_below(value), False), Limit(value, True)]
+            return [PropositionLimit(_below(value), False), PropositionLimit(value, True)]
 
 
-def _between(low: float, high: float) -> list[Limit]:
-    return [Limit(_below(low), True), Limit(high, False)] if low <= high else []
+def _between(low: float, high: float) -> list[PropositionLimit]:
+    return (
+        [PropositionLimit(_below(low), True), PropositionLimit(high, False)] if low <= high else []
+    )
 
 
-def _flag(machine: ir.Machine, signal: int) -> list[Limit]:
+def _flag(machine: ir.Machine, signal: int) -> list[PropositionLimit]:
     """The limits of a flag. It is 0 or 1; any other number counts as true unless it is 0."""
-    if ir.kind_of(machine, signal) is ir.Kind.FLAG:
-        return [Limit(0.5, True)]
+    if ir.kind_of(machine, signal) is ir.FieldKind.FLAG:
+        return [PropositionLimit(0.5, True)]
     return _compared(Comparison.NOT_EQUAL, 0.0)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import z3
 
 from rossmarie.analysis.terms import constant
-from rossmarie.testing.solve import World
+from rossmarie.testing.solve import RuleFormulas
 from rossmarie.testing.variables import Values
 
 
-def wanted_before(world: World, values: Values) -> list[z3.BoolRef]:
+def wanted_before(world: RuleFormulas, values: Values) -> list[z3.BoolRef]:
     """The formulas that must be true before these values; none if the past does not matter."""
     wanted = []
     for variable, held, begun in world.remembering():
@@ -18,6 +18,6 @@ def wanted_before(world: World, values: Values) -> list[z3.BoolRef]:
     return wanted
 
 
-def _is_so(world: World, formula: z3.BoolRef, values: Values) -> bool:
+def _is_so(world: RuleFormulas, formula: z3.BoolRef, values: Values) -> bool:
     pairs = [(world.variables[each], constant(value)) for each, value in values.items()]
     return z3.is_true(z3.simplify(z3.substitute(formula, *pairs)))

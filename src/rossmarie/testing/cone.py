@@ -23,7 +23,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
 from rossmarie.ir.comparison import COMPARISONS
 from rossmarie.ir.support import compared_signals, proposition_operands
-from rossmarie.testing.history import Elements, History, backwards
+from rossmarie.testing.history import ElementHistory, History, backwards
 from rossmarie.testing.margins import Reported
 
 _NEVER_NS = 2 * ir.LATEST_NS
@@ -135,7 +135,7 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
         machine,
         channels=(ir.Channel("/propositions", ""),),
         inputs=(ir.Input("known", 0, None, span), ir.Input("stale", 0, _NEVER_NS, span)),
-        slots=tuple(ir.Slot(flag % 2, (), ir.Kind.FLAG, 1.0, 0.0, "") for flag in flags),
+        slots=tuple(ir.Slot(flag % 2, (), ir.FieldKind.FLAG, 1.0, 0.0, "") for flag in flags),
         arrays=(),
         signals=tuple(ir.Signal(ir.Read(flag), "", "", 1.0, 0.0, span) for flag in flags),
         propositions=tuple(propositions),
@@ -262,7 +262,7 @@ def _quantified(
     return np.where(is_empty, history.propositions[:, proposition], of_elements).astype(np.int8)
 
 
-def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:
+def _some(flags: NDArray[np.bool_], found: ElementHistory) -> NDArray[np.bool_]:
     """A mask of the sequences in which at least one element has a flag."""
     before = np.append(0, np.cumsum(flags))
     return np.asarray(before[found.ends] > before[found.starts])

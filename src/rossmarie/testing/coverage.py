@@ -26,7 +26,7 @@ from rossmarie.testing.goals import (
     stays,
 )
 from rossmarie.testing.history import History, Recorder
-from rossmarie.testing.play import Step, steps_of
+from rossmarie.testing.play import InstantEvents, steps_of
 
 _ROUNDING = 1.000001
 
@@ -79,7 +79,9 @@ class Watcher:
         """The coverage by all traces so far."""
         return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
 
-    def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> History:
+    def watch(
+        self, steps: Iterable[InstantEvents], end_ns: int, *, from_zero: bool = True
+    ) -> History:
         """Watch one trace, from 0 s or from its first step on. Returns its history."""
         recorder = Recorder(self._watching, self.kept)
         trace = _Trace(self._watching, self._decisions, self.reached, recorder, not from_zero)
@@ -184,7 +186,7 @@ class _Trace:
         self._interpreter.advance(at_ns)
         self._look(at_ns)
 
-    def step(self, step: Step) -> None:
+    def step(self, step: InstantEvents) -> None:
         """Process the messages and resets of one instant."""
         if step.messages:
             self._ages(step)
@@ -195,7 +197,7 @@ class _Trace:
             self._interpreter.reset(step.at_ns, rule)
             self._look(step.at_ns)
 
-    def _take_elements(self, step: Step) -> None:
+    def _take_elements(self, step: InstantEvents) -> None:
         for values in step.messages.values():
             for index, elements in values.arrays.items():
                 array = self._machine.arrays[index]
@@ -204,7 +206,7 @@ class _Trace:
                     if (array.scale, array.offset) != (1.0, 0.0) else each for each in elements
                 ]  # fmt: skip
 
-    def _ages(self, step: Step) -> None:
+    def _ages(self, step: InstantEvents) -> None:
         """Watch messages that arrive just before an age is reached."""
         for index, used in enumerate(self._machine.inputs):
             if used.channel not in step.messages:

@@ -9,7 +9,7 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.ir import Change, Machine, Verdict, explain
 from rossmarie.ir.script import Script
 from rossmarie.testing.errors import EnginesDiffer, ExpectationNotMet
-from rossmarie.testing.run import Failure, judge
+from rossmarie.testing.run import FailedExpectation, judge
 
 
 def seconds(at_ns: int) -> str:
@@ -34,7 +34,7 @@ def failures(machine: Machine, script: Script, verdicts: Sequence[Verdict]) -> I
         yield finding.at(span)
 
 
-def _reasons(machine: Machine, failure: Failure) -> Iterator[str]:
+def _reasons(machine: Machine, failure: FailedExpectation) -> Iterator[str]:
     if failure.cause is not None:
         yield reported(machine, failure.cause)
     if failure.following is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rossmarie.core import Function, RegionFunction
-from rossmarie.ir import Apply, Constant, Element, Kind, Machine, Path, Read
+from rossmarie.ir import Apply, Constant, Element, FieldKind, Machine, Path, Read
 
 
 def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
@@ -25,7 +25,7 @@ def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
                     else machine.arrays[field.array]
                 )
                 topic = machine.channels[machine.inputs[reported.input].channel].topic
-                if reported.kind is Kind.TEXT:
+                if reported.kind is FieldKind.TEXT:
                     found.setdefault((topic, reported.path), machine.texts[int(text.value)])
             case _:  # open: no other node has a frame
                 pass

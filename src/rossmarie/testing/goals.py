@@ -200,8 +200,8 @@ def _is_constant(machine: ir.Machine, signal: int) -> bool:
 def _is_text(machine: ir.Machine, signal: int) -> bool:
     node = machine.signals[signal].node
     if isinstance(node, ir.Element):
-        return machine.arrays[node.array].kind is not ir.Kind.REAL
-    return isinstance(node, ir.Read) and machine.slots[node.slot].kind is not ir.Kind.REAL
+        return machine.arrays[node.array].kind is not ir.FieldKind.REAL
+    return isinstance(node, ir.Read) and machine.slots[node.slot].kind is not ir.FieldKind.REAL
 
 
 def _step(machine: ir.Machine, constant: int, value: float) -> float:

@@ -16,7 +16,7 @@ from rossmarie.interpreter import Interpreter
 
 
 @dataclass(frozen=True)
-class Elements:
+class ElementHistory:
     """The values of an elementwise signal, concatenated. Sequence i belongs to row `rows[i]`, and
     reaches from `starts[i]` up to, not including, `ends[i]`.
     """
@@ -37,7 +37,7 @@ class History:
     at_ns: NDArray[np.int64]
     propositions: NDArray[np.int8]
     signals: dict[int, NDArray[np.float64]]
-    elements: dict[int, Elements]
+    elements: dict[int, ElementHistory]
     ages_ns: dict[int, NDArray[np.int64]]
 
 
@@ -108,9 +108,9 @@ class _Sequences:
             self._values.extend(interpreter.elements(self._signal))
         self._rows.append(len(self._starts) - 1)
 
-    def elements(self) -> Elements:
+    def elements(self) -> ElementHistory:
         starts = np.array(self._starts, dtype=np.int64)
-        return Elements(
+        return ElementHistory(
             values=np.array(self._values),
             starts=starts,
             ends=np.append(starts[1:], len(self._values)).astype(np.int64),

@@ -43,7 +43,7 @@ class Threshold:
 
 
 @dataclass(frozen=True)
-class Reach:
+class ValueRange:
     """Two values in SI between which the result is unchanged; None means no limit."""
 
     low: float | None
@@ -51,14 +51,14 @@ class Reach:
 
 
 @dataclass(frozen=True)
-class Margin:
+class ThresholdMargin:
     """The margin of a threshold. Within `same`, every verdict is unchanged, to the instant. Within
     `as_often`, every rule becomes active and is cleared equally often, earlier or later.
     """
 
     threshold: Threshold
-    same: Reach
-    as_often: Reach
+    same: ValueRange
+    as_often: ValueRange
 
 
 def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
@@ -150,7 +150,7 @@ def _with_constant(node: ir.PropositionNode, old: int, new: int) -> ir.Propositi
 
 def margin(
     machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
-) -> Margin:
+) -> ThresholdMargin:
     """The margin of a threshold. `seen` are the observed values or lengths, the candidates."""
     usual = replay(machine)
 
@@ -170,7 +170,7 @@ def margin(
         low = threshold.value if differs(side.next()) else side.first(differs)
         ends.append((low, side.first(differs_in_number)))
     (low, often_low), (high, often_high) = ends
-    return Margin(threshold, Reach(low, high), Reach(often_low, often_high))
+    return ThresholdMargin(threshold, ValueRange(low, high), ValueRange(often_low, often_high))
 
 
 def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:

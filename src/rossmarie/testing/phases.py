@@ -19,7 +19,7 @@ from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, ScriptedRes
 from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import reported_by_skills
-from rossmarie.testing.solve import World
+from rossmarie.testing.solve import RuleFormulas
 from rossmarie.testing.variables import Ramp, Values, Variable
 
 _ANGLES: Mapping[ir.AnyFunction, str] = {
@@ -60,12 +60,12 @@ def _is_rate(node: ir.SignalNode) -> bool:
 
 
 @dataclass(frozen=True)
-class Stage:
+class PhaseSearch:
     """The machine, the solver's world and the period with which the phases of one rule are
     played.
     """
 
-    world: World
+    world: RuleFormulas
     machine: ir.Machine
     rule: int
     beat_ns: int
@@ -181,13 +181,13 @@ class Stage:
                 angle = _ANGLES[node.function]
                 yield FieldValue(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
 
-    def _value_of(self, kind: ir.Kind, number: float) -> SettingValue:
+    def _value_of(self, kind: ir.FieldKind, number: float) -> SettingValue:
         match kind:
-            case ir.Kind.FLAG:
+            case ir.FieldKind.FLAG:
                 return number != 0.0
-            case ir.Kind.TEXT:
+            case ir.FieldKind.TEXT:
                 return self.machine.texts[int(number)] if number >= 0 else "something else"
-            case ir.Kind.REAL:
+            case ir.FieldKind.REAL:
                 return number
 
     def _of_slot(self, index: int, number: float) -> FieldValue:
@@ -227,7 +227,7 @@ class Stage:
             value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
             yield FieldValue(name, topic, array.path, value, None, unit)
             return
-        kind = ir.Kind.FLAG if holds_flags(array) else array.kind
+        kind = ir.FieldKind.FLAG if holds_flags(array) else array.kind
         for place, number in enumerate(elements):
             path = tuple(place if step == ir.EACH else step for step in array.path)
             yield FieldValue(name, topic, path, self._value_of(kind, number), None, unit)

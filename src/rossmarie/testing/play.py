@@ -20,7 +20,7 @@ from rossmarie.ir import (
     ByName,
     ChannelValues,
     Doing,
-    Kind,
+    FieldKind,
     Listed,
     Machine,
     Path,
@@ -42,7 +42,7 @@ _Field = tuple[str, Path]
 
 
 @dataclass(frozen=True)
-class Step:
+class InstantEvents:
     """The events at one instant: messages by channel, followed by resets."""
 
     at_ns: int
@@ -50,7 +50,7 @@ class Step:
     resets: tuple[int | None, ...] = ()
 
 
-def steps_of(machine: Machine, script: Script) -> Iterator[Step]:
+def steps_of(machine: Machine, script: Script) -> Iterator[InstantEvents]:
     """The steps of a script, in order. All messages of one instant form one step, after the
     settings of all statements at this instant, in their order.
     """
@@ -65,7 +65,7 @@ def steps_of(machine: Machine, script: Script) -> Iterator[Step]:
         events = [event for _, _, event in group]
         arrivals = [event for event in events if isinstance(event, ScriptedArrival)]
         resets = tuple(event.rule for event in events if isinstance(event, ScriptedReset))
-        yield Step(at_ns, sender.messages(arrivals), resets)
+        yield InstantEvents(at_ns, sender.messages(arrivals), resets)
 
 
 def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
@@ -217,16 +217,16 @@ class _Sender:
         """A number, a flag or a text in the form that a message carries."""
         value = self._value(self._topic(source.input), path)
         match source.kind:
-            case Kind.TEXT:
+            case FieldKind.TEXT:
                 usual = self._frames.get((self._topic(source.input), source.path), "")
                 text = usual if value is _UNSET else value
                 texts = self.machine.texts
                 return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
-            case Kind.FLAG | Kind.REAL if value is _UNSET:
+            case FieldKind.FLAG | FieldKind.REAL if value is _UNSET:
                 return 1.0 if path[-1:] == ("w",) else 0.0
-            case Kind.FLAG:
+            case FieldKind.FLAG:
                 return _number(value)
-            case Kind.REAL:
+            case FieldKind.REAL:
                 return raw_of(source, _number(value))
 
     def _value(self, topic: str, path: Path) -> SettingValue | object:

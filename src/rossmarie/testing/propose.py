@@ -25,9 +25,9 @@ from rossmarie.testing.goals import (
     losable_inputs,
     stays,
 )
-from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, ramp_of, round_up
+from rossmarie.testing.phases import Phase, PhaseSearch, beat_ns, delay_ns, ramp_of, round_up
 from rossmarie.testing.sides import beside
-from rossmarie.testing.solve import World
+from rossmarie.testing.solve import RuleFormulas
 from rossmarie.testing.variables import Values
 from rossmarie.testing.whole import is_carried
 
@@ -69,8 +69,8 @@ class _Proposer:
         self._counted = tuple(node.operand for node in nodes if isinstance(node, ir.Recurs))
         self._beat_ns = beat_ns(machine, self._rule)
         ramp = ramp_of(machine, index, self._beat_ns)
-        self._world = World(machine, self._leaves, ramp=ramp)
-        self._stage = Stage(self._world, machine, index, self._beat_ns, ramp)
+        self._world = RuleFormulas(machine, self._leaves, ramp=ramp)
+        self._stage = PhaseSearch(self._world, machine, index, self._beat_ns, ramp)
         settled_ns = max(
             delay_ns(machine, root, value=value) for root in self._roots for value in (True, False)
         )

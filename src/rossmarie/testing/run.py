@@ -9,7 +9,7 @@ from typing import Protocol
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, ChannelValues, Event, Machine, Verdict
 from rossmarie.ir.script import Expectation, Script
-from rossmarie.testing.play import Step, steps_of
+from rossmarie.testing.play import InstantEvents, steps_of
 
 
 class Engine(Protocol):
@@ -26,7 +26,7 @@ class Engine(Protocol):
 
 
 @dataclass(frozen=True)
-class Failure:
+class FailedExpectation:
     """An expectation that was not met at `at_ns`. `cause` is the last change of the rule until
     then; `following` is the first change after it. Both are None if there is no such change.
     """
@@ -48,7 +48,7 @@ class Stretch:
     end_ns: int | None
 
 
-def play(engine: Engine, steps: Iterable[Step], end_ns: int) -> list[Verdict]:
+def play(engine: Engine, steps: Iterable[InstantEvents], end_ns: int) -> list[Verdict]:
     """All verdicts of a fresh engine, from 0 s to the end. A test begins at 0 s (S12)."""
     events: list[Event] = []
     now_ns = None
@@ -70,7 +70,7 @@ def run(engine: Engine, machine: Machine, script: Script) -> list[Verdict]:
     return play(engine, steps_of(machine, script), script.end_ns)
 
 
-def judge(script: Script, verdicts: Sequence[Verdict]) -> Iterator[Failure]:
+def judge(script: Script, verdicts: Sequence[Verdict]) -> Iterator[FailedExpectation]:
     """The unmet expectations in their order, each with the first instant at which it is unmet."""
     for expected in script.expectations:
         changes = [verdict for verdict in verdicts if verdict.rule == expected.rule]
@@ -78,7 +78,9 @@ def judge(script: Script, verdicts: Sequence[Verdict]) -> Iterator[Failure]:
         if at_ns is not None:
             before = [change for change in changes if change.at_ns <= at_ns]
             after = [change for change in changes if change.at_ns > at_ns]
-            yield Failure(expected, at_ns, before[-1] if before else None, next(iter(after), None))
+            yield FailedExpectation(
+                expected, at_ns, before[-1] if before else None, next(iter(after), None)
+            )
 
 
 def _first_violation(expected: Expectation, changes: Sequence[Verdict]) -> int | None:

@@ -156,11 +156,11 @@ class _Teller:
         if math.isnan(raw):
             return None
         match slot.kind:
-            case ir.Kind.FLAG:
+            case ir.FieldKind.FLAG:
                 return raw != 0.0
-            case ir.Kind.TEXT:
+            case ir.FieldKind.TEXT:
                 return self.machine.texts[int(raw)] if raw >= 0.0 else other_text(self.machine)
-            case ir.Kind.REAL:
+            case ir.FieldKind.REAL:
                 return raw * slot.scale + slot.offset
 
     def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[FieldValue]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from rossmarie import ir
 from rossmarie.ir.calls import covering, query_at
-from rossmarie.ir.script import FieldValue, Running, ScriptedArrival, ScriptedReset
+from rossmarie.ir.script import FieldValue, ScriptedArrival, ScriptedReset, ScriptedSkills
 
 Event = ScriptedArrival | ScriptedReset
 
@@ -55,16 +55,18 @@ def _note(flags: Sequence[FieldValue], wanted: dict[ir.Doing, bool]) -> bool:
     return True
 
 
-def _running(machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]) -> Running | None:
+def _running(
+    machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]
+) -> ScriptedSkills | None:
     calls = covering((call for call in machine.calls if call.text is not None), wanted)
     if calls is None:
         return None
     text = ", ".join(call.text or "" for call in calls) or f"{DOING} nothing"
-    return Running(topic, tuple(call.running for call in calls), text)
+    return ScriptedSkills(topic, tuple(call.running for call in calls), text)
 
 
 def _reported(
-    event: ScriptedArrival, contexts: frozenset[str], running: Running | None
+    event: ScriptedArrival, contexts: frozenset[str], running: ScriptedSkills | None
 ) -> ScriptedArrival:
     inputs = [DOING if name in contexts else name for name in event.inputs]
     return dataclasses.replace(

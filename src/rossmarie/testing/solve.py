@@ -57,7 +57,7 @@ _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 
 
 @dataclass
-class World:
+class RuleFormulas:
     """The formulas of one rule, and its variables.
 
     A world that `is_free` allows everything that is possible, and more: computed numbers have any
@@ -283,7 +283,7 @@ class World:
         source: ir.Slot | ir.Array | None = None
         if variable.kind == "element":
             source = machine.arrays[variable.index]
-            if source.kind is ir.Kind.TEXT:
+            if source.kind is ir.FieldKind.TEXT:
                 return kind_facts(machine, source, term)
         elif variable.kind == "slot":
             source = machine.slots[variable.index]

@@ -14,7 +14,7 @@ from rossmarie import ir
 from rossmarie.analysis.terms import constant
 from rossmarie.testing.goals import Aspect, Goal, atoms, edges
 from rossmarie.testing.sides import is_apart
-from rossmarie.testing.solve import World
+from rossmarie.testing.solve import RuleFormulas
 
 NO_VALUES = "no values make the rule hang on it"
 STALE_ONLY = "only a stale input ends it sooner"
@@ -26,7 +26,7 @@ def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, s
 
 
 def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goal, str]]:
-    worlds: dict[int, World] = {}
+    worlds: dict[int, RuleFormulas] = {}
     for goal in missing:
         if goal.decision < 0:
             continue
@@ -35,7 +35,7 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
             continue
         decided = goal.decision
         if decided not in worlds:
-            worlds[decided] = World(machine, atoms(machine, decided), is_free=True)
+            worlds[decided] = RuleFormulas(machine, atoms(machine, decided), is_free=True)
         if worlds[decided].is_impossible(_wanted(worlds[decided], goal)):
             yield goal, NO_VALUES
 
@@ -52,7 +52,7 @@ def _ends_late(machine: ir.Machine, proposition: int) -> bool:
     return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
 
 
-def _wanted(world: World, goal: Goal) -> list[z3.BoolRef]:
+def _wanted(world: RuleFormulas, goal: Goal) -> list[z3.BoolRef]:
     true, false = (world.formula(goal.decision, {goal.subject: value}) for value in (True, False))
     wanted = [true != false]
     atom = world.formula(goal.subject)

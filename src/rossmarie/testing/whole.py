@@ -13,9 +13,9 @@ from rossmarie.core.expressions import (
     Applied,
     Chosen,
     Computed,
+    ConstantNumber,
     Expression,
     Local,
-    Number,
     Operand,
     Primitive,
 )
@@ -71,7 +71,7 @@ class _Steps:
 
     def of(self, expression: Expression) -> float | None:
         match expression:
-            case Number() | Applied():
+            case ConstantNumber() | Applied():
                 return None
             case Operand(index=index):
                 return self._steps[index]
@@ -100,7 +100,7 @@ class _Steps:
 
     def _constant(self, expression: Expression) -> float | None:
         match expression:
-            case Number(value=value):
+            case ConstantNumber(value=value):
                 return value
             case Operand(index=index):
                 return self._constants[index]

@@ -1,6 +1,6 @@
 """Types of expressions, the table of operators, and the messages of ROS."""
 
-from rossmarie.types.definitions import Kind, MessageDefinitionError
+from rossmarie.types.definitions import InterfaceKind, MessageDefinitionError
 from rossmarie.types.field_units import RATIOS
 from rossmarie.types.model import (
     AXES,
@@ -43,8 +43,8 @@ __all__ = [
     "Box",
     "Entry",
     "Fault",
+    "InterfaceKind",
     "Interval",
-    "Kind",
     "Leaf",
     "List",
     "Message",

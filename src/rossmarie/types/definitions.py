@@ -31,7 +31,7 @@ _PADDING = "structure_needs_at_least_one_member"
 _LARGEST_FILE = 64 * 1024
 
 
-class Field(NamedTuple):
+class DefinedField(NamedTuple):
     """The type of a field (`float32`, `geometry_msgs/Point`), and whether the field is an array of
     it.
     """
@@ -47,14 +47,14 @@ Constant = float | str
 """A number, or a text; flags are 0 and 1."""
 
 
-class Definition(NamedTuple):
+class MessageDefinition(NamedTuple):
     """The fields and the constants of a message, in the order of the file."""
 
-    fields: Mapping[str, Field]
+    fields: Mapping[str, DefinedField]
     constants: Mapping[str, Constant]
 
 
-class Kind(enum.Enum):
+class InterfaceKind(enum.Enum):
     """The kinds of definitions. The value is the suffix of the file, and the name of its folder in
     the package.
     """
@@ -65,9 +65,9 @@ class Kind(enum.Enum):
 
 
 _STORED = {
-    Kind.MESSAGE: STORED,
-    Kind.SERVICE: Path(__file__).with_name("services.msg"),
-    Kind.ACTION: Path(__file__).with_name("actions.msg"),
+    InterfaceKind.MESSAGE: STORED,
+    InterfaceKind.SERVICE: Path(__file__).with_name("services.msg"),
+    InterfaceKind.ACTION: Path(__file__).with_name("actions.msg"),
 }
 
 
@@ -91,7 +91,7 @@ def normalized(name: str) -> str | None:
 
 
 @cache
-def stored_texts(kind: Kind = Kind.MESSAGE) -> Mapping[str, str]:
+def stored_texts(kind: InterfaceKind = InterfaceKind.MESSAGE) -> Mapping[str, str]:
     """The text of each common definition, by name; `read_stored` parses it."""
     return _texts_in(_STORED[kind])
 
@@ -107,14 +107,14 @@ def _texts_in(path: Path) -> Mapping[str, str]:
     return dict(block.split("\n", 1) for block in blocks)
 
 
-def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
+def read_stored(name: str, kind: InterfaceKind = InterfaceKind.MESSAGE) -> MessageDefinition | None:
     """The definition of a common message, service or action; None if the name is not one of
     them.
     """
     text = stored_texts(kind).get(name)
     if text is None:
         return None
-    fields: dict[str, Field] = {}
+    fields: dict[str, DefinedField] = {}
     constants: dict[str, Constant] = {}
     for line in text.splitlines():
         base, _, field = line.partition(" ")
@@ -122,16 +122,20 @@ def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
         if sign:
             constants[constant] = value if base == "string" else float(value)
         else:
-            fields[field] = Field(base.removesuffix("[]"), base.endswith("[]"))
-    return Definition(fields, constants)
+            fields[field] = DefinedField(base.removesuffix("[]"), base.endswith("[]"))
+    return MessageDefinition(fields, constants)
 
 
-def find_file(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> Path | None:
+def find_file(
+    name: str, search_paths: Sequence[Path], kind: InterfaceKind = InterfaceKind.MESSAGE
+) -> Path | None:
     """The file of a definition, in the first folder that contains it; None if no folder does."""
     return next((path for path in places(name, search_paths, kind) if path.is_file()), None)
 
 
-def places(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> list[Path]:
+def places(
+    name: str, search_paths: Sequence[Path], kind: InterfaceKind = InterfaceKind.MESSAGE
+) -> list[Path]:
     """The paths at which the file of a definition is searched for, in this order."""
     package, _, short = name.partition("/")
     parents = ((package, kind.value), (package,))
@@ -139,7 +143,7 @@ def places(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -
     return [folder.joinpath(*parts, file) for folder in search_paths for parts in parents]
 
 
-def names_in(search_path: Path, kind: Kind = Kind.MESSAGE) -> list[str]:
+def names_in(search_path: Path, kind: InterfaceKind = InterfaceKind.MESSAGE) -> list[str]:
     """The names of all definitions in a folder, whether or not their files can be used."""
     folder, pattern = kind.value, f"*.{kind.value}"
     files = [*search_path.glob(f"*/{pattern}"), *search_path.glob(f"*/{folder}/{pattern}")]
@@ -163,12 +167,12 @@ def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
     return None
 
 
-def parse_file(source: SourceFile, name: str) -> Definition:
+def parse_file(source: SourceFile, name: str) -> MessageDefinition:
     """The definition in a .msg file, or the request or goal in a service or action file. Raises
     `MessageDefinitionError` if there is none.
     """
     path = Path(source.path)
-    fields: dict[str, Field] = {}
+    fields: dict[str, DefinedField] = {}
     constants: dict[str, Constant] = {}
     for number, line in enumerate(source.text.splitlines(), start=1):
         if line.strip() == _END_OF_SENT and path.suffix != ".msg":
@@ -179,7 +183,7 @@ def parse_file(source: SourceFile, name: str) -> Definition:
                 raise MessageDefinitionError(path, number, f"a second field named {field!r}")
             fields[field] = type_
         constants |= found.constants
-    return Definition(fields, constants)
+    return MessageDefinition(fields, constants)
 
 
 def read_file(path: Path) -> SourceFile:
@@ -200,23 +204,25 @@ def read_file(path: Path) -> SourceFile:
     return source
 
 
-def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
+def _read_line(path: Path, number: int, line: str, name: str) -> MessageDefinition:
     try:
         found = read_line(line, name.partition("/")[0])
     except ValueError as error:
         reason = f"not a field or constant of a message: {line.strip()[:60]!r}"
         raise MessageDefinitionError(path, number, reason) from error
     if found is None:
-        return Definition({}, {})
+        return MessageDefinition({}, {})
     if found.value is not None:
-        return Definition({}, {found.name: found.value})
-    return Definition({found.name: Field(normalized(found.base) or found.base, found.is_array)}, {})
+        return MessageDefinition({}, {found.name: found.value})
+    return MessageDefinition(
+        {found.name: DefinedField(normalized(found.base) or found.base, found.is_array)}, {}
+    )
 
 
-def from_rosbags(types: Mapping[str, Any]) -> dict[str, Definition]:
+def from_rosbags(types: Mapping[str, Any]) -> dict[str, MessageDefinition]:
     """The definitions of rosbags, converted to our classes."""
     return {
-        normalized(name) or name: Definition(
+        normalized(name) or name: MessageDefinition(
             {field: _field(description) for field, description in fields if field != _PADDING},
             {constant: _constant(value) for constant, _, value in constants},
         )
@@ -228,12 +234,12 @@ def _constant(value: bool | float | str) -> Constant:
     return value if isinstance(value, str) else float(value)
 
 
-def _field(description: Any) -> Field:
+def _field(description: Any) -> DefinedField:
     kind, content = description
     if kind.name in ("ARRAY", "SEQUENCE"):
-        return Field(_field(content[0]).base, is_array=True)
+        return DefinedField(_field(content[0]).base, is_array=True)
     if kind.name == "BASE":
-        return Field(content[0], is_array=False)
+        return DefinedField(content[0], is_array=False)
     # rosbags does not know wide strings and takes the type for a message of the package.
     base = "wstring" if content.endswith("/wstring") else normalized(content) or content
-    return Field(base, is_array=False)
+    return DefinedField(base, is_array=False)

@@ -12,7 +12,12 @@ from typing import NamedTuple
 
 from dslkit.source import SourceFile
 from rossmarie.types import definitions
-from rossmarie.types.definitions import Constant, Field, Kind, MessageDefinitionError
+from rossmarie.types.definitions import (
+    Constant,
+    DefinedField,
+    InterfaceKind,
+    MessageDefinitionError,
+)
 from rossmarie.types.field_units import FIELD_UNITS
 from rossmarie.types.model import (
     AXES,
@@ -87,7 +92,7 @@ class MessageCatalog:
         self._search_paths = tuple(search_paths)
         self._overrides = _normalized_overrides(unit_overrides or {})
         self._found: dict[str, Message | None] = {}
-        self._definitions: dict[str, definitions.Definition | None] = {}
+        self._definitions: dict[str, definitions.MessageDefinition | None] = {}
         self._parts: dict[str, tuple[str, ...]] = {}
         self._called: dict[str, list[str]] = {}
         self._leaves: dict[str, tuple[Leaf, ...]] = {}
@@ -112,7 +117,7 @@ class MessageCatalog:
             self._found[short] = self._message(short, ((short, ()),))
         return self._found[short]
 
-    def find_sent(self, name: str, kind: Kind) -> Message | None:
+    def find_sent(self, name: str, kind: InterfaceKind) -> Message | None:
         """The message that is sent to a service (its request) or to an action server (its goal);
         None if the type is unknown. The goals of ROS 1 are also known as messages,
         `PACKAGE/NAMEGoal`.
@@ -128,7 +133,7 @@ class MessageCatalog:
             self._fields_left = _MOST_FIELDS
             self._found[key] = self._message(key, ((short, ()),))
         found = self._found[key]
-        is_action = kind is Kind.ACTION
+        is_action = kind is InterfaceKind.ACTION
         return self.find(f"{short}Goal") if found is None and is_action else found
 
     def leaves(self, message: Message) -> tuple[Leaf, ...]:
@@ -140,7 +145,7 @@ class MessageCatalog:
         return self._leaves[message.name]
 
     def _find_leaves(self, message: Message) -> Iterator[Leaf]:
-        pending: list[tuple[FieldPath, Field, tuple[str, ...]]]
+        pending: list[tuple[FieldPath, DefinedField, tuple[str, ...]]]
         pending = [((name,), each, (message.name,)) for name, each in self._fields_of(message.name)]
         while pending:
             path, field, around = pending.pop(0)
@@ -151,11 +156,11 @@ class MessageCatalog:
                 inner = self._fields_of(field.base)
                 pending[:0] = [((*path, name), each, inside) for name, each in inner]
 
-    def _fields_of(self, name: str) -> list[tuple[str, Field]]:
+    def _fields_of(self, name: str) -> list[tuple[str, DefinedField]]:
         definition = self._definition(name)
         return [] if definition is None else list(definition.fields.items())
 
-    def known_names(self, kind: Kind = Kind.MESSAGE) -> Sequence[str]:
+    def known_names(self, kind: InterfaceKind = InterfaceKind.MESSAGE) -> Sequence[str]:
         """The names of all messages, services or actions, sorted."""
         names = set(definitions.stored_texts(kind))
         for folder in self._search_paths:
@@ -206,12 +211,12 @@ class MessageCatalog:
         short = definitions.normalized(name)
         return definitions.places(short, self._search_paths) if short is not None else []
 
-    def _definition(self, name: str) -> definitions.Definition | None:
+    def _definition(self, name: str) -> definitions.MessageDefinition | None:
         if name not in self._definitions:
-            self._definitions[name] = self._read(name, Kind.MESSAGE)
+            self._definitions[name] = self._read(name, InterfaceKind.MESSAGE)
         return self._definitions[name]
 
-    def _read(self, name: str, kind: Kind) -> definitions.Definition | None:
+    def _read(self, name: str, kind: InterfaceKind) -> definitions.MessageDefinition | None:
         path = definitions.find_file(name, self._search_paths, kind)
         if path is None:
             return definitions.read_stored(name, kind)
@@ -260,7 +265,7 @@ class MessageCatalog:
                     known.setdefault(field, Quantity(unit))
         return Point(Quantity(self._unit(levels)), is_position=True, fields=known)
 
-    def _type(self, field: Field, levels: tuple[Level, ...], is_element: bool) -> Type:
+    def _type(self, field: DefinedField, levels: tuple[Level, ...], is_element: bool) -> Type:
         base = field.base
         if field.is_array:
             return _inner_array(base) if is_element else self._array(base, levels)
@@ -336,7 +341,7 @@ def _inner_points() -> Unsupported:
     return Unsupported("points in each element of a list; rules look one level deep")
 
 
-def _names_among(definition: definitions.Definition) -> str | None:
+def _names_among(definition: definitions.MessageDefinition) -> str | None:
     """The field with the names of the elements of the other arrays: the only list of strings, or
     the list called `name`.
     """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rossmarie.types.definitions import Definition, Field
+from rossmarie.types.definitions import DefinedField, MessageDefinition
 from rossmarie.types.model import Array, Beam, List, Quantity, ScanPoint, Type
 
 CLOUD = "sensor_msgs/PointCloud2"
@@ -16,24 +16,24 @@ RETURNS, INVALID = POINTS, "invalid"
 """The names of the points of a scan, and of the beams without a reading."""
 
 LAYOUT_OF_POINTS = {
-    "height": Field("uint32", is_array=False),
-    "width": Field("uint32", is_array=False),
-    "fields": Field("sensor_msgs/PointField", is_array=True),
-    "is_bigendian": Field("bool", is_array=False),
-    "point_step": Field("uint32", is_array=False),
-    "row_step": Field("uint32", is_array=False),
-    "data": Field("uint8", is_array=True),
+    "height": DefinedField("uint32", is_array=False),
+    "width": DefinedField("uint32", is_array=False),
+    "fields": DefinedField("sensor_msgs/PointField", is_array=True),
+    "is_bigendian": DefinedField("bool", is_array=False),
+    "point_step": DefinedField("uint32", is_array=False),
+    "row_step": DefinedField("uint32", is_array=False),
+    "data": DefinedField("uint8", is_array=True),
 }
 LAYOUT_OF_BEAMS = {
     **{
-        name: Field("float32", is_array=False)
+        name: DefinedField("float32", is_array=False)
         for name in ("angle_min", "angle_max", "angle_increment", "range_min", "range_max")
     },
-    **{name: Field("float32", is_array=True) for name in ("ranges", "intensities")},
+    **{name: DefinedField("float32", is_array=True) for name in ("ranges", "intensities")},
 }
 
 
-def tells(definition: Definition, layout: Mapping[str, Field]) -> bool:
+def tells(definition: MessageDefinition, layout: Mapping[str, DefinedField]) -> bool:
     """Say whether a cloud or a scan has all fields that determine its points. The search path may
     contain another definition.
     """

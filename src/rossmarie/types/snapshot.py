@@ -15,7 +15,7 @@ from rossmarie.types.definitions import (
     SEPARATOR,
     STORED,
     Constant,
-    Definition,
+    MessageDefinition,
     from_rosbags,
     own_texts,
 )
@@ -31,17 +31,17 @@ def render() -> str:
     """
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-    merged: dict[str, Definition] = {}
+    merged: dict[str, MessageDefinition] = {}
     for name, text in own_texts().items():
         merged |= from_rosbags(get_types_from_msg(text, name))
     for store in (Stores.ROS2_JAZZY, Stores.ROS1_NOETIC):
         for name, definition in from_rosbags(get_typestore(store).fielddefs).items():
-            merged[name] = _merge(merged.get(name, Definition({}, {})), definition)
+            merged[name] = _merge(merged.get(name, MessageDefinition({}, {})), definition)
     return "".join(SEPARATOR + _message(name, merged[name]) for name in sorted(merged))
 
 
-def _merge(first: Definition, second: Definition) -> Definition:
-    return Definition(
+def _merge(first: MessageDefinition, second: MessageDefinition) -> MessageDefinition:
+    return MessageDefinition(
         _joined(first.fields, second.fields), _joined(first.constants, second.constants)
     )
 
@@ -50,7 +50,7 @@ def _joined(first: Mapping[str, T], second: Mapping[str, T]) -> dict[str, T]:
     return {**first, **{name: each for name, each in second.items() if name not in first}}
 
 
-def _message(name: str, definition: Definition) -> str:
+def _message(name: str, definition: MessageDefinition) -> str:
     fields = (f"{field} {field_name}\n" for field_name, field in definition.fields.items())
     constants = map(_constant, definition.constants.items())
     return "".join((f"{name}\n", *constants, *fields))

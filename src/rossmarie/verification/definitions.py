@@ -15,14 +15,14 @@ from rossmarie.ir import model as ir
 from rossmarie.verification import elements, formulas, supports
 from rossmarie.verification.basics import CONSTANTS, HELPERS
 from rossmarie.verification.formulas import literal
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.recent import recurs
 
 
 class Definitions:
     """Writes the definitions of one machine."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: ProofLayout) -> None:
         self._layout = layout
         self._machine = layout.machine
         self._beside = supports.beside(layout.machine).arrays

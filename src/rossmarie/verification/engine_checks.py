@@ -12,8 +12,8 @@ from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.events import Events
-from rossmarie.verification.frames import Frames
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.frames import FrameChecks
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import ANY, obligation
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
@@ -30,7 +30,7 @@ class EngineChecks:
     """Writes these checks for one machine."""
 
     def __init__(
-        self, layout: Layout, definitions: Definitions, frames: Frames, parts: Parts
+        self, layout: ProofLayout, definitions: Definitions, frames: FrameChecks, parts: Parts
     ) -> None:
         self._layout = layout
         self._frames = frames

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import obligation
 from rossmarie.verification.supports import reported
 
@@ -17,7 +17,7 @@ from rossmarie.verification.supports import reported
 class Events:
     """Writes these comparisons for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: ProofLayout, definitions: Definitions) -> None:
         self._layout = layout
         self._definitions = definitions
         self._rules = layout.machine.rules

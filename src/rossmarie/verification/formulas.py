@@ -15,13 +15,13 @@ from rossmarie.core.expressions import (
     Chosen,
     Computed,
     Condition,
+    ConstantNumber,
     Either,
     Expression,
     IsEqual,
     IsLess,
     IsUnknown,
     Local,
-    Number,
     Operand,
     Primitive,
     Subfunction,
@@ -98,7 +98,7 @@ def literal(value: float) -> str:
 
 def _text(expression: Expression, names: Sequence[str]) -> str:
     match expression:
-        case Number(value=value):
+        case ConstantNumber(value=value):
             return literal(value)
         case Operand(index=index):
             return names[index]

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import remark_of
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import obligation
 from rossmarie.verification.recent import first_recent, recent
 from rossmarie.verification.turning_points import followed_on, forgotten
@@ -25,10 +25,10 @@ _GUARDS = ("low", "high", "place")
 _MARKS = ("dirty", "pending")
 
 
-class Frames:
+class FrameChecks:
     """Writes these comparisons for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: ProofLayout, definitions: Definitions) -> None:
         self._layout = layout
         self._definitions = definitions
         self._machine = layout.machine

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.places import Watched
 from rossmarie.verification.program import ANY, assertions, assumptions, obligation, predicate
 
@@ -32,7 +32,9 @@ def unlooked(parts: Parts) -> Parts:
 class GuardChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions, invariants: Invariants) -> None:
+    def __init__(
+        self, layout: ProofLayout, definitions: Definitions, invariants: Invariants
+    ) -> None:
         self._layout = layout
         self._definitions = definitions
         self._invariants = invariants

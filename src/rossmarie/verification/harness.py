@@ -19,10 +19,10 @@ from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.engine_checks import EngineChecks
 from rossmarie.verification.events import Events
-from rossmarie.verification.frames import Frames
+from rossmarie.verification.frames import FrameChecks
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
-from rossmarie.verification.layout import Layout, layout_of
+from rossmarie.verification.layout import ProofLayout, layout_of
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
 from rossmarie.verification.program import (
     PRELUDE,
@@ -77,13 +77,13 @@ class _Writer:
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
-        self._layout: Layout = layout_of(machine)
+        self._layout: ProofLayout = layout_of(machine)
         self._definitions = Definitions(self._layout)
         self._invariants = Invariants(self._layout, self._definitions)
         self._groups = self._invariants.groups()
 
     def harness(self) -> Harness:
-        frames = Frames(self._layout, self._definitions)
+        frames = FrameChecks(self._layout, self._definitions)
         guards = GuardChecks(self._layout, self._definitions, self._invariants)
         messages = MessageChecks(self._layout, self._definitions, frames, guards.parts())
         written = [
@@ -180,7 +180,7 @@ class _Writer:
         ]  # fmt: skip
 
 
-def _reported(invariants: Invariants, layout: Layout) -> list[Sentence]:
+def _reported(invariants: Invariants, layout: ProofLayout) -> list[Sentence]:
     """Each reported proposition about an oscillation was right at the last evaluation, or it is
     marked.
     """

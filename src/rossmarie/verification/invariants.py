@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.layout import Layout, Value
+from rossmarie.verification.layout import ProofLayout, Value
 from rossmarie.verification.places import Watched
 from rossmarie.verification.recent import enough, first_recent, recent, window_end
 from rossmarie.verification.supports import propositions_of
@@ -29,7 +29,7 @@ class Sentence:
     holds: str
 
 
-def users_of(layout: Layout, proposition: int) -> list[int]:
+def users_of(layout: ProofLayout, proposition: int) -> list[int]:
     """The nodes that have a proposition as an operand: propositions, then rules."""
     machine = layout.machine
     found = [
@@ -48,7 +48,7 @@ def remark_of(value: Value) -> str:
     return value.remark.split("  ", 1)[-1]
 
 
-def oscillation(layout: Layout, k: int) -> ir.Oscillates:
+def oscillation(layout: ProofLayout, k: int) -> ir.Oscillates:
     """The k-th of the oscillations that a monitor follows."""
     node = layout.machine.propositions[layout.oscillations[k]].node
     assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
@@ -63,7 +63,7 @@ def _is_true_initially(machine: ir.Machine, proposition: int) -> bool:
 class Invariants:
     """Writes the predicates of one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: ProofLayout, definitions: Definitions) -> None:
         self._layout = layout
         self._machine = layout.machine
         self._definitions = definitions

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from rossmarie.core import sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.verification import supports
-from rossmarie.verification.places import Places, Watched, places_of
-from rossmarie.verification.supports import Elements, Support
+from rossmarie.verification.places import MachinePlaces, Watched, places_of
+from rossmarie.verification.supports import Support, SupportArrays
 
 _WORD = 64
 """The number of marks that fit one word."""
@@ -40,7 +40,7 @@ class Value:
 
 
 @dataclass(frozen=True)
-class Layout:
+class ProofLayout:
     """The layout of one machine. Lists of propositions have the monitor's own order.
 
     `held`, `sinces`, `oscillations`, `recurring`, `sampled` and `windows` have the order of the
@@ -49,8 +49,8 @@ class Layout:
     """
 
     machine: ir.Machine
-    places: Places
-    elements: Elements
+    places: MachinePlaces
+    elements: SupportArrays
     values: tuple[Value, ...]
     value_of_signal: Mapping[int, int]
     guards: tuple[Watched, ...]
@@ -118,7 +118,7 @@ class Layout:
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
 
-def layout_of(machine: ir.Machine) -> Layout:
+def layout_of(machine: ir.Machine) -> ProofLayout:
     """The parts of a machine. Raises `MisplacedError`."""
     return _Sorted(machine).layout()
 
@@ -136,12 +136,12 @@ class _Sorted:
         ]
         self._signals = [index for index, array in enumerate(arrays.signals) if array is None]
 
-    def layout(self) -> Layout:
+    def layout(self) -> ProofLayout:
         swings = self._of(ir.Oscillates)
         still = [index for index in swings if not self._channels(index)]
         derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since, ir.Recurs)
         self._check([index for index in swings if index not in still])
-        return Layout(
+        return ProofLayout(
             machine=self._machine,
             places=self._places,
             elements=self._elements,

@@ -12,10 +12,10 @@ from rossmarie.ir import model as ir
 from rossmarie.verification import fields, opaque, supports
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.frames import Frames
+from rossmarie.verification.frames import FrameChecks
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.invariants import remark_of
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.message_contracts import (
     ASKED,
     ASKED_ONCE,
@@ -42,9 +42,9 @@ ELEMENTS = 3
 """The largest number of array elements in a check."""
 
 _ANY_OF_KIND = {
-    ir.Kind.REAL: "nondet_double()",
-    ir.Kind.FLAG: "nondet_number() % 2 != 0",
-    ir.Kind.TEXT: "nondet_integer()",
+    ir.FieldKind.REAL: "nondet_double()",
+    ir.FieldKind.FLAG: "nondet_number() % 2 != 0",
+    ir.FieldKind.TEXT: "nondet_integer()",
 }
 """Any value that a field of a kind may hold."""
 
@@ -53,7 +53,7 @@ class MessageChecks:
     """Writes these checks for one machine."""
 
     def __init__(
-        self, layout: Layout, definitions: Definitions, frames: Frames, parts: Parts
+        self, layout: ProofLayout, definitions: Definitions, frames: FrameChecks, parts: Parts
     ) -> None:
         self._layout = layout
         self._frames = frames
@@ -208,7 +208,7 @@ class MessageChecks:
                 if field.count is not None:
                     yield f"    v.{topic}.{field.count} = {self._any_count(field)};"
 
-    def _any_count(self, field: fields.Field) -> str:
+    def _any_count(self, field: fields.CField) -> str:
         """An arbitrary number of elements up to the limit of a check; for a list also too many
         elements.
         """
@@ -245,7 +245,7 @@ class MessageChecks:
             obligations="\n".join(obligations),
         )
 
-    def _looked_at(self, channel: int) -> list[tuple[int, fields.Field]]:
+    def _looked_at(self, channel: int) -> list[tuple[int, fields.CField]]:
         """The arrays of a channel whose elements are used beside numbers, with their places."""
         return [
             (number, field)
@@ -331,7 +331,7 @@ class MessageChecks:
     def _called(self, lines: Iterable[str], call: str, obligations: Iterable[str]) -> str:
         return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *obligations])
 
-    def _fields(self, channel: int) -> tuple[fields.Field, ...]:
+    def _fields(self, channel: int) -> tuple[fields.CField, ...]:
         return fields.fields_of(self._layout, channel)
 
 

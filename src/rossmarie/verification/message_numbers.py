@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from rossmarie.ir import model as ir
 from rossmarie.verification import fields, supports
 from rossmarie.verification.definitions import Definitions, converted
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import obligation
 from rossmarie.verification.turning_points import followed
 
@@ -18,7 +18,7 @@ from rossmarie.verification.turning_points import followed
 class MessageNumbers:
     """Writes these obligations for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: ProofLayout, definitions: Definitions) -> None:
         self._layout = layout
         self._machine = layout.machine
         self._definitions = definitions
@@ -36,7 +36,7 @@ class MessageNumbers:
             *followed(self._layout, self._definitions, channel),
         ]
 
-    def _fields(self, channel: int) -> tuple[fields.Field, ...]:
+    def _fields(self, channel: int) -> tuple[fields.CField, ...]:
         return fields.fields_of(self._layout, channel)
 
     def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:

@@ -23,7 +23,7 @@ from rossmarie.core.expressions import Subfunction, applied_in
 from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.formulas import name_of_subfunction
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.places import function_of, function_of_samples, function_of_subfunction
 from rossmarie.verification.supports import samplings
 
@@ -168,7 +168,7 @@ void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
 """
 
 
-def parts_of_windows(layout: Layout) -> Parts:
+def parts_of_windows(layout: ProofLayout) -> Parts:
     """The functions that store, sort and add the samples of windows. No query proves these
     functions: they are the same for all machines, and a proof compares some thousand numbers each
     time.
@@ -191,7 +191,7 @@ def _functions_of_samples(machine: ir.Machine) -> dict[Sampling, str]:
     return {each: name for each, name in named.items() if name is not None}
 
 
-def contracts_of_samples(layout: Layout) -> Iterator[str]:
+def contracts_of_samples(layout: ProofLayout) -> Iterator[str]:
     """The contracts of the functions of samples, and of windows."""
     for function, name in _functions_of_samples(layout.machine).items():
         views = [view.value for view in sampling_row(function).views]

@@ -30,7 +30,7 @@ class Watched:
 
 
 @dataclass(frozen=True)
-class Places:
+class MachinePlaces:
     """The places of one machine.
 
     `remarks` describe each number to readers. `kept_raw` are the numbers that may be kept as
@@ -58,13 +58,13 @@ class Places:
     list_names: Mapping[int, str]
 
 
-def places_of(machine: ir.Machine) -> Places:
+def places_of(machine: ir.Machine) -> MachinePlaces:
     """Read the places from the layout of the generator."""
     found = generated.lay_out(machine)
     fields = [
         each for channel in range(len(machine.channels)) for each in fields_of(machine, channel)
     ]
-    return Places(
+    return MachinePlaces(
         name=found.name,
         remarks=tuple(value.remark for value in found.values),
         value_of_slot=found.value_of_slot,

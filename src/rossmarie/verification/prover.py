@@ -81,7 +81,7 @@ _FORBIDDEN = (_Step(_ALL, _UNTIL_THE_END, (_SAT,)), *_LAST)
 _SENTENCES = (_Step(40, 15, (_ANY_ARITHMETIC,)), _Step(40, 15, (_ENDING,)), *_LAST)
 
 
-class Verdict(enum.Enum):
+class ProofVerdict(enum.Enum):
     """The outcome of a check."""
 
     PROVED = "proved"
@@ -94,11 +94,11 @@ class ProofOutcome:
     """The verdict on a check, with the failing sentences, or the reason why there is no verdict."""
 
     check: Check
-    verdict: Verdict
+    verdict: ProofVerdict
     reasons: tuple[str, ...] = ()
 
 
-_Answer = tuple[Verdict, tuple[str, ...]]
+_Answer = tuple[ProofVerdict, tuple[str, ...]]
 """A verdict, and the sentences that do not hold or are undecided."""
 
 
@@ -185,7 +185,7 @@ class Prover:
             found += self._narrowed(query, ours, _SENTENCES) if ours else ()
         else:
             found += self._narrowed(query, names, [_WHOLE])
-            if found[-1][0] is not Verdict.UNDECIDED:
+            if found[-1][0] is not ProofVerdict.UNDECIDED:
                 return found
             found.pop()
             steps = _STATES if len(names) > _STATES[0].size else _LAST
@@ -200,11 +200,11 @@ class Prover:
         for first in range(0, max(len(names), 1), step.size):
             group = names[first : first + step.size]
             answer = self._ask(query.within(step.seconds), group, step.solvers)
-            if answer[0] is Verdict.REFUTED and not answer[1]:
+            if answer[0] is ProofVerdict.REFUTED and not answer[1]:
                 yield answer  # if solvers disagree, nothing is proved
                 answer = self._ask(query.within(_LISTING), group, [_OWN_SAT])
             others = [each for each in finer if each.size < len(group) or each[1:] != step[1:]]
-            if answer[0] is Verdict.UNDECIDED and others:
+            if answer[0] is ProofVerdict.UNDECIDED and others:
                 yield from self._narrowed(query, group, others)
             else:
                 yield answer
@@ -233,7 +233,7 @@ class Prover:
         if found is not None:
             return found
         about = ", ".join(names)
-        return Verdict.UNDECIDED, (f"no answer within {query.seconds} s: {about}",)
+        return ProofVerdict.UNDECIDED, (f"no answer within {query.seconds} s: {about}",)
 
     def _must(self, command: Sequence[str], folder: Path) -> str:
         with self._start(command, folder, _MOST) as started:
@@ -324,8 +324,8 @@ def _is_ours(name: str) -> bool:
     return name.split(".", 1)[1].startswith("assertion")
 
 
-def _weight(verdict: Verdict) -> int:
-    return (Verdict.PROVED, Verdict.UNDECIDED, Verdict.REFUTED).index(verdict)
+def _weight(verdict: ProofVerdict) -> int:
+    return (ProofVerdict.PROVED, ProofVerdict.UNDECIDED, ProofVerdict.REFUTED).index(verdict)
 
 
 def _first(started: Sequence[_Started]) -> _Answer | None:
@@ -360,4 +360,4 @@ def _read(text: str) -> _Answer | None:
         return None
     failed = tuple(each["description"] for each in results if each["status"] == "FAILURE")
     is_proved = status == {"success"} and not failed
-    return (Verdict.PROVED if is_proved else Verdict.REFUTED), failed
+    return (ProofVerdict.PROVED if is_proved else ProofVerdict.REFUTED), failed

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.guard_checks import unlooked
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import ANY
 
 _SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
@@ -27,7 +27,7 @@ only.
 """
 
 
-def begin(layout: Layout) -> str:
+def begin(layout: ProofLayout) -> str:
     """A monitor that has not started, or that is at rest."""
     return f"""\
 {ANY}

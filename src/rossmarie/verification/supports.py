@@ -209,7 +209,7 @@ def _waits(node: ir.SignalNode) -> bool:
 
 
 @dataclass(frozen=True)
-class Elements:
+class SupportArrays:
     """For each signal and proposition, the array of its element; None if it has one value for the
     whole machine (S22). For a list (S52), the array is its first column.
     """
@@ -218,7 +218,7 @@ class Elements:
     propositions: tuple[int | None, ...]
 
 
-def elements(machine: ir.Machine) -> Elements:
+def elements(machine: ir.Machine) -> SupportArrays:
     """The array of each signal and proposition."""
     signals: list[int | None] = []
     propositions: list[int | None] = []
@@ -226,7 +226,7 @@ def elements(machine: ir.Machine) -> Elements:
         signals.append(_array(machine, signal.node, signals, propositions))
     for proposition in machine.propositions:
         propositions.append(_array(machine, proposition.node, signals, propositions))
-    return Elements(tuple(signals), tuple(propositions))
+    return SupportArrays(tuple(signals), tuple(propositions))
 
 
 def columns(machine: ir.Machine, array: int) -> tuple[int, ...]:

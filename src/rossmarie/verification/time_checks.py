@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.verification.check import Check, Parts, Written
-from rossmarie.verification.frames import Frames
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.frames import FrameChecks
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import ANY
 from rossmarie.verification.stages import AS_IT_WAS, REFUSED, RESTS, WAITS
 
@@ -20,7 +20,7 @@ _EARLIEST = ("earliest_timer", "contract_earliest_timer")
 class TimeChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, frames: Frames, parts: Parts) -> None:
+    def __init__(self, layout: ProofLayout, frames: FrameChecks, parts: Parts) -> None:
         self._layout = layout
         self._frames = frames
         self._parts = parts

@@ -9,19 +9,19 @@ from collections.abc import Iterator
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import oscillation
-from rossmarie.verification.layout import Layout
+from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import obligation
 from rossmarie.verification.recent import first_recent
 
 
-def followed_on(layout: Layout, channel: int) -> list[int]:
+def followed_on(layout: ProofLayout, channel: int) -> list[int]:
     """The oscillations that get a sample from a message on a channel."""
     signals = [oscillation(layout, k).signal for k in range(len(layout.oscillations))]
     supports = map(layout.support_of_signal, signals)
     return [k for k, support in enumerate(supports) if channel in support.channels]
 
 
-def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
+def forgotten(layout: ProofLayout, definitions: Definitions) -> Iterator[str]:
     """Make `expected` forget all turning points of numbers that become unknown."""
     for k in range(len(layout.oscillations)):
         x = definitions.number(oscillation(layout, k).signal)
@@ -32,13 +32,13 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
         yield "}"
 
 
-def followed(layout: Layout, definitions: Definitions, channel: int) -> Iterator[str]:
+def followed(layout: ProofLayout, definitions: Definitions, channel: int) -> Iterator[str]:
     """The obligations about all oscillations that get a sample from a message on a channel."""
     for k in followed_on(layout, channel):
         yield from _followed(layout, definitions, k)
 
 
-def _followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
+def _followed(layout: ProofLayout, definitions: Definitions, k: int) -> Iterator[str]:
     """The obligations about the k-th oscillation."""
     node, first = oscillation(layout, k), first_recent(layout, k)
     about = f"the turning points of `{layout.machine.propositions[layout.oscillations[k]].text}`"

@@ -8,7 +8,7 @@ from types import SimpleNamespace as Message
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crosscheck.live.model import Context, NodeState, Running
+from crosscheck.live.model import NodeState, RunningCall, RunningContext
 from crosscheck.live.reading import LONGEST_NAME, context_of, is_alive, state_of
 from support.depth import examples
 
@@ -27,8 +27,8 @@ def skill(name: str, goal: str, *arguments: Message) -> Message:
 def test_a_context_is_read_with_its_things() -> None:
     reported = skill("Wipe", "1", argument("Board", "", "office.Board"), argument("Speed", "0.3"))
     found = context_of(Message(digest="5b", running=[reported]))
-    assert found == Context(
-        "5b", (Running("Wipe", "1", (("Board", "office.Board"), ("Speed", "0.3"))),)
+    assert found == RunningContext(
+        "5b", (RunningCall("Wipe", "1", (("Board", "office.Board"), ("Speed", "0.3"))),)
     )
 
 
@@ -40,10 +40,10 @@ def test_a_thing_of_several_classes_is_reported_once() -> None:
 
 def test_what_the_rules_would_not_read_is_not_read() -> None:
     many = context_of(Message(digest="", running=[skill("A", str(each)) for each in range(65)]))
-    assert many == Context("", problem="more than 64 skills run")
+    assert many == RunningContext("", problem="more than 64 skills run")
     wide = skill("A", "1", *(argument(str(each)) for each in range(65)))
     found = context_of(Message(digest="", running=[wide]))
-    assert found == Context("", problem="a skill has more than 64 arguments")
+    assert found == RunningContext("", problem="a skill has more than 64 arguments")
 
 
 @settings(max_examples=examples(1))

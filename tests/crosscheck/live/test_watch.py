@@ -10,7 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crosscheck.live.facts import Facts, facts_of
-from crosscheck.live.model import Alive, Change, Context, Kind, Message, NodeState, Running
+from crosscheck.live.model import (
+    Alive,
+    ChangeKind,
+    LiveChange,
+    Message,
+    NodeState,
+    RunningCall,
+    RunningContext,
+)
 from crosscheck.live.sources import FIRST_PATIENCE
 from crosscheck.live.watch import NODE_PATIENCE, Reported, Watch
 from crosscheck.robot import load
@@ -24,16 +32,19 @@ FACTS: Facts = facts_of(ROBOT, "/robot1")
 DIGEST = FACTS.robot.skills.digest
 TIMEOUT = FACTS.timeout
 ARM = "/arm_controller/follow_joint_trajectory"
-WIPE, DRIVE = Running("Wipe", "Wipe 1", (("Board", "office:Whiteboard-5"),)), Running("Drive", "1")
+WIPE, DRIVE = (
+    RunningCall("Wipe", "Wipe 1", (("Board", "office:Whiteboard-5"),)),
+    RunningCall("Drive", "1"),
+)
 
 
-def context(*running: Running, digest: str = DIGEST) -> Context:
-    return Context(digest, running)
+def context(*running: RunningCall, digest: str = DIGEST) -> RunningContext:
+    return RunningContext(digest, running)
 
 
 def said(reported: Iterable[Reported]) -> list[str]:
     """The texts of changes, and the codes of findings."""
-    return [each.text if isinstance(each, Change) else each.code for each in reported]
+    return [each.text if isinstance(each, LiveChange) else each.code for each in reported]
 
 
 @pytest.fixture
@@ -50,7 +61,7 @@ def test_a_skill_is_reported_with_its_things_and_how_long_it_ran(watch: Watch) -
     assert said(reported) == ["Wipe starts: Board = office:Whiteboard-5", "Drive starts"]
     assert said(watch.take(100.3, context(WIPE, DRIVE))) == []
     assert said(watch.take(100.5, context(WIPE))) == ["Drive ends after 0.4 s"]
-    again = Running("Wipe", "Wipe 2")
+    again = RunningCall("Wipe", "Wipe 2")
     assert said(watch.take(100.6, context(again))) == ["Wipe ends after 0.5 s", "Wipe starts"]
     watch.end(100.85)
     assert watch.skills.counts["Wipe"].times == 2
@@ -68,8 +79,8 @@ def test_an_exemption_is_reported_with_the_permission_that_it_rests_on(watch: Wa
     assert "force with office.Whiteboard up to 20 N (" in reported
     assert "speed" not in reported
     (over,) = watch.take(100.5, NodeState())
-    assert isinstance(over, Change)
-    assert over.kind is Kind.EXEMPTION_ENDS
+    assert isinstance(over, LiveChange)
+    assert over.kind is ChangeKind.EXEMPTION_ENDS
     assert over.names == {"rule": "contact_doing_Wipe", "exempted": "contact"}
 
 
@@ -190,12 +201,12 @@ def test_another_export_is_reported_once_until_it_is_over(watch: Watch) -> None:
 
 def test_a_message_that_the_rules_do_not_read_says_nothing_of_what_runs(watch: Watch) -> None:
     watch.take(100.1, context(WIPE))
-    reported = said(watch.take(100.2, Context(DIGEST, problem="more than 64 skills run")))
+    reported = said(watch.take(100.2, RunningContext(DIGEST, problem="more than 64 skills run")))
     assert reported == ["CHK401", "it is unknown whether Wipe still runs"]
 
 
 def test_what_is_not_known_is_reported(watch: Watch) -> None:
-    other = Running("Dance", "1")
+    other = RunningCall("Dance", "1")
     assert said(watch.take(100.1, context(other))) == ["Dance starts", "CHK402"]
     assert said(watch.take(100.2, context(other, WIPE)))[1:] == []
     assert said(watch.take(100.3, context()))[-1] == "the rules know all running skills"
@@ -215,9 +226,9 @@ def test_time_in_which_nobody_listened_is_no_silence(watch: Watch) -> None:
 
 NAMES = st.sampled_from(["Wipe", "Drive", "Reach", "Dance", "", "\x1b[2J"])
 RULES = st.sampled_from([*FACTS.rules, "other"])
-RUNNING = st.builds(Running, NAMES, st.sampled_from("12"))
+RUNNING = st.builds(RunningCall, NAMES, st.sampled_from("12"))
 CONTEXTS = st.builds(
-    Context,
+    RunningContext,
     st.sampled_from([DIGEST, "", "5b" * 32]),
     st.lists(RUNNING, max_size=3).map(tuple),
     st.sampled_from([None, None, "too large"]),
@@ -235,14 +246,14 @@ STEPS = st.lists(
 )
 
 BEGINS = {
-    Kind.SKILL_STARTS: ("skill", "goal"),
-    Kind.RULE_ACTIVATES: ("rule",),
-    Kind.EXEMPTION_BEGINS: ("rule",),
+    ChangeKind.SKILL_STARTS: ("skill", "goal"),
+    ChangeKind.RULE_ACTIVATES: ("rule",),
+    ChangeKind.EXEMPTION_BEGINS: ("rule",),
 }
 ENDS = {
-    Kind.SKILL_ENDS: ("skill", "goal"),
-    Kind.RULE_CLEARS: ("rule",),
-    Kind.EXEMPTION_ENDS: ("rule",),
+    ChangeKind.SKILL_ENDS: ("skill", "goal"),
+    ChangeKind.RULE_CLEARS: ("rule",),
+    ChangeKind.EXEMPTION_ENDS: ("rule",),
 }
 
 
@@ -263,7 +274,7 @@ def test_whatever_is_reported_begins_before_it_ends_and_findings_come_once(
         if isinstance(each, Diagnostic):
             assert each.code not in open_findings
             open_findings.add(each.code)
-        elif each.kind is Kind.OVER:
+        elif each.kind is ChangeKind.OVER:
             open_findings.remove(each.names["code"])
         elif each.kind in BEGINS:
             key = tuple(each.names[name] for name in BEGINS[each.kind])
@@ -272,7 +283,7 @@ def test_whatever_is_reported_begins_before_it_ends_and_findings_come_once(
             begun[key[0]] += 1
         elif each.kind in ENDS:
             lasting.remove(tuple(each.names[name] for name in ENDS[each.kind]))
-        elif each.kind is Kind.UNKNOWN:
+        elif each.kind is ChangeKind.UNKNOWN:
             lasting.remove(tuple(each.names.values()))
     counts = {**watch.skills.counts, **watch.rules.counts}
     assert {name: count.times for name, count in counts.items()} == dict(begun)

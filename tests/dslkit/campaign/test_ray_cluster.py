@@ -24,7 +24,7 @@ from rich.console import Console
 
 from dslkit.campaign import Bar, Journal, UnreachableError, ray_cluster, run
 from dslkit.campaign.ray_cluster import RayCluster
-from dslkit.campaign.workers import Result
+from dslkit.campaign.workers import EpisodeResult
 from support import campaigns
 from support.campaigns import work
 
@@ -82,12 +82,12 @@ class Killer:
     def __init__(self, victim: subprocess.Popen[str], count: int = 5) -> None:
         self._victim = victim
         self._count = count
-        self.heard: list[Result] = []
+        self.heard: list[EpisodeResult] = []
 
     def begin(self, count: int, done: int) -> None:
         pass
 
-    def hear(self, result: Result) -> None:
+    def hear(self, result: EpisodeResult) -> None:
         self.heard.append(result)
         if len(self.heard) == self._count:
             end(self._victim)

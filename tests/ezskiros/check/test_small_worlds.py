@@ -16,15 +16,15 @@ from ezskiros.check.consistency import check_consistency
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     HasProperty,
     OfType,
     Relation,
     Statement,
     Value,
+    ValueComparison,
 )
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from support.depth import examples
 from support.ontologies import START, turtle
 
@@ -155,7 +155,7 @@ def reported(rules: Rules, said: list[Statement], names: tuple[str, ...] = NAMES
     """The codes of errors about pre-conditions of a skill with three parameters."""
     owl_class = rules.ontology.class_of(START + "T")
     span = Span(NOWHERE, 0, 0)
-    parameters = [Parameter(name, Kind.REQUIRED, owl_class, span) for name in names]
+    parameters = [Parameter(name, ParameterKind.REQUIRED, owl_class, span) for name in names]
     clauses = [Clause(each, Span(NOWHERE, n, n + 1)) for n, each in enumerate(said)]
     skill = SkillInterface("Skill", span, parameters, clauses, (), ())
     found = check_consistency(skill, rules.ontology)
@@ -229,7 +229,7 @@ def test_what_is_so_in_a_world_has_no_finding(
 VALUES: tuple[Value, ...] = (1, 2)
 values = st.sampled_from(VALUES)
 compared = st.builds(
-    Comparison,
+    ValueComparison,
     st.just("A"),
     st.just(START + "v"),
     st.sampled_from(["=", "<", ">", "<=", ">="]),
@@ -249,7 +249,7 @@ DECLARED: dict[str, list[float]] = {
 ontology_of = lru_cache(turtle)
 
 
-def holds(said: Comparison | HasProperty, found: tuple[float, ...]) -> bool:
+def holds(said: ValueComparison | HasProperty, found: tuple[float, ...]) -> bool:
     """The truth value of a condition on a list of values in SkiROS2."""
     if isinstance(said, HasProperty):
         return bool(found) == said.is_true
@@ -273,7 +273,7 @@ def test_values_that_are_reported_cannot_be(
     functional = ":v a owl:FunctionalProperty ." if is_functional else ""
     ontology = ontology_of(f":T a owl:Class . {declared} {functional}")
     span = Span(NOWHERE, 0, 0)
-    parameter = Parameter("A", Kind.REQUIRED, ontology.class_of(START + "T"), span)
+    parameter = Parameter("A", ParameterKind.REQUIRED, ontology.class_of(START + "T"), span)
     clauses = [Clause(each, Span(NOWHERE, n, n + 1)) for n, each in enumerate(said)]
     skill = SkillInterface("Skill", span, [parameter], clauses, (), ())
     codes = {each.code for each in check_consistency(skill, ontology)} - {"EZS410"}

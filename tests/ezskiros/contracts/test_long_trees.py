@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from ezskiros.check.worlds import World
+from ezskiros.check.worlds import PossibleWorld
 from ezskiros.contracts import judge
 from ezskiros.contracts.contracts import check_tree
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
-from ezskiros.skills.markers import Kind
+from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference, Tree
 from support.contract_trees import OWN, Drawing, drawn
@@ -33,13 +33,13 @@ def test_few_worlds_are_looked_at(
 ) -> None:
     count = 0
 
-    class Counted(World):
+    class Counted(PossibleWorld):
         def __init__(self, *args: Any) -> None:
             nonlocal count
             count += 1
             super().__init__(*args)
 
-    monkeypatch.setattr(judge, "World", Counted)
+    monkeypatch.setattr(judge, "PossibleWorld", Counted)
     tree, library = long_tree(flow, is_nested=is_nested)
     assert check_tree(tree, library) is not None
     assert 0 < count < MOST_WORLDS
@@ -49,7 +49,7 @@ def long_tree(flow: Flow, *, is_nested: bool) -> tuple[Tree, Any]:
     """Four skills again and again, with other arguments."""
     chance = random.Random(100 + LENGTH)
     drawing = Drawing(chance, drawn(chance).rules)
-    skill = drawing.skill("Compound", dict.fromkeys(OWN, Kind.REQUIRED), most=4)
+    skill = drawing.skill("Compound", dict.fromkeys(OWN, ParameterKind.REQUIRED), most=4)
     first = [drawing.call(skill) for _ in range(4)]
     below = list[Node](first)
     while len(below) < LENGTH:

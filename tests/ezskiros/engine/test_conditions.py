@@ -10,13 +10,13 @@ from ezskiros.engine.conditions import holds, make, reason
 from ezskiros.engine.world import World
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from support.ontologies import START, turtle
 
@@ -58,9 +58,11 @@ def test_of_what_is_not_specified_only_the_opposite_holds(world: World) -> None:
 def test_properties_compare_as_written(world: World) -> None:
     world.set_value(BOUND["A"], SIZE, 2.0)
     for sign, value, is_so in [("<", 3.0, True), ("<", 2.0, False), (">=", 2.0, True)]:
-        assert holds(Comparison("A", SIZE, sign, value), BOUND, world) is is_so
-        assert holds(Comparison("A", SIZE, sign, value, is_true=False), BOUND, world) is not is_so
-    assert not holds(Comparison("A", SIZE, "<", "much"), BOUND, world)
+        assert holds(ValueComparison("A", SIZE, sign, value), BOUND, world) is is_so
+        assert (
+            holds(ValueComparison("A", SIZE, sign, value, is_true=False), BOUND, world) is not is_so
+        )
+    assert not holds(ValueComparison("A", SIZE, "<", "much"), BOUND, world)
 
 
 def test_an_abstract_relation_is_one_of_classes(world: World) -> None:
@@ -75,8 +77,8 @@ truths = some.booleans()
 values = some.sampled_from([-1.0, 0.0, 2.5])
 simple = some.one_of(
     some.builds(Relation, names, some.sampled_from([AT, NEAR]), names, truths),
-    some.builds(Comparison, names, some.just(SIZE), some.sampled_from(["=", "<", ">", "<=", ">="]),
-                values, truths),
+    some.builds(ValueComparison, names, some.just(SIZE),
+                some.sampled_from(["=", "<", ">", "<=", ">="]), values, truths),
     some.builds(HasProperty, names, some.sampled_from([SIZE, STATE]), truths),
     some.builds(OfType, names, some.just(START + "Red")),
     some.builds(Generated, names, some.just(True)),
@@ -117,7 +119,7 @@ def test_reasons_say_what_the_world_says(world: World) -> None:
         "A is test:Box-1; B is test:Box-2; A test:at nothing"
     )
     world.set_value(BOUND["A"], SIZE, 4.0)
-    assert reason(Comparison("A", SIZE, "<", 3.0), BOUND, world) == (
+    assert reason(ValueComparison("A", SIZE, "<", 3.0), BOUND, world) == (
         "A is test:Box-1; A test:size: 4.0"
     )
     assert reason(Relation("A", AT, "X"), BOUND, world) == (

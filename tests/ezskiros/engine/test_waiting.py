@@ -17,7 +17,7 @@ from ezskiros.engine.ahead import skills_ahead
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
 from ezskiros.engine.task import PERIOD, Task, run
-from ezskiros.engine.tracing import Trace
+from ezskiros.engine.tracing import TraceWriter
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.depth import examples
@@ -266,7 +266,7 @@ def trace_of(folder: Path, tree: str, guard: Rules | None) -> str:
     """The trace of a run, without its time of day, and the folder of its skills."""
     task, _, clock = begun(folder, tree, guard)
     file = io.StringIO()
-    trace = Trace(file, 0)
+    trace = TraceWriter(file, 0)
     task.execution.tell = lambda event: trace.write(event, task.ticks, clock())
     run(task, wait=clock.wait, why_stop=lambda: "too long" if task.ticks > 60 else None)
     return re.sub(r"/tmp\w+/skills", "skills", file.getvalue())

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from ezskiros.export.sources import Source, digest_of
+from ezskiros.export.sources import ExportedSource, digest_of
 from ezskiros.skills.nodes import Decoration, Flow
 from ezskiros.skills.permits import Permit
 from ezskiros.skills.quantities import UNITS
@@ -135,7 +135,7 @@ def test_sources_are_the_modules_and_the_ontology(tmp_path: Path) -> None:
     for each in found["sources"]:
         content = (tmp_path / each["path"]).read_bytes()
         assert each["sha256"] == hashlib.sha256(content).hexdigest()
-    assert found["digest"] == digest_of(Source(**each) for each in found["sources"])
+    assert found["digest"] == digest_of(ExportedSource(**each) for each in found["sources"])
 
 
 BRANCHES = """

@@ -10,7 +10,7 @@ import pytest
 from dslkit.diagnostics import Diagnostic
 from ezskiros.catalog import CATALOG
 from ezskiros.export import Export, changed_sources, read_export
-from ezskiros.export.sources import Source, digest_of
+from ezskiros.export.sources import ExportedSource, digest_of
 from support import command_line, expectations
 from support.markdown import blocks
 
@@ -48,7 +48,7 @@ def test_the_example_of_a_stale_export_is_found_out(tmp_path: Path) -> None:
     text = write("EZS861", "Example", tmp_path)["skills.json"]
     old = hashlib.sha256(b"old").hexdigest()
     (tmp_path / "push.py").write_text("new")
-    digest = digest_of([Source("push.py", old)])
+    digest = digest_of([ExportedSource("push.py", old)])
     right = _without_marks(text).replace("DIGEST", digest).replace("SHA256", old)
     (tmp_path / "skills.json").write_text(right)
     export = read_export(tmp_path / "skills.json")

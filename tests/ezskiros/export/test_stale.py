@@ -14,7 +14,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_text import render_text
 from ezskiros.export import Export, changed_sources, not_exported, read_export
 from ezskiros.export.read import LARGEST_EXPORT
-from ezskiros.export.sources import FORMAT, VERSION, Source, digest_of, sources_of
+from ezskiros.export.sources import FORMAT, VERSION, ExportedSource, digest_of, sources_of
 
 
 def written(folder: Path, *files: Path) -> Path:
@@ -131,7 +131,7 @@ def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
 
 def test_a_path_that_none_can_be_is_stale(tmp_path: Path) -> None:
     names = ["\0", "a" * 5000, "\ud800", ".", "a\nb"]
-    sources = [Source(name, "0" * 64) for name in names]
+    sources = [ExportedSource(name, "0" * 64) for name in names]
     head = {**HEAD, "digest": digest_of(sources), "sources": [vars(each) for each in sources]}
     path = tmp_path / "skills.json"
     path.write_text(json.dumps(head))

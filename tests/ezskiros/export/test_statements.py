@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 from ezskiros.export.statements import MOST_LEVELS, MOST_PARTS, statement_of, written
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from support.exports import SCHEMA
 from support.json_schema import faults
@@ -26,7 +26,7 @@ TEXTS = st.text(max_size=5)
 VALUES = st.one_of(TEXTS, st.integers(), st.floats(allow_nan=False), st.booleans())
 PLAIN: st.SearchStrategy[Statement] = st.one_of(
     st.builds(Relation, TEXTS, TEXTS, TEXTS, st.booleans(), st.booleans()),
-    st.builds(Comparison, TEXTS, TEXTS, st.sampled_from(["=", "<", ">", "<=", ">="]), VALUES),
+    st.builds(ValueComparison, TEXTS, TEXTS, st.sampled_from(["=", "<", ">", "<=", ">="]), VALUES),
     st.builds(HasProperty, TEXTS, TEXTS, st.booleans()),
     st.builds(OfType, TEXTS, TEXTS),
     st.builds(Specified, TEXTS, st.booleans()),
@@ -73,10 +73,10 @@ def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
             "its `object` is missing or has the wrong type",
         ),
         (
-            {**written(Comparison("A", "b", "=", 1)), "operator": "=="},
+            {**written(ValueComparison("A", "b", "=", 1)), "operator": "=="},
             "its `operator` is not one of",
         ),
-        ({**written(Comparison("A", "b", "=", 1)), "value": None}, "its `value` is missing"),
+        ({**written(ValueComparison("A", "b", "=", 1)), "value": None}, "its `value` is missing"),
         ({"kind": "any", "parts": [], "is_true": True}, "its `parts` are not a list"),
         ({"kind": "any", "parts": [RELATION]}, "its `is_true` is missing"),
         (

@@ -9,7 +9,7 @@ import pytest
 
 from dslkit.diagnostics import Diagnostic
 from ezskiros.learning.findings import findings
-from ezskiros.learning.lessons import Failure, Lessons, Places, Share, Trip
+from ezskiros.learning.lessons import Lessons, Places, Share, SkillFailure, Trip
 from support.tree_files import checked_text
 
 SKIROS = "http://rvmi.aau.dk/ontologies/skiros.owl#"
@@ -34,7 +34,7 @@ def trip(skill: str | None, places: Mapping[Places, Share]) -> Trip:
 
 
 def found(
-    folder: Path, kind: str, *trips: Trip, failures: Sequence[Failure] = ()
+    folder: Path, kind: str, *trips: Trip, failures: Sequence[SkillFailure] = ()
 ) -> list[Diagnostic]:
     lessons = Lessons(9, trips, failures, [], [])
     return list(findings(lessons, checked_text(SKILL.format(kind=kind), folder).library))
@@ -69,7 +69,10 @@ def test_the_places_with_the_most_runs_are_named(tmp_path: Path) -> None:
 
 
 def test_other_skills_are_left_alone(tmp_path: Path) -> None:
-    failures = [Failure("Drive", Share(1, 9), "blocked"), Failure("Fly", Share(1, 9), "no wings")]
+    failures = [
+        SkillFailure("Drive", Share(1, 9), "blocked"),
+        SkillFailure("Fly", Share(1, 9), "no wings"),
+    ]
     said = found(tmp_path, "pre", trip(None, {}), trip("Fly", {}), failures=failures)
     assert [each.title for each in said] == ["`Drive` failed in 1 of 9 runs"]
     assert said[0].notes == ("the most frequent reason: blocked",)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ezskiros.learning.learn import learn
-from ezskiros.learning.lessons import Cost, Failure, Share, Stale
+from ezskiros.learning.lessons import Cost, Share, SkillFailure, Stale
 from ezskiros.learning.runs import read_runs
 from support.learning import (
     LOCATIONS,
@@ -198,7 +198,7 @@ def failing(at: float, *events: tuple[str, str, str]) -> list[dict[str, object]]
 def test_the_skill_that_failed_first_is_reported_and_no_skill_above_it(tmp_path: Path) -> None:
     blocked = failing(0, ("failed", "Refill/Drive", "blocked"), ("failed", "Refill", "blocked"))
     lessons = learnt(tmp_path, (blocked, [header(-1, 5)]), (refill(20, RAMP), [header(19, 31)]))
-    assert lessons.failures == [Failure("Drive", Share(1, 2), "blocked")]
+    assert lessons.failures == [SkillFailure("Drive", Share(1, 2), "blocked")]
 
 
 def test_what_could_not_start_has_failed(tmp_path: Path) -> None:
@@ -209,7 +209,7 @@ def test_what_could_not_start_has_failed(tmp_path: Path) -> None:
         ("failed", "Refill", "no plug"),
     )
     lessons = learnt(tmp_path, (trace, [header(-1, 5)]))
-    assert lessons.failures == [Failure("Charge", Share(1, 1), "no plug")]
+    assert lessons.failures == [SkillFailure("Charge", Share(1, 1), "no plug")]
 
 
 def test_a_skill_that_fails_after_its_children_recovered_is_reported(tmp_path: Path) -> None:

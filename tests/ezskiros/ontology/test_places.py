@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.ontology import load
-from ezskiros.ontology.places import Declarations, declaration
+from ezskiros.ontology.places import EntityDeclarations, declaration
 from support.ontologies import PREFIXES
 
 ROOT = Path(__file__).parents[3]
@@ -31,7 +31,7 @@ JSON = """{"@context": {"x": "http://x.org/x.owl#", "owl": "http://www.w3.org/20
 def same_places(*paths: Path) -> int:
     ontology = load(*paths)
     documents = ontology.documents
-    known = Declarations(documents)
+    known = EntityDeclarations(documents)
     found = 0
     for iri in ontology.model.entities():
         alone, together = declaration(documents, iri), known.place(iri)

@@ -12,7 +12,7 @@ import pytest
 from ezskiros.driver import Checked
 from ezskiros.planning import solve as planner
 from ezskiros.planning.facts import is_so
-from ezskiros.planning.pddl import Problem, Step
+from ezskiros.planning.pddl import PlanStep, Problem
 from ezskiros.planning.plan import Plan
 from ezskiros.planning.solve import tried
 from ezskiros.planning.source import source
@@ -273,7 +273,7 @@ def test_without_the_planner_it_is_said_how_to_install_it(
 def test_a_plan_that_the_world_model_denies_is_not_given(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def half(problem: Problem, seconds: float) -> list[Step]:
+    def half(problem: Problem, seconds: float) -> list[PlanStep]:
         return (real(problem, seconds) or [])[-1:]
 
     real = planner.solve
@@ -286,7 +286,7 @@ def test_a_plan_that_the_world_model_denies_is_not_given(
 def test_steps_that_need_not_be_are_left_out(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def with_detour(problem: Problem, seconds: float) -> list[Step]:
+    def with_detour(problem: Problem, seconds: float) -> list[PlanStep]:
         steps = real(problem, seconds)
         assert steps is not None
         (approach,) = (each for each in problem.actions if each.skill.name == "Approach")
@@ -295,7 +295,7 @@ def test_steps_that_need_not_be_are_left_out(
             "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-1",
         }
         back = {**there, "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-2"}
-        return [Step(approach, there), Step(approach, back), *steps]
+        return [PlanStep(approach, there), PlanStep(approach, back), *steps]
 
     short = names(planned(gripping, "(contain shelf starter)")[0])
     real = planner.solve

@@ -20,10 +20,10 @@ from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import THING
-from ezskiros.planning.actions import Action, actions
+from ezskiros.planning.actions import PlanningAction, actions
 from ezskiros.planning.facts import About, Fluent, Literal
 from ezskiros.planning.forbidden import permitted
-from ezskiros.planning.reach import Reach
+from ezskiros.planning.reach import ReachableFacts
 from ezskiros.planning.replanning import replanner, way
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
@@ -290,7 +290,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
 
 
 @pytest.fixture(scope="module")
-def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, Action]:
+def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, PlanningAction]:
     """The skill that drives, as a planner has it."""
     robot = begun(tmp_path_factory.mktemp("drive"), *GIVEN)
     library, world = robot.task.execution.library, robot.task.execution.world
@@ -301,7 +301,7 @@ def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, Action]:
 @given(st.data())
 @settings(max_examples=examples(60), deadline=None)
 def test_what_is_in_reach_is_what_a_walk_finds(
-    drive: tuple[Ontology, Action], data: st.DataObject
+    drive: tuple[Ontology, PlanningAction], data: st.DataObject
 ) -> None:
     """Places and ways at random: in reach without steps to or from classes of places is what a walk
     along the other ways comes to.
@@ -322,7 +322,7 @@ def test_what_is_in_reach_is_what_a_walk_finds(
         Prohibition("Drive", tuple(each))
         for each in data.draw(st.lists(st.lists(limits, max_size=2, unique=True), max_size=2))
     ]
-    reach = Reach(world, world.things(THING), permitted([action], without), math.inf)
+    reach = ReachableFacts(world, world.things(THING), permitted([action], without), math.inf)
     found = {
         each
         for each in places

@@ -6,13 +6,13 @@ import pytest
 
 from ezskiros.ontology.statements import (
     AnyOf,
-    Comparison,
     Generated,
     HasProperty,
     OfType,
     Relation,
     Specified,
     Statement,
+    ValueComparison,
 )
 from support.skill_files import described, found
 
@@ -30,11 +30,11 @@ AT, CONTAIN, STATE, WEIGHT = (
         ("~ ~Gripper.at(Place)", Relation("Gripper", AT, "Place")),
         ("skiros.at(Gripper, Place)", Relation("Gripper", AT, "Place")),
         ("abstract(Gripper.at(Place))", Relation("Gripper", AT, "Place", is_abstract=True)),
-        ('Place.ContainerState == "Empty"', Comparison("Place", STATE, "=", "Empty")),
-        ('Place.ContainerState != "Empty"', Comparison("Place", STATE, "=", "Empty", False)),
-        ("Object.Weight < 3.0", Comparison("Object", WEIGHT, "<", 3.0)),
-        ("Object.Weight >= 3", Comparison("Object", WEIGHT, ">=", 3)),
-        ("3 >= Object.Weight", Comparison("Object", WEIGHT, "<=", 3)),
+        ('Place.ContainerState == "Empty"', ValueComparison("Place", STATE, "=", "Empty")),
+        ('Place.ContainerState != "Empty"', ValueComparison("Place", STATE, "=", "Empty", False)),
+        ("Object.Weight < 3.0", ValueComparison("Object", WEIGHT, "<", 3.0)),
+        ("Object.Weight >= 3", ValueComparison("Object", WEIGHT, ">=", 3)),
+        ("3 >= Object.Weight", ValueComparison("Object", WEIGHT, "<=", 3)),
         ("Object.Weight", HasProperty("Object", WEIGHT)),
         ("~Object.Weight", HasProperty("Object", WEIGHT, is_true=False)),
         ("of_type(Object, skiros.Product)", OfType("Object", SKIROS + "Product")),
@@ -46,7 +46,7 @@ AT, CONTAIN, STATE, WEIGHT = (
             AnyOf(
                 (
                     Relation("Gripper", AT, "Place"),
-                    Comparison("Object", WEIGHT, "<", 3),
+                    ValueComparison("Object", WEIGHT, "<", 3),
                     HasProperty("Object", WEIGHT),
                 )
             ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from ezskiros.skills.interface import Parameter
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Option, ParameterKind
 from support.skill_files import HEADER, checked, described, found
 
 ANNOTATED = "__import__('typing').Annotated"
@@ -22,24 +22,24 @@ def parameter(written: str) -> Parameter:
 @pytest.mark.parametrize(
     ("written", "kind", "options"),
     [
-        ("P: skiros.Product", Kind.REQUIRED, ()),
-        ("P: INFERRED[skiros.Product]", Kind.INFERRED, ()),
-        ("P: OPTIONAL[skiros.Product]", Kind.OPTIONAL, ()),
-        ("P: LOCK[skiros.Product]", Kind.REQUIRED, (Option.LOCK,)),
-        ("P: CONSUME[INFERRED[skiros.Product]]", Kind.INFERRED, (Option.CONSUME,)),
+        ("P: skiros.Product", ParameterKind.REQUIRED, ()),
+        ("P: INFERRED[skiros.Product]", ParameterKind.INFERRED, ()),
+        ("P: OPTIONAL[skiros.Product]", ParameterKind.OPTIONAL, ()),
+        ("P: LOCK[skiros.Product]", ParameterKind.REQUIRED, (Option.LOCK,)),
+        ("P: CONSUME[INFERRED[skiros.Product]]", ParameterKind.INFERRED, (Option.CONSUME,)),
         (
             "P: INFERRED[UNSPECIFY[RESPECT_TYPE[skiros.Product]]]",
-            Kind.INFERRED,
+            ParameterKind.INFERRED,
             (Option.RESPECT_TYPE, Option.UNSPECIFY),
         ),
-        ("P: 'INFERRED[skiros.Product]'", Kind.INFERRED, ()),
-        ("P: INFERRED['skiros.Product']", Kind.INFERRED, ()),
-        ("P: OUTPUT[skiros.Product]", Kind.OPTIONAL, (Option.OUTPUT,)),
-        ("P: OPTIONAL[OUTPUT[skiros.Product]]", Kind.OPTIONAL, (Option.OUTPUT,)),
+        ("P: 'INFERRED[skiros.Product]'", ParameterKind.INFERRED, ()),
+        ("P: INFERRED['skiros.Product']", ParameterKind.INFERRED, ()),
+        ("P: OUTPUT[skiros.Product]", ParameterKind.OPTIONAL, (Option.OUTPUT,)),
+        ("P: OPTIONAL[OUTPUT[skiros.Product]]", ParameterKind.OPTIONAL, (Option.OUTPUT,)),
     ],
 )
 def test_a_thing_has_a_kind_and_options(
-    written: str, kind: Kind, options: tuple[Option, ...]
+    written: str, kind: ParameterKind, options: tuple[Option, ...]
 ) -> None:
     only = parameter(written)
     assert (only.kind, only.options, only.default) == (kind, options, None)

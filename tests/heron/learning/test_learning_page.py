@@ -14,14 +14,14 @@ from support.parts import LEARNERS, require
 require(LEARNERS)
 
 from dslkit.campaign import Value
-from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.folder import read_rows
 from heron.evaluation.learning.trainings import trainings_of
 from heron.learning.arms import is_guarded
 from heron.learning.episodes import Episode, EpisodeLog
-from heron.learning.runs import Run
+from heron.learning.runs import TrainingRun
 from heron.learning.summary import BINS, CURVES, row_of
 from heron.learning.training import CHECKPOINT, LOG
 from heron.variants import Formulation, LearningArm
@@ -31,7 +31,7 @@ ONE = Episode(0, 0.0, 100, 0.0, *([0] * 7), *([0.0] * 3))
 
 def row(arm: LearningArm, seed: int, **numbers: float | None) -> Value:
     """A training as the thesis and our expectations have it."""
-    run = Run(Formulation.STEPS, "ppo", arm, 1000, seed)
+    run = TrainingRun(Formulation.STEPS, "ppo", arm, 1000, seed)
     found = row_of(
         run,
         [ONE._replace(steps=999)],
@@ -57,14 +57,14 @@ def rows(seeds: Iterable[int] = range(10), **numbers: float | None) -> list[Valu
     return [row(arm, seed, **numbers) for seed in seeds for arm in LearningArm]
 
 
-def verdicts(found: list[Value]) -> dict[str, Verdict]:
+def verdicts(found: list[Value]) -> dict[str, ExpectationVerdict]:
     (trainings,) = trainings_of(found)
     return {claim.key: claim.verdict for claim in expectations_of(trainings)}
 
 
 def test_what_is_expected_comes_out() -> None:
     found = verdicts(rows())
-    assert set(found.values()) == {Verdict.HOLDS}
+    assert set(found.values()) == {ExpectationVerdict.HOLDS}
     assert len(found) == 3 * 5 + 2 + 6
 
 
@@ -87,24 +87,24 @@ def test_what_is_expected_comes_out() -> None:
 )
 def test_what_comes_out_otherwise_is_reported(changed: dict[str, float | None], key: str) -> None:
     found = verdicts(rows(range(10), **changed))
-    assert found[key] is not Verdict.HOLDS
+    assert found[key] is not ExpectationVerdict.HOLDS
 
 
 def test_learning_from_executed_actions_may_take_longer() -> None:
     slow = [
         each | {"steps_to_good": 900.0} if each["arm"] == "executed" else each for each in rows()
     ]
-    assert verdicts(slow)["executed as soon"] is Verdict.FAILS
+    assert verdicts(slow)["executed as soon"] is ExpectationVerdict.FAILS
 
 
 def test_what_happens_in_no_arm_tells_nothing() -> None:
     found = verdicts(rows(range(10), touched=0.0, steps_to_good=None))
-    assert found["unguarded touched > guard touched"] is Verdict.OPEN
-    assert found["unguarded steps_to_good > guard steps_to_good"] is Verdict.OPEN
+    assert found["unguarded touched > guard touched"] is ExpectationVerdict.OPEN
+    assert found["unguarded steps_to_good > guard steps_to_good"] is ExpectationVerdict.OPEN
 
 
 def test_a_single_seed_tells_little() -> None:
-    assert Verdict.OPEN in verdicts(rows([0])).values()
+    assert ExpectationVerdict.OPEN in verdicts(rows([0])).values()
 
 
 def test_the_page_has_all_trainings_of_its_folder(tmp_path: Path) -> None:
@@ -133,8 +133,8 @@ def test_rows_are_read_as_they_were_written(tmp_path: Path) -> None:
 
 
 def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
-    run = Run(Formulation.STEPS, "ppo", LearningArm.GUARD, 1000, 0)
-    other = Run(Formulation.STEPS, "ppo", LearningArm.UNGUARDED, 1000, 0)
+    run = TrainingRun(Formulation.STEPS, "ppo", LearningArm.GUARD, 1000, 0)
+    other = TrainingRun(Formulation.STEPS, "ppo", LearningArm.UNGUARDED, 1000, 0)
     watch = Watch(tmp_path, [other, run])
     ((_, _, found),) = watch.look()
     assert dict(found)["episodes"] == ["0", "0"]
@@ -181,7 +181,7 @@ def test_a_study_is_run_and_gone_on_with(tmp_path: Path) -> None:
 
 
 def test_a_checkpoint_of_something_else_is_reported(tmp_path: Path) -> None:
-    run = Run(Formulation.TREE, "cma-es", LearningArm.GUARD, 300, 0)
+    run = TrainingRun(Formulation.TREE, "cma-es", LearningArm.GUARD, 300, 0)
     folder = LearningFolder(tmp_path).trainings / run.folder
     folder.mkdir(parents=True)
     (folder / CHECKPOINT).write_text("something else")

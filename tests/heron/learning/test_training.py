@@ -26,7 +26,7 @@ from heron.learning.environment import GREATEST, LEAST
 from heron.learning.episodes import Episode, EpisodeLog, read_log
 from heron.learning.insertion import FIELDS
 from heron.learning.policy import Policy, load_policy, scaled
-from heron.learning.runs import Run, run_of, runs_of
+from heron.learning.runs import TrainingRun, run_of, runs_of
 from heron.learning.step_learners import SkrlLearner
 from heron.learning.step_training import StepTraining
 from heron.learning.summary import BINS, bins_of, lately, row_of, share, steps_to_good
@@ -46,7 +46,7 @@ NOTHING = Episode(0, 0.0, 1, 0.0, *([0] * 7), *([0.0] * 3))
 class Trained(NamedTuple):
     """A training that only shows that it can be run."""
 
-    run: Run
+    run: TrainingRun
     folder: Path
     training: Any
     row: Mapping[str, Any]
@@ -75,9 +75,9 @@ def clean() -> Iterator[None]:
         shutil.rmtree(trained(*learner).folder.parent)
 
 
-def runs(formulation: Formulation, algorithm: str, budget: int, **more: Any) -> Run:
+def runs(formulation: Formulation, algorithm: str, budget: int, **more: Any) -> TrainingRun:
     arm = more.get("arm", LearningArm.GUARD_FEEDBACK)
-    return Run(formulation, algorithm, arm, budget, more.get("seed", 0))
+    return TrainingRun(formulation, algorithm, arm, budget, more.get("seed", 0))
 
 
 def counts(found: Sequence[Episode]) -> list[Episode]:
@@ -369,7 +369,7 @@ def test_a_key_names_its_training(
 ) -> None:
     algorithm = data.draw(st.sampled_from(ALGORITHMS[formulation]))
     arm = data.draw(st.sampled_from(LEARNING_ARMS[formulation]))
-    run = Run(formulation, algorithm, arm, budget, seed)
+    run = TrainingRun(formulation, algorithm, arm, budget, seed)
     assert run_of(run.key) == run
     assert "/" not in run.folder
 

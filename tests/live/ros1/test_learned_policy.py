@@ -29,7 +29,7 @@ from heron.learning.on_topics import PUSH, VELOCITY
 from heron.learning.policy import INPUTS, Policy
 from heron.operation.live_policy import WANTED_PUSH, WANTED_VELOCITY
 from heron.ros1 import Ros1Error
-from heron.ros1.node import Node
+from heron.ros1.node import Ros1Node
 from heron.scene.insertion import InsertionParameters
 from heron.topics import Topic
 from rossmarie.driver import compile_file
@@ -109,7 +109,7 @@ def test_the_arm_stands_still_when_its_policy_ends(
     ros1: Ros1, started: list[Process], tmp_path: Path
 ) -> None:
     arm, policy = begin(ros1, started, reckless(tmp_path), tmp_path)
-    with closing(Node("/test", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
+    with closing(Ros1Node("/test", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
         places: list[float] = []
         node.subscribe("/arm/pose", "geometry_msgs/Point", lambda place: places.append(place.y))
         node.wait_while(lambda: None if node.hears("/arm/pose") else "no arm")
@@ -133,7 +133,7 @@ def test_the_arm_stands_still_when_its_policy_ends(
 def test_readings_of_another_type_are_refused(
     ros1: Ros1, started: list[Process], tmp_path: Path
 ) -> None:
-    with closing(Node("/other", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
+    with closing(Ros1Node("/other", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
         node.advertise(Topic("/arm/pose", "geometry_msgs/Twist"))
         policy = heron(ros1, started, tmp_path, "policy", str(reckless(tmp_path)))
         until(lambda: policy.running.poll() is not None, "the policy refuses")
@@ -179,7 +179,7 @@ def heron(ros1: Ros1, started: list[Process], folder: Path, *words: str) -> Proc
 def relay(ros1: Ros1) -> Iterator[None]:
     """Whatever a policy wants is what the arm gets."""
     is_over = threading.Event()
-    with closing(Node("/relay", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
+    with closing(Ros1Node("/relay", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
         for wanted, passed in ((WANTED_VELOCITY, VELOCITY), (WANTED_PUSH, PUSH)):
             node.advertise(passed)
             node.subscribe(wanted.name, wanted.type, partial(node.publish, passed))

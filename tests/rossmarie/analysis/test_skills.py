@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.analysis.quantities import quantity_facts
-from rossmarie.analysis.terms import Number, constant
+from rossmarie.analysis.terms import NumberTerm, constant
 from rossmarie.driver.analyze import analyze_file
 from rossmarie.ir import Doing
 from rossmarie.ir.skills import answer
@@ -31,11 +31,11 @@ def test_the_facts_hold_in_every_message(seed: int) -> None:
     draft = Draft()
     draft.input(draft.channel())
     for each in (*queries, queries[0]):
-        kind = ir.Kind.FLAG if isinstance(each, Doing) else ir.Kind.REAL
+        kind = ir.FieldKind.FLAG if isinstance(each, Doing) else ir.FieldKind.REAL
         draft.slots.append(ir.Slot(0, (each,), kind, 1.0, 0.0, ""))
     answers = [answer(each, context) for each in (*queries, queries[0])]
     numbers = {
-        slot: Number(z3.BoolVal(not math.isnan(found)), constant(_finite(found)))
+        slot: NumberTerm(z3.BoolVal(not math.isnan(found)), constant(_finite(found)))
         for slot, found in enumerate(answers)
     }
     facts = list(quantity_facts(draft.machine(), numbers))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.driver.robots import Robot, robots
+from rossmarie.driver.robots import BuiltInRobot, robots
 from support import command_line
 from support.first_drives import ARM, BASE, Spoken, drive
 from support.parts import A_DRIVE, needs
@@ -53,7 +53,7 @@ def test_the_next_commands_succeed(kind: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("robot", robots(), ids=lambda robot: robot.name)
-def test_robots_in_the_box(robot: Robot, tmp_path: Path) -> None:
+def test_robots_in_the_box(robot: BuiltInRobot, tmp_path: Path) -> None:
     done = run(tmp_path, robot.recording)
     follow(done, tmp_path)
     assert (tmp_path / "robot" / "robot.ross").is_file()

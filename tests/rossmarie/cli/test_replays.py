@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from dslkit.campaign import Campaign, Failure
+from dslkit.campaign import Campaign, FailedEpisode
 from dslkit.ending import INTERNAL_ERROR
 from dslkit.options import ReportFormat
 from rossmarie.cli import replays
@@ -177,7 +177,7 @@ def test_a_replay_that_does_not_come_to_its_end_is_a_defect(
     switches: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     reason = "its process ended with exit code -9"
-    ended = Campaign({}, (Failure("a.bag", reason), Failure("b.bag", reason)))
+    ended = Campaign({}, (FailedEpisode("a.bag", reason), FailedEpisode("b.bag", reason)))
     monkeypatch.setattr(replays, "_campaign", lambda *_: ended)
     with pytest.raises(typer.Exit) as found:
         replays.run_replays(

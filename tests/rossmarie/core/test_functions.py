@@ -21,10 +21,10 @@ from rossmarie.core.expressions import (
     Applied,
     Chosen,
     Computed,
+    ConstantNumber,
     Expression,
     IsEqual,
     Local,
-    Number,
     Operand,
     Primitive,
 )
@@ -120,7 +120,7 @@ def test_what_is_easy_is_the_function_there(application: tuple[Function, list[fl
         for condition in case.conditions:
             assert isinstance(condition, IsEqual)
             assert isinstance(condition.left, Operand)
-            assert isinstance(condition.right, Number)
+            assert isinstance(condition.right, ConstantNumber)
             operands[condition.left.index] = condition.right.value
         numbers = [*map(Fraction, operands)]
         assert all(holds(condition, numbers) for condition in case.conditions)
@@ -148,7 +148,7 @@ EASY = (Primitive.ADD, Primitive.SUBTRACT, Primitive.MULTIPLY, Primitive.DIVIDE)
 def operations_in(expression: Expression) -> list[Primitive]:
     """The operations of an expression that round."""
     match expression:
-        case Number() | Operand():
+        case ConstantNumber() | Operand():
             return []
         case Local(value=inner):
             return operations_in(inner)

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from rossmarie.core import (
     Circle,
-    Measure,
     Polygon,
     Rectangle,
     Region,
     RegionFunction,
+    RegionMeasure,
     Shape,
     defined,
     row,
@@ -33,17 +33,17 @@ MAP = 3.0
 Corners = tuple[tuple[float, float], ...]
 
 
-def function(measure: Measure, *polygons: Corners) -> RegionFunction:
+def function(measure: RegionMeasure, *polygons: Corners) -> RegionFunction:
     named = (Polygon(f"p_{n}", f"polygon {n}", each) for n, each in enumerate(polygons))
     return RegionFunction(measure, Region("r", "the region", tuple(named)))
 
 
 def inside(x: float, y: float, *polygons: Corners) -> float:
-    return apply(function(Measure.INSIDE, *polygons), (x, y, MAP, MAP))
+    return apply(function(RegionMeasure.INSIDE, *polygons), (x, y, MAP, MAP))
 
 
 def distance(x: float, y: float, *polygons: Corners) -> float:
-    return apply(function(Measure.DISTANCE, *polygons), (x, y, MAP, MAP))
+    return apply(function(RegionMeasure.DISTANCE, *polygons), (x, y, MAP, MAP))
 
 
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
@@ -79,7 +79,7 @@ circles = st.builds(
 )
 
 
-def zone(measure: Measure, *shapes: Shape) -> RegionFunction:
+def zone(measure: RegionMeasure, *shapes: Shape) -> RegionFunction:
     named = (replace(each, name=f"s_{number}") for number, each in enumerate(shapes))
     return RegionFunction(measure, Region("z", "the zone", tuple(named)))
 
@@ -120,26 +120,28 @@ def test_boxes_and_circles_are_those_of_shapely(
     gap = min(gap_from(each, *point) for each in shapes)
     assume(all(abs(gap_from(each, *point)) > 1e-9 for each in shapes))
     operands = (*point, MAP, MAP)
-    assert apply(zone(Measure.INSIDE, *shapes), operands) == (gap < 0)
-    assert apply(zone(Measure.DISTANCE, *shapes), operands) == pytest.approx(max(gap, 0), abs=1e-9)
+    assert apply(zone(RegionMeasure.INSIDE, *shapes), operands) == (gap < 0)
+    assert apply(zone(RegionMeasure.DISTANCE, *shapes), operands) == pytest.approx(
+        max(gap, 0), abs=1e-9
+    )
 
 
 def test_the_edges_of_boxes_and_circles_are_in_them() -> None:
     square = Rectangle("b", "a box", (-1.0, -2.0), (1.0, 2.0))
     for x, y in (*square.corners, (0.0, 2.0), (1.0, 0.0)):
-        assert apply(zone(Measure.INSIDE, square), (x, y, MAP, MAP)) == 1.0
-        assert apply(zone(Measure.DISTANCE, square), (x, y, MAP, MAP)) == 0.0
+        assert apply(zone(RegionMeasure.INSIDE, square), (x, y, MAP, MAP)) == 1.0
+        assert apply(zone(RegionMeasure.DISTANCE, square), (x, y, MAP, MAP)) == 0.0
     circle = Circle("c", "a circle", (0.0, 0.0), 5.0)
     for x, y in (*circle.corners, (3.0, 4.0), (-4.0, 3.0)):
-        assert apply(zone(Measure.INSIDE, circle), (x, y, MAP, MAP)) == 1.0
-        assert apply(zone(Measure.DISTANCE, circle), (x, y, MAP, MAP)) == 0.0
+        assert apply(zone(RegionMeasure.INSIDE, circle), (x, y, MAP, MAP)) == 1.0
+        assert apply(zone(RegionMeasure.DISTANCE, circle), (x, y, MAP, MAP)) == 0.0
 
 
 @given(zones, points)
 def test_bounds_of_boxes_and_circles_hold_in_real_numbers(
     shapes: list[Rectangle | Circle], point: tuple[float, float]
 ) -> None:
-    of_zone = zone(Measure.DISTANCE, *shapes)
+    of_zone = zone(RegionMeasure.DISTANCE, *shapes)
     bounds, operands = row(of_zone).bounds, (*point, MAP, MAP)
     assert bounds is not None
     numbers = [*map(Fraction, operands), Fraction(apply(of_zone, operands))]
@@ -151,7 +153,7 @@ def test_bounds_of_boxes_and_circles_hold_in_real_numbers(
 def test_a_distance_is_easy_beyond_the_outermost_point(
     shapes: list[Rectangle | Circle], beyond: float, share: float
 ) -> None:
-    of_zone = zone(Measure.DISTANCE, *shapes)
+    of_zone = zone(RegionMeasure.DISTANCE, *shapes)
     easy = row(of_zone).easy
     assert easy is not None
     outermost = max(shapes, key=lambda each: max(each.corners))
@@ -173,14 +175,14 @@ def test_a_point_on_an_edge_is_in_one_of_the_polygons_beside_it(x: float, y: flo
     assert sum(found) == is_within
 
 
-@pytest.mark.parametrize("measure", Measure)
+@pytest.mark.parametrize("measure", RegionMeasure)
 @pytest.mark.parametrize(
     "operands",
     [(math.nan, 1.0, MAP, MAP), (1.0, math.nan, MAP, MAP), (1.0, 1.0, MAP + 1, MAP),
      (1.0, 1.0, -1.0, MAP), (1.0, 1.0, math.nan, MAP)],
 )  # fmt: skip
 def test_a_point_of_another_frame_is_not_known(
-    measure: Measure, operands: tuple[float, ...]
+    measure: RegionMeasure, operands: tuple[float, ...]
 ) -> None:
     assert math.isnan(apply(function(measure, SQUARE), operands))
 
@@ -210,9 +212,9 @@ def test_many_polygons_with_many_corners_are_one_region() -> None:
 # --- what solvers may know ---------------------------------------------------------------------
 
 
-@given(st.sampled_from(Measure), st.lists(stars(), min_size=1, max_size=3), points)
+@given(st.sampled_from(RegionMeasure), st.lists(stars(), min_size=1, max_size=3), points)
 def test_bounds_hold_in_real_numbers(
-    measure: Measure, polygons: list[Corners], point: tuple[float, float]
+    measure: RegionMeasure, polygons: list[Corners], point: tuple[float, float]
 ) -> None:
     of_region = function(measure, *polygons)
     bounds, operands = row(of_region).bounds, (*point, MAP, MAP)
@@ -224,7 +226,7 @@ def test_bounds_hold_in_real_numbers(
 
 @given(st.lists(stars(), min_size=1, max_size=3), st.floats(0, 50))
 def test_a_distance_is_easy_beyond_the_last_corner(polygons: list[Corners], beyond: float) -> None:
-    of_region = function(Measure.DISTANCE, *polygons)
+    of_region = function(RegionMeasure.DISTANCE, *polygons)
     easy = row(of_region).easy
     assert easy is not None
     x, y = max(corner for each in polygons for corner in each)
@@ -238,7 +240,7 @@ def test_a_distance_is_easy_beyond_the_last_corner(polygons: list[Corners], beyo
 
 def test_a_region_of_points_has_no_function_that_reads_no_operand() -> None:
     x, y, seen, wanted = map(Operand, range(4))
-    asked = define(function(Measure.INSIDE, ((1.0, 1.0),)), (x, y, seen, wanted))
+    asked = define(function(RegionMeasure.INSIDE, ((1.0, 1.0),)), (x, y, seen, wanted))
     assert "Subfunction" not in repr(asked)  # compilers warn of parameters that nobody reads
     assert inside(1.0, 1.0, ((1.0, 1.0),)) == 0.0
 
@@ -258,7 +260,7 @@ def test_every_part_of_a_distance_is_unknown_of_an_unknown_point(
     shape: Shape, operands: tuple[float, float]
 ) -> None:
     """Proofs replace these parts by functions whose result is unknown if an operand is unknown."""
-    whole = RegionFunction(Measure.DISTANCE, Region("r", "the region", (shape,)))
+    whole = RegionFunction(RegionMeasure.DISTANCE, Region("r", "the region", (shape,)))
     parts = applied_in(defined(whole, 4))
     assert parts
     for part in parts:

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.driver.dump import Stage, dump
+from rossmarie.driver.dump import CompilerStage, dump
 from rossmarie.driver.workspace import load_modules
 
 
-@pytest.mark.parametrize("stage", Stage)
+@pytest.mark.parametrize("stage", CompilerStage)
 def test_every_stage_reads_the_rules_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stage: Stage
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stage: CompilerStage
 ) -> None:
     rules = tmp_path / "rules.ross"
     rules.write_text("action stop;\n")

@@ -10,12 +10,12 @@ from rossmarie.ir import (
     Compare,
     Comparison,
     Count,
+    FieldKind,
     Flag,
     Fold,
     Folding,
     Function,
     Held,
-    Kind,
     Literal,
     Not,
     Or,
@@ -63,8 +63,8 @@ def test_s28_ranges_include_both_ends() -> None:
 
 def test_s29_flags_and_texts() -> None:
     draft = Draft(texts=("docked", "driving"))
-    flag = draft.proposition(Flag(draft.read(kind=Kind.FLAG)))
-    mode = draft.read(kind=Kind.TEXT)
+    flag = draft.proposition(Flag(draft.read(kind=FieldKind.FLAG)))
+    mode = draft.read(kind=FieldKind.TEXT)
     docked = draft.proposition(Compare(Comparison.EQUAL, mode, draft.constant(0.0)))
     other = draft.proposition(Compare(Comparison.NOT_EQUAL, mode, draft.constant(0.0)))
     bench = Bench(draft)

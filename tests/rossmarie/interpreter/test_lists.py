@@ -11,10 +11,10 @@ from rossmarie.ir import (
     Comparison,
     Count,
     Element,
+    FieldKind,
     Fold,
     Folding,
     Function,
-    Kind,
     MalformedMachine,
     Quantified,
     Quantifier,
@@ -121,7 +121,7 @@ def test_s52_functions_of_several_fields() -> None:
 def test_s52_texts_of_elements() -> None:
     draft = Draft(texts=("motor", "camera"))
     parts = draft.list_of(draft.input(draft.channel()), most=4)
-    name = draft.signal(Element(draft.column(parts, Kind.TEXT)))
+    name = draft.signal(Element(draft.column(parts, FieldKind.TEXT)))
     is_motor = draft.proposition(Compare(Comparison.EQUAL, name, draft.constant(0.0)))
     some = draft.proposition(Quantified(Quantifier.ANY, is_motor))
     bench = Bench(draft)

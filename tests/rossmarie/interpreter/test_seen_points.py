@@ -119,14 +119,14 @@ def _of_transform(placed: Placed, path: ir.Path) -> float:
 
 
 def _of_twist(slot: ir.Slot, frame: str, speed: float) -> float:
-    if slot.kind is ir.Kind.TEXT:
+    if slot.kind is ir.FieldKind.TEXT:
         return _text(frame)
     return speed if slot.path[-2:] == ("linear", "x") else 0.0
 
 
 def _of_element(element: Element, array: ir.Array) -> float:
     name = ".".join(map(str, array.path[array.path.index(ir.EACH) + 1 :]))
-    return _text(element[name]) if array.kind is ir.Kind.TEXT else element[name]
+    return _text(element[name]) if array.kind is ir.FieldKind.TEXT else element[name]
 
 
 def _text(text: str) -> float:

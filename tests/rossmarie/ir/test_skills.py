@@ -168,10 +168,10 @@ def test_a_query_is_shown_as_it_is_written() -> None:
     ]  # fmt: skip
 
 
-REAL, FLAG = ir.Kind.REAL, ir.Kind.FLAG
+REAL, FLAG = ir.FieldKind.REAL, ir.FieldKind.FLAG
 
 
-def asking(path: ir.Path, kind: ir.Kind) -> ir.Machine:
+def asking(path: ir.Path, kind: ir.FieldKind) -> ir.Machine:
     draft = Draft()
     draft.input(draft.channel())
     draft.slots.append(ir.Slot(0, path, kind, 1.0, 0.0, ""))
@@ -201,6 +201,6 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
         ((replace(PUSH, arguments=BACKWARDS),), FLAG, "unsorted parameters"),
     ],
 )
-def test_a_query_that_cannot_be_is_refused(path: ir.Path, kind: ir.Kind, said: str) -> None:
+def test_a_query_that_cannot_be_is_refused(path: ir.Path, kind: ir.FieldKind, said: str) -> None:
     with pytest.raises(ir.MalformedMachine, match=f"slot 0: {said}"):
         ir.verify(asking(path, kind))

@@ -142,7 +142,7 @@ def test_what_is_counted_stands_before_the_count() -> None:
 
 def test_texts_are_compared_with_literals_only() -> None:
     draft = Draft(texts=("docked",))
-    one, other = (draft.read(kind=ir.Kind.TEXT) for _ in range(2))
+    one, other = (draft.read(kind=ir.FieldKind.TEXT) for _ in range(2))
     literal = draft.constant(0.0)
     draft.proposition(ir.Compare(ir.Comparison.EQUAL, one, literal))
     ir.verify(draft.machine())
@@ -154,7 +154,7 @@ def test_texts_are_compared_with_literals_only() -> None:
 
 def test_flags_are_no_numbers() -> None:
     draft = Draft()
-    draft.signal(ir.Sampled(ir.Sampling.RATE, draft.read(kind=ir.Kind.FLAG)))
+    draft.signal(ir.Sampled(ir.Sampling.RATE, draft.read(kind=ir.FieldKind.FLAG)))
     assert refused(draft) == "signal 1 (Sampled): operand 0 is a flag"
 
 
@@ -165,7 +165,7 @@ def test_inputs() -> None:
     draft.channel()
     draft.slot(1)
     assert refused(draft) == "slot 0: there is no input 1"
-    draft.slots[0] = dataclasses.replace(draft.slots[0], input=0, kind=ir.Kind.TEXT, scale=2.0)
+    draft.slots[0] = dataclasses.replace(draft.slots[0], input=0, kind=ir.FieldKind.TEXT, scale=2.0)
     assert refused(draft) == "slot 0: a scaled text"
     draft.slots[0] = dataclasses.replace(draft.slots[0], scale=math.nan)
     assert refused(draft) == "slot 0: nan is not finite"

@@ -33,7 +33,7 @@ def test_only_what_rules_use_is_there() -> None:
     (used,) = machine.inputs
     assert (used.name, used.timeout_ns, used.span.text) == ("imu", SECOND // 5, "imu")
     (slot,) = machine.slots
-    assert (slot.path, slot.kind) == (("angular_velocity", "z"), ir.Kind.REAL)
+    assert (slot.path, slot.kind) == (("angular_velocity", "z"), ir.FieldKind.REAL)
     assert (slot.unit, slot.scale, slot.offset) == ("rad/s", 1.0, 0.0)
 
 
@@ -100,7 +100,7 @@ def test_texts_and_flags() -> None:
     text = proposition_node(machine, node.operands[0], ir.Compare)
     negation = proposition_node(machine, node.operands[1], ir.Not)
     assert machine.texts == ("docked",)
-    assert [slot.kind for slot in machine.slots] == [ir.Kind.TEXT, ir.Kind.FLAG]
+    assert [slot.kind for slot in machine.slots] == [ir.FieldKind.TEXT, ir.FieldKind.FLAG]
     assert text.comparison is Comparison.NOT_EQUAL
     assert machine.signals[text.left].node == ir.Read(0)
     assert constant(machine, text.right) == 0.0

@@ -60,7 +60,7 @@ def test_s58_a_number_is_that_of_the_one_skill_that_runs() -> None:
     (step,) = slot.path
     assert isinstance(step, ir.Quantity)
     assert (step.skills, step.parameter, step.property) == (("Push",), "Object", "skiros.Weight")
-    assert (slot.kind, slot.scale, slot.unit) == (ir.Kind.REAL, 1.0, "kg")
+    assert (slot.kind, slot.scale, slot.unit) == (ir.FieldKind.REAL, 1.0, "kg")
     machine = machine_of(HEAD + rules)
     assert [(used.name, used.timeout_ns) for used in machine.inputs] == [("weight", 10**9)]
 

@@ -13,7 +13,7 @@ from rosbags.rosbag2 import CompressionMode, StoragePlugin, Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 from dslkit.diagnostics import Collector
-from rossmarie.ir import Array, Kind
+from rossmarie.ir import Array, FieldKind
 from rossmarie.recordings.batches import updates_in
 from rossmarie.recordings.opening import open_recording
 from support.recordings import (
@@ -41,7 +41,7 @@ SCAN = machine(
     [
         slot(0, "range_max"),
         slot(0, "header", "stamp"),
-        slot(0, "header", "frame_id", kind=Kind.TEXT),
+        slot(0, "header", "frame_id", kind=FieldKind.TEXT),
         slot(0, "ranges", 1),
         slot(0, "ranges", 7),
     ],
@@ -101,7 +101,7 @@ def test_unknown_text_is_minus_one(tmp_path: Path) -> None:
     rules = machine(
         [("/scan", "sensor_msgs/LaserScan")],
         [("scan", 0)],
-        [slot(0, "header", "frame_id", kind=Kind.TEXT)],
+        [slot(0, "header", "frame_id", kind=FieldKind.TEXT)],
         texts=["docked"],
     )
     updates, _ = replay(write_kind(tmp_path, "mcap", readings(ROS2)), rules)
@@ -112,7 +112,7 @@ def test_flags_are_numbers(tmp_path: Path) -> None:
     name = "std_msgs/msg/Bool"
     found = [("/blocked", START_NS + i, name, ROS2.types[name](data=i == 1)) for i in range(3)]
     rules = machine(
-        [("/blocked", "std_msgs/Bool")], [("blocked", 0)], [slot(0, "data", kind=Kind.FLAG)]
+        [("/blocked", "std_msgs/Bool")], [("blocked", 0)], [slot(0, "data", kind=FieldKind.FLAG)]
     )
     updates, _ = replay(write_kind(tmp_path, "mcap", found), rules)
     assert volts(updates) == [0.0, 1.0, 0.0]

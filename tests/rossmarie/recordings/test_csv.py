@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.ir import Array, Kind
+from rossmarie.ir import Array, FieldKind
 from rossmarie.recordings.errors import RecordingError
 from rossmarie.recordings.opening import open_recording
 from support.recordings import BATTERY, codes, machine, replay, slot, volts
@@ -93,7 +93,7 @@ def test_flags_and_texts(tmp_path: Path) -> None:
     rules = machine(
         [("/blocked", "std_msgs/Bool"), ("/mode", "std_msgs/String")],
         [("blocked", 0), ("mode", 1)],
-        [slot(0, "data", kind=Kind.FLAG), slot(1, "data", kind=Kind.TEXT)],
+        [slot(0, "data", kind=FieldKind.FLAG), slot(1, "data", kind=FieldKind.TEXT)],
         texts=["docked", "driving"],
     )
     text = "time,blocked,mode\n0,true,driving\n1,False,docked\n2,1,stale\n3,0,docked\n"
@@ -252,7 +252,7 @@ def test_numbers_are_not_written_as_in_python(tmp_path: Path) -> None:
 @pytest.mark.parametrize("cell", ["yes", "2", "0.5"])
 def test_a_cell_that_is_no_flag(tmp_path: Path, cell: str) -> None:
     rules = machine(
-        [("/blocked", "std_msgs/Bool")], [("blocked", 0)], [slot(0, "data", kind=Kind.FLAG)]
+        [("/blocked", "std_msgs/Bool")], [("blocked", 0)], [slot(0, "data", kind=FieldKind.FLAG)]
     )
     updates, found = replay(write(tmp_path, f"time,blocked\n0,{cell}\n1,TRUE\n2,1.0\n"), rules)
     assert codes(found) == ["ROSS605"]

@@ -19,7 +19,7 @@ from dslkit.diagnostics import Severity
 from rossmarie.ir import Machine
 from rossmarie.recordings.errors import RecordingError
 from rossmarie.recordings.opening import open_recording
-from rossmarie.recordings.salvage import SalvagedStorage, Scan
+from rossmarie.recordings.salvage import SalvagedStorage, SalvageScan
 from support.recordings import (
     ROS1,
     ROS2,
@@ -330,7 +330,7 @@ def test_ros2_file_named_as_ros1(tmp_path: Path) -> None:
 def test_a_file_that_is_no_recording_is_closed(tmp_path: Path) -> None:
     opened: list[mmap.mmap] = []
 
-    def refuse(data: mmap.mmap, scan: Scan) -> None:
+    def refuse(data: mmap.mmap, scan: SalvageScan) -> None:
         opened.append(data)
         raise ValueError("no")
 

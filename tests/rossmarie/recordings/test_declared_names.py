@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Array, Kind, Listed
+from rossmarie.ir import Array, FieldKind, Listed
 from support.recordings import (
     ROS1,
     ROS2,
@@ -94,7 +94,7 @@ def test_a_table_may_have_a_column_for_each_name(tmp_path: Path) -> None:
     reads = machine(
         [("/ready", "my_msgs/Ready")],
         [("speed", 0)],
-        [slot(0, "data", ELBOW, kind=Kind.FLAG), slot(0, "data", Listed(2, 3, "wrist"))],
+        [slot(0, "data", ELBOW, kind=FieldKind.FLAG), slot(0, "data", Listed(2, 3, "wrist"))],
     )
     path = tmp_path / "arm.csv"
     path.write_text("time,speed.elbow,speed.data.wrist\n0,true,2\n")

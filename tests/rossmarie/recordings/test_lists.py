@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import EACH, Array, Kind, List, Machine
+from rossmarie.ir import EACH, Array, FieldKind, List, Machine
 from support.recordings import (
     KINDS,
     ROS1,
@@ -28,7 +28,7 @@ from support.recordings import (
 MOST = 3
 
 
-def column(*path: str, kind: Kind = Kind.REAL) -> Array:
+def column(*path: str, kind: FieldKind = FieldKind.REAL) -> Array:
     return Array(0, ("status", EACH, *path), 1.0, 0.0, "", None, kind, 0)
 
 
@@ -38,7 +38,7 @@ def reads(*columns: Array) -> Machine:
     return replace(plain, arrays=columns, lists=lists, texts=("motor", "camera"))
 
 
-READS = reads(column("level"), column("name", kind=Kind.TEXT))
+READS = reads(column("level"), column("name", kind=FieldKind.TEXT))
 MESSAGES: list[list[tuple[int, str]]] = [
     [(0, "motor"), (2, "camera")],
     [],

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from dslkit.diagnostics import Severity
-from rossmarie.ir import Array, Kind, Machine
+from rossmarie.ir import Array, FieldKind, Machine
 from rossmarie.recordings.errors import ALL, RecordingError
 from rossmarie.recordings.opening import open_recording
 from support.recordings import (
@@ -28,7 +28,7 @@ from support.recordings import (
 )
 
 
-def battery_and(topic: str, message_type: str, *path: str | int, **kind: Kind) -> Machine:
+def battery_and(topic: str, message_type: str, *path: str | int, **kind: FieldKind) -> Machine:
     """Reads /battery, and something else as the input `speed`."""
     return machine(
         [("/battery", "std_msgs/Float32"), (topic, message_type)],
@@ -104,16 +104,16 @@ def test_topic_never_sent(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "kind", "expected"),
     [
-        (("range_average",), Kind.REAL, "a number"),
-        (("header", "frame_id"), Kind.REAL, "a number"),
-        (("range_min",), Kind.TEXT, "a string"),
-        (("range_min", 0), Kind.REAL, "a number"),
-        (("ranges",), Kind.REAL, "a number"),
-        (("header",), Kind.REAL, "a number"),
+        (("range_average",), FieldKind.REAL, "a number"),
+        (("header", "frame_id"), FieldKind.REAL, "a number"),
+        (("range_min",), FieldKind.TEXT, "a string"),
+        (("range_min", 0), FieldKind.REAL, "a number"),
+        (("ranges",), FieldKind.REAL, "a number"),
+        (("header",), FieldKind.REAL, "a number"),
     ],
 )
 def test_field_that_is_not_recorded(
-    tmp_path: Path, path: tuple[str | int, ...], kind: Kind, expected: str
+    tmp_path: Path, path: tuple[str | int, ...], kind: FieldKind, expected: str
 ) -> None:
     rules = battery_and("/scan", "sensor_msgs/LaserScan", *path, kind=kind)
     updates, found = replay(write_ros1(tmp_path / "drive.bag", readings(ROS1)), rules)

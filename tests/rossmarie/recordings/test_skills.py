@@ -13,7 +13,7 @@ import pytest
 from rosbags.rosbag2 import StoragePlugin
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Doing, Kind, Machine, Quantity, SkillStep, Slot
+from rossmarie.ir import Doing, FieldKind, Machine, Quantity, SkillStep, Slot
 from rossmarie.ir.skills import SkillContext, answer
 from rossmarie.recordings.errors import RecordingError
 from support.recordings import (
@@ -41,7 +41,9 @@ DEPTH = Quantity(DIGEST, ("Push",), "Depth", written="Push.Depth")
 
 def asking(*queries: SkillStep) -> Machine:
     slots = [
-        Slot(0, (each,), Kind.FLAG if isinstance(each, Doing) else Kind.REAL, 1.0, 0.0, "")
+        Slot(
+            0, (each,), FieldKind.FLAG if isinstance(each, Doing) else FieldKind.REAL, 1.0, 0.0, ""
+        )
         for each in queries
     ]
     return machine([(TOPIC, TYPE)], [("mode", 0)], slots)
@@ -123,7 +125,7 @@ def test_a_column_of_two_limits_is_quoted(tmp_path: Path) -> None:
 
 def test_a_column_answers_all_that_ask_the_same(tmp_path: Path) -> None:
     """A rule and an exemption ask by inputs of their own, which are one column."""
-    slots = [Slot(index, (PUSH,), Kind.FLAG, 1.0, 0.0, "") for index in range(2)]
+    slots = [Slot(index, (PUSH,), FieldKind.FLAG, 1.0, 0.0, "") for index in range(2)]
     both = machine([(TOPIC, TYPE)], [("battery", 0), ("mode", 0)], slots)
     path = tmp_path / "skills.csv"
     path.write_text("time,mode.doing Push(Object: Fragile)\n0,1\n")

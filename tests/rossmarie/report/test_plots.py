@@ -99,12 +99,12 @@ def test_a_release_that_repeats_the_condition_is_not_drawn_twice() -> None:
 
 def test_only_numbers_with_one_value_are_plotted() -> None:
     draft = Draft(texts=("docked",))
-    text = draft.read(kind=ir.Kind.TEXT)
+    text = draft.read(kind=ir.FieldKind.TEXT)
     equal = draft.proposition(ir.Compare(Comparison.EQUAL, text, draft.constant(0.0)))
     near = draft.proposition(
         ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 1.0)), "scan.near"
     )
-    flag = draft.proposition(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
+    flag = draft.proposition(ir.Flag(draft.read(kind=ir.FieldKind.FLAG)))
     draft.rule(draft.proposition(ir.And((equal, near, flag))))
     machine = draft.machine()
     assert [machine.signals[plan.signal].node for plan in plan_plots(machine)] == [ir.Read(1)]

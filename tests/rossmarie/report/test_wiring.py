@@ -13,7 +13,7 @@ from hypothesis import given
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
-from rossmarie.report.wiring.model import Input, Kind, Use
+from rossmarie.report.wiring.model import EffectUse, Subscription, TargetKind
 from support.compiled import machine_of
 from support.golden import assert_golden
 from support.plans import Plans, cancel, command, limit
@@ -65,31 +65,31 @@ def test_commands_pass_from_the_unfiltered_topic_to_the_robot() -> None:
     assert (found.unfiltered, found.topic) == ("/robot/unfil_cmd_vel", "/robot/cmd_vel")
     assert found.message_type == "geometry_msgs/Twist"
     assert found.uses == (
-        Use("limit /robot/cmd_vel", "careful", ("fast",)),
-        Use("block /robot/cmd_vel", "stop", ("fast", "turning_fast")),
-        Use("publish /robot/cmd_vel at 10 Hz", "back", ("stuck",)),
+        EffectUse("limit /robot/cmd_vel", "careful", ("fast",)),
+        EffectUse("block /robot/cmd_vel", "stop", ("fast", "turning_fast")),
+        EffectUse("publish /robot/cmd_vel at 10 Hz", "back", ("stuck",)),
     )
 
 
 def test_a_topic_is_read_by_rules_and_confirmations_with_its_least_timeout() -> None:
     assert set(wiring().inputs) == {
-        Input("/odom", "nav_msgs/Odometry", 200_000_000, ("fast", "turning_fast")),
-        Input("/joints", "geometry_msgs/Twist", 100_000_000, ("turning_fast",)),
-        Input("/mode", "std_msgs/String", None, ("stuck",)),
+        Subscription("/odom", "nav_msgs/Odometry", 200_000_000, ("fast", "turning_fast")),
+        Subscription("/joints", "geometry_msgs/Twist", 100_000_000, ("turning_fast",)),
+        Subscription("/mode", "std_msgs/String", None, ("stuck",)),
     }
 
 
 def test_everything_that_rules_act_on_is_named_with_its_type() -> None:
     assert [(each.kind, each.name, each.type) for each in wiring().outputs] == [
-        (Kind.TOPIC, "/lamp", "std_msgs/Bool"),
-        (Kind.SERVICE, "/arm/lock", "std_srvs/SetBool"),
-        (Kind.ACTION_SERVER, "/move_arm", None),
-        (Kind.ACTION_SERVER, "/retract", "actionlib/TwoInts"),
-        (Kind.PARAMETER, "/planner.max_vel_x", None),
-        (Kind.CONTROLLER_MANAGER, "/controller_manager", None),
+        (TargetKind.TOPIC, "/lamp", "std_msgs/Bool"),
+        (TargetKind.SERVICE, "/arm/lock", "std_srvs/SetBool"),
+        (TargetKind.ACTION_SERVER, "/move_arm", None),
+        (TargetKind.ACTION_SERVER, "/retract", "actionlib/TwoInts"),
+        (TargetKind.PARAMETER, "/planner.max_vel_x", None),
+        (TargetKind.CONTROLLER_MANAGER, "/controller_manager", None),
     ]
     assert wiring().outputs[0].uses == (
-        Use("publish /lamp at 2 Hz", "warn", ("fast", "turning_fast")),
+        EffectUse("publish /lamp at 2 Hz", "warn", ("fast", "turning_fast")),
     )
     assert wiring().remark is None
 

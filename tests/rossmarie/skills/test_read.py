@@ -17,7 +17,7 @@ from dslkit.source import SourceFile
 from rossmarie.skills import (
     LARGEST_FILE,
     Control,
-    Place,
+    SourcePlace,
     UnreadableSkills,
     changed_source,
     parse_skills,
@@ -345,14 +345,14 @@ def test_a_source_that_changes_is_noticed(tmp_path: Path) -> None:
 
 def test_places_in_modules_are_shown(tmp_path: Path) -> None:
     (tmp_path / "push.py").write_text("class Push:\n    pass\n", encoding="utf-8")
-    span = span_at(Place("push.py", 1, 7, 1, 11), tmp_path)
+    span = span_at(SourcePlace("push.py", 1, 7, 1, 11), tmp_path)
     assert span is not None
     assert span.text == "Push"
     for place in (
-        Place("push.py", 9, 1, 9, 2),
-        Place("push.py", 2, 1, 1, 1),
-        Place("push.py", 1, 1, 3, 99),
-        Place("nowhere.py", 1, 1, 1, 1),
+        SourcePlace("push.py", 9, 1, 9, 2),
+        SourcePlace("push.py", 2, 1, 1, 1),
+        SourcePlace("push.py", 1, 1, 3, 99),
+        SourcePlace("nowhere.py", 1, 1, 1, 1),
     ):
         assert span_at(place, tmp_path) is None
 
@@ -360,5 +360,5 @@ def test_places_in_modules_are_shown(tmp_path: Path) -> None:
 def test_no_text_is_shown_of_other_files(tmp_path: Path) -> None:
     (tmp_path / "secret.txt").write_text("secret\n", encoding="utf-8")
     (tmp_path / "link.py").symlink_to(tmp_path / "secret.txt")
-    assert span_at(Place("secret.txt", 1, 1, 1, 7), tmp_path) is None
-    assert span_at(Place("link.py", 1, 1, 1, 7), tmp_path) is None
+    assert span_at(SourcePlace("secret.txt", 1, 1, 1, 7), tmp_path) is None
+    assert span_at(SourcePlace("link.py", 1, 1, 1, 7), tmp_path) is None

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import rossmarie.syntax
 from rossmarie.syntax.grammar import START_RULES, load_tables
-from rossmarie.syntax.tables import END, Node, Parser, Tables
+from rossmarie.syntax.tables import END, GrammarNode, Parser, Tables
 from support.depth import examples
 
 GRAMMAR = Path(rossmarie.syntax.__file__).with_name("ross.lark")
@@ -47,7 +47,7 @@ def accepted(theirs: Any) -> set[str]:
 
 def shown(part: Any) -> object:
     """A tree as lists, whoever made it."""
-    if isinstance(part, Node):
+    if isinstance(part, GrammarNode):
         return [part.rule, *map(shown, part.parts)]
     if isinstance(part, lark.Tree):
         return [str(part.data), *map(shown, part.children)]

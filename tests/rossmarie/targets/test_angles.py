@@ -16,7 +16,7 @@ from rossmarie.core import Function, defined
 from rossmarie.core.expressions import subfunctions_of
 from rossmarie.interpreter import arithmetic
 from rossmarie.targets.c99 import functions as in_c
-from rossmarie.targets.formulas import Definition, definition_of, definition_of_subfunction
+from rossmarie.targets.formulas import FunctionDefinition, definition_of, definition_of_subfunction
 from rossmarie.targets.python import functions as in_python
 from rossmarie.targets.python import parts
 from support.c_compiler import STRICT, each_c_compiler, run
@@ -52,7 +52,7 @@ def orientations() -> Iterator[tuple[float, ...]]:
         yield tuple(chance.choice(few) for _ in range(4))
 
 
-def definitions() -> list[Definition]:
+def definitions() -> list[FunctionDefinition]:
     """The functions, each after those that it applies."""
     applied = dict.fromkeys(part for each in ANGLES for part in subfunctions_of(defined(each, 4)))
     return [

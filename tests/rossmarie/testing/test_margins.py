@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.coverage import cover_recordings
-from rossmarie.testing.margins import Margin, Reach, moved, thresholds
+from rossmarie.testing.margins import ThresholdMargin, ValueRange, moved, thresholds
 from support.compiled import machine_of_condition
 from support.testing import INPUTS, compiled
 
@@ -18,14 +18,14 @@ CSV = "time,/odom.twist.twist.linear.x,/scan.ranges[0],/scan.ranges[1],fix\n" + 
 )
 
 
-def margins(folder: Path, rule: str) -> list[Margin]:
+def margins(folder: Path, rule: str) -> list[ThresholdMargin]:
     rules, recording = folder / "rules.ross", folder / "drive.csv"
     rules.write_text(INPUTS + rule, encoding="utf-8")
     recording.write_text(CSV, encoding="utf-8")
     return list(cover_recordings(rules, [recording], topic_map={}).margins)
 
 
-def rounded(found: Reach) -> tuple[float | None, ...]:
+def rounded(found: ValueRange) -> tuple[float | None, ...]:
     ends = (found.low, found.high)
     return tuple(end if end is None else round(end, 9) for end in ends)
 

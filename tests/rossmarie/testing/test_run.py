@@ -9,7 +9,7 @@ import pytest
 
 from rossmarie.driver.testing import UnknownTestError, run_test_file
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import Kind, Slot
+from rossmarie.ir import FieldKind, Slot
 from rossmarie.ir.carried import raw_of
 from rossmarie.native import load_native
 from rossmarie.targets import c99
@@ -156,7 +156,7 @@ def test_a_number_in_another_unit_arrives_as_the_rules_mean_it(tmp_path: Path) -
 
 @pytest.mark.parametrize("scale", [0.001, math.pi / 180, 1 / 3.6, 1000.0])
 def test_a_number_in_the_unit_of_its_message_arrives_bit_for_bit(scale: float) -> None:
-    slot = Slot(0, ("data",), Kind.REAL, scale, 0.0, "")
+    slot = Slot(0, ("data",), FieldKind.REAL, scale, 0.0, "")
     written = [count / 10 for count in range(1, 2000)]
     assert [raw_of(slot, each * scale) * scale for each in written] == [
         each * scale for each in written

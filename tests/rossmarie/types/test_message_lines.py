@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 from rosbags.typesys import TypesysError, get_types_from_msg
 
-from rossmarie.types.definitions import Definition, Field, from_rosbags, normalized
+from rossmarie.types.definitions import DefinedField, MessageDefinition, from_rosbags, normalized
 from rossmarie.types.message_lines import read_line
 
 FIELDS = [
@@ -39,20 +39,22 @@ BAD = [
 ]
 
 
-def ours(line: str) -> Definition | None:
+def ours(line: str) -> MessageDefinition | None:
     """The definition of a message of one line; None if the line is malformed."""
     try:
         found = read_line(line, "pkg")
     except ValueError:
         return None
     if found is None:
-        return Definition({}, {})
+        return MessageDefinition({}, {})
     if found.value is not None:
-        return Definition({}, {found.name: found.value})
-    return Definition({found.name: Field(normalized(found.base) or found.base, found.is_array)}, {})
+        return MessageDefinition({}, {found.name: found.value})
+    return MessageDefinition(
+        {found.name: DefinedField(normalized(found.base) or found.base, found.is_array)}, {}
+    )
 
 
-def theirs(line: str) -> Definition | None:
+def theirs(line: str) -> MessageDefinition | None:
     try:
         return from_rosbags(get_types_from_msg(line, "pkg/msg/Own"))["pkg/Own"]
     except (TypesysError, AssertionError, ValueError):
@@ -73,13 +75,13 @@ def test_malformed_lines_are_refused_as_rosbags_refuses_them(line: str) -> None:
 @pytest.mark.parametrize(
     ("line", "meant"),
     [
-        ("string A=5", Definition({}, {"A": "5"})),  # rosbags: the number
-        ("string A=5 m", Definition({}, {"A": "5 m"})),  # rosbags: an error
+        ("string A=5", MessageDefinition({}, {"A": "5"})),  # rosbags: the number
+        ("string A=5 m", MessageDefinition({}, {"A": "5 m"})),  # rosbags: an error
         ("uint8 x = 5", None),  # rosbags: a field
         ("uint8 A=five", None),  # rosbags: a text
         ("uint8 A=1e999", None),
     ],
 )
-def test_where_rosbags_is_at_fault_ros_counts(line: str, meant: Definition | None) -> None:
+def test_where_rosbags_is_at_fault_ros_counts(line: str, meant: MessageDefinition | None) -> None:
     assert theirs(line) != meant
     assert ours(line) == meant

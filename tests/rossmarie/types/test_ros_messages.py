@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from rossmarie.types import (
     Array,
     Boolean,
-    Kind,
+    InterfaceKind,
     Leaf,
     Message,
     MessageCatalog,
@@ -23,7 +23,7 @@ from rossmarie.types import (
     message_value,
     std_msgs_data,
 )
-from rossmarie.types.definitions import Definition, read_stored, stored_texts
+from rossmarie.types.definitions import MessageDefinition, read_stored, stored_texts
 from rossmarie.types.field_units import FIELD_UNITS, RATIOS
 from rossmarie.types.snapshot import render
 from rossmarie.units import DIMENSIONLESS, parse_unit
@@ -309,7 +309,7 @@ def test_stored_definitions_prefer_ros_2_and_add_what_only_ros_1_has() -> None:
     assert camera is not None
     assert {"k", "K"} <= set(camera.fields)
     assert read_stored("rosgraph_msgs/Log") is not None
-    assert read_stored("std_msgs/Empty") == Definition({}, {})
+    assert read_stored("std_msgs/Empty") == MessageDefinition({}, {})
 
 
 def test_common_messages_need_neither_rosbags_nor_numpy() -> None:
@@ -338,14 +338,14 @@ def test_the_folder_of_a_package_is_not_taken_for_the_folder_of_all(folder: Path
 
 def test_the_common_services_are_known() -> None:
     catalog = MessageCatalog()
-    assert catalog.known_names(Kind.SERVICE) == [
+    assert catalog.known_names(InterfaceKind.SERVICE) == [
         "std_srvs/Empty",
         "std_srvs/SetBool",
         "std_srvs/Trigger",
     ]
-    assert at(catalog.find_sent("std_srvs/srv/SetBool", Kind.SERVICE), "data") == Boolean()
+    assert at(catalog.find_sent("std_srvs/srv/SetBool", InterfaceKind.SERVICE), "data") == Boolean()
     assert catalog.find("std_srvs/SetBool") is None
-    assert catalog.find_sent("std_srvs/SetBol", Kind.SERVICE) is None
+    assert catalog.find_sent("std_srvs/SetBol", InterfaceKind.SERVICE) is None
 
 
 def test_requests_and_goals_end_at_the_first_dashes(tmp_path: Path) -> None:
@@ -356,7 +356,7 @@ def test_requests_and_goals_end_at_the_first_dashes(tmp_path: Path) -> None:
             "float64 force\ngeometry_msgs/Point at\n---\nbool success\n---\nint8 done\n"
         )
     catalog = MessageCatalog([tmp_path])
-    for sent in (Kind.SERVICE, Kind.ACTION):
+    for sent in (InterfaceKind.SERVICE, InterfaceKind.ACTION):
         found = catalog.find_sent("my_msgs/Grip", sent)
         assert found is not None
         assert list(found.fields) == ["force", "at"]
@@ -366,16 +366,16 @@ def test_requests_and_goals_end_at_the_first_dashes(tmp_path: Path) -> None:
 
 def test_common_actions_are_known_without_a_file() -> None:
     catalog = MessageCatalog()
-    arm = catalog.find_sent("control_msgs/action/FollowJointTrajectory", Kind.ACTION)
+    arm = catalog.find_sent("control_msgs/action/FollowJointTrajectory", InterfaceKind.ACTION)
     assert at(arm, "goal_time_tolerance") == quantity("s")
     assert isinstance(at(arm, "path_tolerance"), Unsupported)
-    base = catalog.find_sent("nav2_msgs/NavigateToPose", Kind.ACTION)
+    base = catalog.find_sent("nav2_msgs/NavigateToPose", InterfaceKind.ACTION)
     assert at(base, "pose", "pose", "position") == Vector(quantity("m"))
-    assert catalog.find_sent("nav2_msgs/NavigateToPose", Kind.SERVICE) is None
+    assert catalog.find_sent("nav2_msgs/NavigateToPose", InterfaceKind.SERVICE) is None
 
 
 def test_goals_of_ros_1_are_messages() -> None:
-    goal = MessageCatalog().find_sent("actionlib/TwoInts", Kind.ACTION)
+    goal = MessageCatalog().find_sent("actionlib/TwoInts", InterfaceKind.ACTION)
     assert goal is not None
     assert list(goal.fields) == ["a", "b"]
 

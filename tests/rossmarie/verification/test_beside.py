@@ -8,7 +8,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import NO_CHANGE, asked, real_prover
 
@@ -40,7 +40,7 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 def test_they_are_what_they_mean(prover: Prover, machine: ir.Machine, part: str) -> None:
     found = list(asked(prover, machine, NO_CHANGE, [part]))
     assert found
-    assert {each.verdict for each in found} == {Verdict.PROVED}
+    assert {each.verdict for each in found} == {ProofVerdict.PROVED}
 
 
 @pytest.mark.parametrize(

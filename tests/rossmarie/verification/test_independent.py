@@ -21,7 +21,7 @@ import pytest
 import rossmarie
 from dslkit.writing import write_texts
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import real_prover
 
@@ -99,7 +99,7 @@ def written(sources: Path, folder: Path, text: str) -> Asked:
     return Asked(*pickle.loads(done.stdout))
 
 
-def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
+def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[ProofVerdict]:
     """The outcomes of the queries whose names begin so."""
     with prover.workshop() as folder:
         write_texts(folder, asked.files)
@@ -153,10 +153,10 @@ def test_a_fault_in_what_the_generator_reads_is_refuted(
     prover: Prover, fault: Fault, tmp_path: Path
 ) -> None:
     asked = written(damaged(fault, tmp_path / "sources"), tmp_path, fault.rules)
-    assert Verdict.REFUTED in set(verdicts(prover, asked, fault.refuted_by))
+    assert ProofVerdict.REFUTED in set(verdicts(prover, asked, fault.refuted_by))
 
 
 @pytest.mark.deep
 def test_undamaged_sources_are_proved(prover: Prover, tmp_path: Path) -> None:
     asked = written(Path(rossmarie.__file__).parents[1], tmp_path, MORE_RULES)
-    assert set(verdicts(prover, asked, "numbers_belt")) == {Verdict.PROVED}
+    assert set(verdicts(prover, asked, "numbers_belt")) == {ProofVerdict.PROVED}

@@ -14,7 +14,7 @@ from rossmarie.targets.c99 import types
 from rossmarie.verification import layout, supports
 from rossmarie.verification.fields import fields_of
 from rossmarie.verification.layout import MisplacedError, layout_of
-from rossmarie.verification.places import Places, places_of
+from rossmarie.verification.places import MachinePlaces, places_of
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 PROVED = ("thesis/mobile_base", "thesis/arm", "thesis/peg_in_hole", "husky/husky", "demo/demo")
@@ -66,7 +66,9 @@ def test_what_rests_on_what_is_what_all_targets_go_by(machine: ir.Machine) -> No
         for index, expected in enumerate(wanted.propositions):
             assert_same(supports.support(each, (), (index,)), expected)
         arrays = ir.element_arrays(each)
-        assert supports.elements(each) == supports.Elements(arrays.signals, arrays.propositions)
+        assert supports.elements(each) == supports.SupportArrays(
+            arrays.signals, arrays.propositions
+        )
         for rule in each.rules:
             reported = supports.reported(each, rule.condition)
             assert (reported.terms, reported.signals, reported.inputs) == (
@@ -91,22 +93,22 @@ def test_the_places_of_the_generator_are_taken(machine: ir.Machine) -> None:
             assert fields == [(field.name, field.slot, field.array) for field in wanted]
 
 
-def _without_last_leaf(places: Places) -> Places:
+def _without_last_leaf(places: MachinePlaces) -> MachinePlaces:
     *others, last = places.guards
     return replace(places, guards=(*others, replace(last, leaves=last.leaves[:-1])))
 
 
-def _two_in_one_node(places: Places) -> Places:
+def _two_in_one_node(places: MachinePlaces) -> MachinePlaces:
     first, second, *_ = places.node_of_proposition
     nodes = {**places.node_of_proposition, second: places.node_of_proposition[first]}
     return replace(places, node_of_proposition=nodes)
 
 
-def _without_last_signal(places: Places) -> Places:
+def _without_last_signal(places: MachinePlaces) -> MachinePlaces:
     return replace(places, value_of_signal=dict(list(places.value_of_signal.items())[:-1]))
 
 
-def _two_in_one_value(places: Places) -> Places:
+def _two_in_one_value(places: MachinePlaces) -> MachinePlaces:
     others = places.value_of_slot[1:]
     return replace(places, value_of_slot=(others[0], *others))
 
@@ -129,7 +131,7 @@ def _two_in_one_value(places: Places) -> Places:
 def test_places_that_leave_something_out_are_refused(
     machine: ir.Machine,
     monkeypatch: pytest.MonkeyPatch,
-    damage: Callable[[Places], Places],
+    damage: Callable[[MachinePlaces], MachinePlaces],
     message: str,
 ) -> None:
     monkeypatch.setattr(layout, "places_of", lambda machine: damage(places_of(machine)))

@@ -6,7 +6,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.verification.prover import Prover, ProverError, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover, ProverError
 from support.depth import deep
 from support.provers import NO_CHANGE, asked, real_prover
 from support.small_rules import TILTED
@@ -91,7 +91,7 @@ def outcomes(prover: Prover, machine: ir.Machine, change: tuple[str, str], *part
     """The sentences that do not hold after a change of the generated C."""
     wrong: set[str] = set()
     for outcome in asked(prover, machine, change, parts, SECONDS):
-        assert outcome.verdict is not Verdict.UNDECIDED, (outcome.check, outcome.reasons)
+        assert outcome.verdict is not ProofVerdict.UNDECIDED, (outcome.check, outcome.reasons)
         wrong.update(outcome.reasons)
     return wrong
 
@@ -365,7 +365,7 @@ def test_an_arc_sine_of_what_is_unknown_is_refuted(prover: Prover, counting: ir.
 def test_another_formula_of_an_arc_sine_is_not_proved(prover: Prover, counting: ir.Machine) -> None:
     change = ("0.02237217294214989", "0.02237217294214988")
     found = [each.verdict for each in asked(prover, counting, change, ["arcsine"], 15)]
-    assert found == [Verdict.UNDECIDED, Verdict.PROVED]
+    assert found == [ProofVerdict.UNDECIDED, ProofVerdict.PROVED]
 
 
 @pytest.mark.deep
@@ -374,4 +374,4 @@ def test_an_angle_of_another_number_is_not_proved(prover: Prover, counting: ir.M
     change = ("n == 0.0 ? NAN :", "n == 0.0 ? 0.0 :")
     found = [each.verdict for each in asked(prover, counting, change, ["numbers_imu"], 15)]
     assert found
-    assert Verdict.PROVED not in found
+    assert ProofVerdict.PROVED not in found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rossmarie.driver.verifying import Queries, queries_of
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
 from support.small_rules import RETRACED
@@ -32,7 +32,7 @@ def prover() -> Prover:
 )  # fmt: skip
 def test_memories_of_poses_are_what_they_mean(prover: Prover, queries: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
-    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+    assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 QUICK_FAULTS = (

@@ -10,7 +10,7 @@ import pytest
 
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.prover import ProofOutcome, Prover, Verdict
+from rossmarie.verification.prover import ProofOutcome, ProofVerdict, Prover
 
 OBLIGATIONS = ("check_it.assertion.1", "check_it.overflow.1")
 SUCCESS = [{"cProverStatus": "success"}]
@@ -40,23 +40,23 @@ esac
 @pytest.mark.parametrize(
     ("whole", "own", "single", "expected"),
     [
-        (SUCCESS, ERROR, ERROR, Verdict.PROVED),
-        (FAILURE, FAILED, SUCCESS, Verdict.REFUTED),
-        (FAILURE, SUCCESS, SUCCESS, Verdict.REFUTED),
-        (FAILURE, ERROR, SUCCESS, Verdict.REFUTED),
-        (ERROR, SUCCESS, SUCCESS, Verdict.PROVED),
-        (ERROR, SUCCESS, ERROR, Verdict.UNDECIDED),
-        (ERROR, SUCCESS, FAILED, Verdict.REFUTED),
-        (UNKNOWN, SUCCESS, ERROR, Verdict.UNDECIDED),
-        ([], SUCCESS, [], Verdict.UNDECIDED),
-        ([*SUCCESS, *ERROR], SUCCESS, ERROR, Verdict.UNDECIDED),
+        (SUCCESS, ERROR, ERROR, ProofVerdict.PROVED),
+        (FAILURE, FAILED, SUCCESS, ProofVerdict.REFUTED),
+        (FAILURE, SUCCESS, SUCCESS, ProofVerdict.REFUTED),
+        (FAILURE, ERROR, SUCCESS, ProofVerdict.REFUTED),
+        (ERROR, SUCCESS, SUCCESS, ProofVerdict.PROVED),
+        (ERROR, SUCCESS, ERROR, ProofVerdict.UNDECIDED),
+        (ERROR, SUCCESS, FAILED, ProofVerdict.REFUTED),
+        (UNKNOWN, SUCCESS, ERROR, ProofVerdict.UNDECIDED),
+        ([], SUCCESS, [], ProofVerdict.UNDECIDED),
+        ([*SUCCESS, *ERROR], SUCCESS, ERROR, ProofVerdict.UNDECIDED),
     ],
 )
 def test_only_a_plain_success_is_a_proof(
     whole: Sequence[object],
     own: Sequence[object],
     single: Sequence[object],
-    expected: Verdict,
+    expected: ProofVerdict,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -66,7 +66,7 @@ def test_only_a_plain_success_is_a_proof(
 
 def test_that_loops_end_is_shown_as_well(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     outcome = answered(tmp_path, monkeypatch, whole=ERROR, own=ERROR, single=ERROR, smt=SUCCESS)
-    assert outcome.verdict is Verdict.UNDECIDED
+    assert outcome.verdict is ProofVerdict.UNDECIDED
 
 
 def test_a_single_obligation_is_left_to_z3(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rossmarie.driver.verifying import Queries, queries_of
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
 from support.rule_skills import FILE
@@ -72,7 +72,7 @@ def prover() -> Prover:
 )  # fmt: skip
 def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
-    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+    assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, na
 )
 def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, exempted, *NO_CHANGE, f"reactor_{name}")
-    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+    assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Queries, n
 )
 def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, waiting, *NO_CHANGE, f"reactor_{name}")
-    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+    assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 @pytest.mark.parametrize("name", deep(["start", "escalate", "pass_on"]))
@@ -97,7 +97,7 @@ def test_what_fails_at_once_is_what_reactions_mean(
     prover: Prover, failing: Queries, name: str
 ) -> None:
     found = proofs_of_reactor(prover, failing, *NO_CHANGE, f"reactor_{name}")
-    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+    assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 QUICK_FAULTS = (

@@ -9,7 +9,7 @@ import pytest
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.program import PRELUDE
-from rossmarie.verification.prover import Prover, Verdict
+from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import real_prover
 
@@ -19,7 +19,7 @@ def prover() -> Prover:
     return real_prover()
 
 
-def verdict(prover: Prover, obligation: str, *, is_arithmetic: bool) -> Verdict:
+def verdict(prover: Prover, obligation: str, *, is_arithmetic: bool) -> ProofVerdict:
     check = Check("it", "something about numbers", is_arithmetic=is_arithmetic)
     text = (
         f"{PRELUDE}\nstatic int a[2];\n\nvoid check_it(double x, double y, unsigned n)\n{{\n"
@@ -43,23 +43,23 @@ def verdict(prover: Prover, obligation: str, *, is_arithmetic: bool) -> Verdict:
 )
 def test_what_is_reported_of_differences_is_so(prover: Prover, fact: str) -> None:
     """A SAT solver looks at every bit."""
-    assert verdict(prover, fact, is_arithmetic=False) is Verdict.PROVED
+    assert verdict(prover, fact, is_arithmetic=False) is ProofVerdict.PROVED
 
 
 @pytest.mark.parametrize(
     ("obligation", "expected"),
     [
-        ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", Verdict.PROVED),
+        ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", ProofVerdict.PROVED),
         *deep(
             [
-                ("isnan(x) || x * 1.0 == x", Verdict.PROVED),
-                ("x + 1.0 > x", Verdict.REFUTED),
+                ("isnan(x) || x * 1.0 == x", ProofVerdict.PROVED),
+                ("x + 1.0 > x", ProofVerdict.REFUTED),
             ]
         ),
-        ("!isfinite(x) || !isfinite(y) || x - y == x", Verdict.REFUTED),
+        ("!isfinite(x) || !isfinite(y) || x - y == x", ProofVerdict.REFUTED),
     ],
 )
 def test_what_holds_of_some_arithmetic_only_is_decided_by_its_bits(
-    prover: Prover, obligation: str, expected: Verdict
+    prover: Prover, obligation: str, expected: ProofVerdict
 ) -> None:
     assert verdict(prover, obligation, is_arithmetic=True) is expected

@@ -17,7 +17,7 @@ from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, W
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
-from rossmarie.driver.robots import Robot
+from rossmarie.driver.robots import BuiltInRobot
 from support.made_messages import made
 
 START_NS = 1_750_000_000_000_000_000
@@ -62,7 +62,7 @@ def rounded(value: float, bits: int = 10) -> float:
     return round(math.ldexp(value, bits)) / (1 << bits)
 
 
-def store_of(robot: Robot, stores: Stores = Stores.ROS2_HUMBLE) -> Typestore:
+def store_of(robot: BuiltInRobot, stores: Stores = Stores.ROS2_HUMBLE) -> Typestore:
     """The types of ROS, and those of a robot."""
     store = get_typestore(stores)
     found = {}

@@ -8,7 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.expectation import Expectation, Verdict, at_most, between, greater
+from heron.evaluation.expectation import (
+    ExpectationVerdict,
+    ResultExpectation,
+    at_most,
+    between,
+    greater,
+)
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import compare
 from heron.learning.arms import ARM_NAMES, is_guarded
@@ -25,12 +31,12 @@ _U, _G = LearningArm.UNGUARDED, LearningArm.GUARD
 _F, _E = LearningArm.GUARD_FEEDBACK, LearningArm.EXECUTED
 
 
-def expectations_of(found: Trainings) -> list[Expectation]:
+def expectations_of(found: Trainings) -> list[ResultExpectation]:
     """The expectations that these arms can test."""
     return [expectation for expectation in _all(found) if expectation is not None]
 
 
-def _all(found: Trainings) -> Iterator[Expectation | None]:
+def _all(found: Trainings) -> Iterator[ResultExpectation | None]:
     arms = found.arms
     for arm in (arm for arm in arms if is_guarded(arm)):
         yield _none(found, arm, "executed_outside", "executed commands outside the rules")
@@ -62,13 +68,13 @@ def _all(found: Trainings) -> Iterator[Expectation | None]:
         yield _less_later(found)
 
 
-def _none(found: Trainings, arm: LearningArm, name: str, words: str) -> Expectation:
+def _none(found: Trainings, arm: LearningArm, name: str, words: str) -> ResultExpectation:
     values = found.values(arm, name)
-    return Expectation(
+    return ResultExpectation(
         f"none {arm.value} {name}",
         f"{words}: none with {ARM_NAMES[arm]}",
         f"{sum(values):g}" if any(values) else "none",
-        Verdict.HOLDS if not any(values) else Verdict.FAILS,
+        ExpectationVerdict.HOLDS if not any(values) else ExpectationVerdict.FAILS,
     )
 
 
@@ -78,7 +84,7 @@ def _fewer(
     more: tuple[LearningArm, str],
     words: str,
     digits: int,
-) -> Expectation | None:
+) -> ResultExpectation | None:
     expected = f"{words}: lower with {ARM_NAMES[lesser[0]]} than {ARM_NAMES[more[0]]}"
     return _differ(found, more, lesser, expected, digits)
 
@@ -90,14 +96,16 @@ def _differ(
     expected: str,
     digits: int,
     unknown: float | None = None,
-) -> Expectation | None:
+) -> ResultExpectation | None:
     compared = found.compared(more, lesser, unknown)
     if compared is None:
         return None
     key = f"{more[0].value} {more[1]} > {lesser[0].value} {lesser[1]}"
     if found.by_seed(*more, unknown) == found.by_seed(*lesser, unknown):
-        return Expectation(key, expected, "the values are the same for each seed", Verdict.OPEN)
-    return Expectation(
+        return ResultExpectation(
+            key, expected, "the values are the same for each seed", ExpectationVerdict.OPEN
+        )
+    return ResultExpectation(
         key,
         expected,
         f"by {between(compared.difference, digits)}, p = {compared.chance:.2g}",
@@ -105,7 +113,7 @@ def _differ(
     )
 
 
-def _sooner(found: Trainings) -> Expectation | None:
+def _sooner(found: Trainings) -> ResultExpectation | None:
     """A training that does not reach this share counts with its whole budget."""
     return _differ(
         found, (_U, "steps_to_good"), (_G, "steps_to_good"),
@@ -114,13 +122,13 @@ def _sooner(found: Trainings) -> Expectation | None:
     )  # fmt: skip
 
 
-def _as_soon(found: Trainings) -> Expectation | None:
+def _as_soon(found: Trainings) -> ResultExpectation | None:
     budget = float(found.budget)
     compared = found.compared((_E, "steps_to_good"), (_G, "steps_to_good"), budget)
     if compared is None:
         return None
     most = _MARGIN * sum(found.by_seed(_G, "steps_to_good", budget).values()) / len(found.of(_G))
-    return Expectation(
+    return ResultExpectation(
         "executed as soon",
         "steps until nine of ten episodes succeed: learning from executed actions needs at most "
         "10 % more than learning from proposed actions",
@@ -129,11 +137,11 @@ def _as_soon(found: Trainings) -> Expectation | None:
     )
 
 
-def _as_good(found: Trainings) -> Expectation | None:
+def _as_good(found: Trainings) -> ResultExpectation | None:
     compared = found.compared((_U, "inserted_unguarded"), (_G, "inserted_guard"))
     if compared is None:
         return None
-    return Expectation(
+    return ResultExpectation(
         "as good",
         "share of insertions after the training: trained and run with the guard, at most 0.1 less "
         "than unguarded",
@@ -142,10 +150,10 @@ def _as_good(found: Trainings) -> Expectation | None:
     )
 
 
-def _less_later(found: Trainings) -> Expectation:
+def _less_later(found: Trainings) -> ResultExpectation:
     first, last = found.values(_F, "intervened_early"), found.values(_F, "intervened_late")
     compared = compare(first, last)
-    return Expectation(
+    return ResultExpectation(
         "less later",
         "share of steps with a proposal outside the rules, with guard and feedback: less in the "
         "last quarter of a training than in the first",

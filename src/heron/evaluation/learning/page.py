@@ -7,7 +7,7 @@ from importlib.resources import files
 
 from heron.evaluation.expectation import between
 from heron.evaluation.learning.expectations import expectations_of
-from heron.evaluation.learning.measures import MEASURES, Measure
+from heron.evaluation.learning.measures import MEASURES, MeasureColumn
 from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
 from heron.evaluation.learning.reasons import REASONS
 from heron.evaluation.learning.trainings import Trainings
@@ -62,7 +62,7 @@ def _section(found: Trainings, plots: str) -> Iterator[str]:
     yield from table_of(expectations_of(found))
 
 
-def _cell(found: Trainings, arm: LearningArm, measure: Measure) -> str:
+def _cell(found: Trainings, arm: LearningArm, measure: MeasureColumn) -> str:
     values = found.values(arm, measure.name)
     if not values:
         return "-"

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from dslkit.campaign import Scalar, Value
-from heron.evaluation.statistics import Comparison, compare
+from heron.evaluation.statistics import PairedComparison, compare
 from heron.variants import Formulation, LearningArm
 
 
@@ -50,7 +50,7 @@ class Trainings:
         greater: tuple[LearningArm, str],
         lesser: tuple[LearningArm, str],
         unknown: float | None = None,
-    ) -> Comparison | None:
+    ) -> PairedComparison | None:
         """The measures of two arms on the seeds of both; None if no seed is in both."""
         first, second = (self.by_seed(arm, name, unknown) for arm, name in (greater, lesser))
         seeds = sorted(first.keys() & second.keys())

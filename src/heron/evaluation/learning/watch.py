@@ -9,7 +9,7 @@ from pathlib import Path
 from heron.evaluation.learning.names import TITLES
 from heron.learning.arms import ARM_NAMES
 from heron.learning.episodes import Episode, episodes_of
-from heron.learning.runs import Run
+from heron.learning.runs import TrainingRun
 from heron.learning.summary import lately
 from heron.learning.training import LOG
 
@@ -21,7 +21,7 @@ class _Log:
     """The part of a log that was read: counts, and the last episodes."""
 
     path: Path
-    run: Run
+    run: TrainingRun
     offset: int = 0
     steps: int = 0
     count: int = 0
@@ -55,7 +55,9 @@ class _Log:
 class Watch:
     """The logs of trainings."""
 
-    def __init__(self, folder: Path, runs: Sequence[Run], over: Container[str] = ()) -> None:
+    def __init__(
+        self, folder: Path, runs: Sequence[TrainingRun], over: Container[str] = ()
+    ) -> None:
         """`over` are the keys of trainings that are over."""
         self._logs = {
             run.key: _Log(folder / run.folder / LOG, run, has_ended=run.key in over) for run in runs

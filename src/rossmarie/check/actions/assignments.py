@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dslkit.diagnostics import Remark
 from rossmarie.check.actions.errors import FieldGivenTwice, FieldNotAssignable, ValueMismatch
 from rossmarie.check.actions.numbers import fits
-from rossmarie.check.actions.paths import Field, describe_field, field_of
+from rossmarie.check.actions.paths import EffectField, describe_field, field_of
 from rossmarie.check.actions.targets import Sent, Targets
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
@@ -67,7 +67,7 @@ def _elements(value: ast.Expression) -> tuple[ast.Expression, ...]:
     return value.elements if isinstance(value, ast.Bracket) else (value,)
 
 
-def _is_assignable(field: Field, assignment: ast.FieldAssignment, context: Context) -> bool:
+def _is_assignable(field: EffectField, assignment: ast.FieldAssignment, context: Context) -> bool:
     kind = FieldNotAssignable
     help: Remark
     reason, help = "a message, not a value", kind.SomeField()
@@ -88,7 +88,7 @@ def _is_assignable(field: Field, assignment: ast.FieldAssignment, context: Conte
 
 
 def _value(
-    value: ast.Expression, field: Field, context: Context
+    value: ast.Expression, field: EffectField, context: Context
 ) -> reactions.Scalar | tuple[reactions.Scalar, ...] | None:
     is_list = field.leaf is not None and field.leaf.is_array and not field.is_element
     if is_list != isinstance(value, ast.Bracket):
@@ -111,7 +111,7 @@ def _value(
 
 
 def scalar(
-    node: ast.Expression, unit: Unit | None, field: Field, context: Context
+    node: ast.Expression, unit: Unit | None, field: EffectField, context: Context
 ) -> reactions.Scalar | None:
     """A value in the unit of its field. `unit` is the unit of the list around the value. Returns
     None after reporting an error.
@@ -135,7 +135,7 @@ def scalar(
 
 
 def _number(
-    node: ast.Expression, type_: Quantity, unit: Unit | None, field: Field, context: Context
+    node: ast.Expression, type_: Quantity, unit: Unit | None, field: EffectField, context: Context
 ) -> float | None:
     number = context.values[node].numbers[0]
     if unit is not None and not is_plain(type_):

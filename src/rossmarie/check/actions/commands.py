@@ -22,7 +22,7 @@ from rossmarie.check.actions.errors import (
     ZeroIsAPose,
 )
 from rossmarie.check.actions.numbers import fits
-from rossmarie.check.actions.paths import Field, field_of, leaf_unit, symbol_of
+from rossmarie.check.actions.paths import EffectField, field_of, leaf_unit, symbol_of
 from rossmarie.check.actions.targets import Sent, Targets
 from rossmarie.check.effects import CheckedEffect, CheckedLimit, CheckedScale
 from rossmarie.check.expressions.frequencies import is_positive
@@ -142,7 +142,7 @@ class CommandChecker:
         return CheckedLimit(command.topic, tuple(bounds))
 
     def _index(
-        self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
+        self, field: EffectField, bound: ast.FieldBound, command: reactions.CommandTopic
     ) -> int | None:
         """The index of a field among the fields of the command; None after reporting an error."""
         paths = [one.path for one in command.fields]
@@ -159,7 +159,7 @@ class CommandChecker:
         self._add(kind(field=field.text, reason=reason).at(bound.path.span, help=help))
         return None
 
-    def _ends(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
+    def _ends(self, bound: ast.FieldBound, field: EffectField) -> tuple[float, ...] | None:
         """The result of `_interval` for a bound, which has to contain zero."""
         ends = self._interval(bound, field)
         if ends is not None and not ends[0] <= 0 <= ends[1]:
@@ -167,7 +167,7 @@ class CommandChecker:
             return None
         return ends
 
-    def _interval(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
+    def _interval(self, bound: ast.FieldBound, field: EffectField) -> tuple[float, ...] | None:
         """The two ends in the unit of the message; None after reporting an error."""
         type_ = self._context.type_of(bound.range)
         if isinstance(type_, Unknown):

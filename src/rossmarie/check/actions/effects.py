@@ -49,7 +49,7 @@ from rossmarie.check.wording.suggestions import near_name, suggesting
 from rossmarie.ir import reactions
 from rossmarie.ir.limits import MOST_POSES_IN_ALL
 from rossmarie.syntax import ast
-from rossmarie.types import Boolean, Kind, Quantity, Text, Unknown
+from rossmarie.types import Boolean, InterfaceKind, Quantity, Text, Unknown
 from rossmarie.units import DIMENSIONLESS
 
 
@@ -67,7 +67,7 @@ class EffectChecker:
         self._resources = declared_resources(targets)
         self._poses = 0
         self._published = {
-            targets.full_name(Kind.MESSAGE, name)
+            targets.full_name(InterfaceKind.MESSAGE, name)
             for system in self._context.declarations.systems
             for member in system.members
             if isinstance(member, ast.NodeDeclaration)
@@ -116,7 +116,7 @@ class EffectChecker:
             self.commands.setdefault(sent.name, command)
         found = CheckedPublish(sent.name, sent.type, assignments, period)
         filtered = sent.name if is_shared else None
-        resource = self._resource(reactions.Target("topic", sent.name))
+        resource = self._resource(reactions.ExclusiveTarget("topic", sent.name))
         return CheckedEffect(found, effect.span, filtered, resource)
 
     def _retrace(self, effect: ast.Retrace) -> CheckedEffect | None:
@@ -128,7 +128,7 @@ class EffectChecker:
             finding = PosesInAll(most=MOST_POSES_IN_ALL, found=self._poses)
             self._add(finding.at(effect.most.span))
             return None
-        resource = self._resource(reactions.Target("topic", found.topic))
+        resource = self._resource(reactions.ExclusiveTarget("topic", found.topic))
         return CheckedEffect(found, effect.span, None, resource)
 
     def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
@@ -174,12 +174,12 @@ class EffectChecker:
                 return self._run_tree(effect, timeout)
 
     def _call(self, effect: ast.CallService, timeout: int | None) -> CheckedEffect | None:
-        sent = self._targets.sent(effect.target, Kind.SERVICE)
+        sent = self._targets.sent(effect.target, InterfaceKind.SERVICE)
         assignments = assignments_of(effect.assignments, sent, self._targets)
         if sent is None or assignments is None or timeout is None:
             return None
         found = CheckedCall(sent.name, sent.type, assignments, timeout)
-        return self._awaiting(found, reactions.Target("service", sent.name), effect)
+        return self._awaiting(found, reactions.ExclusiveTarget("service", sent.name), effect)
 
     def _set(self, effect: ast.SetParameter, timeout: int | None) -> CheckedEffect | None:
         value = self._parameter(effect)
@@ -187,7 +187,7 @@ class EffectChecker:
             return None
         node = full_name(effect.node.text)
         parameter = ".".join(name.text for name in effect.parameter)
-        target = reactions.Target("parameter", node, f".{parameter}")
+        target = reactions.ExclusiveTarget("parameter", node, f".{parameter}")
         return self._awaiting(CheckedParameter(node, parameter, value, timeout), target, effect)
 
     def _parameter(self, effect: ast.SetParameter) -> reactions.Scalar | None:
@@ -244,13 +244,13 @@ class EffectChecker:
             for names in (effect.start, effect.stop)
         )
         manager = full_name(effect.manager.text)
-        target = reactions.Target("controller manager", manager)
+        target = reactions.ExclusiveTarget("controller manager", manager)
         return self._awaiting(CheckedSwitch(manager, start, stop, timeout), target, effect)
 
     # --- goals -------------------------------------------------------------------------------
 
     def _send(self, effect: ast.SendGoal, timeout: int | None) -> CheckedEffect | None:
-        sent = self._targets.sent(effect.target, Kind.ACTION)
+        sent = self._targets.sent(effect.target, InterfaceKind.ACTION)
         assignments = assignments_of(effect.assignments, sent, self._targets)
         if effect.timeout is None:
             self._add(MissingTimeLimit(place="the action server").at(effect.target.span))
@@ -259,7 +259,7 @@ class EffectChecker:
             return None
         interrupted = _interrupted(effect.interrupted)
         found = CheckedGoal(sent.name, sent.type, assignments, timeout, interrupted)
-        return self._awaiting(found, reactions.Target("action server", sent.name), effect)
+        return self._awaiting(found, reactions.ExclusiveTarget("action server", sent.name), effect)
 
     def _cancel(
         self, effect: ast.CancelGoal, timeout: int | None, uses: Uses
@@ -274,11 +274,11 @@ class EffectChecker:
         if timeout is None:
             return None
         server = full_name(effect.server.text)
-        stated = self._targets.stated.get((Kind.ACTION, server))
+        stated = self._targets.stated.get((InterfaceKind.ACTION, server))
         kind = None if stated is None else stated.text.replace("/action/", "/")
         interrupted = _interrupted(effect.interrupted)
         found = CheckedCancel(server, kind, effect.confirmation, timeout, interrupted)
-        return self._awaiting(found, reactions.Target("action server", server), effect)
+        return self._awaiting(found, reactions.ExclusiveTarget("action server", server), effect)
 
     # --- trees -------------------------------------------------------------------------------
 
@@ -289,17 +289,19 @@ class EffectChecker:
         found = None if timeout is None else checked_tree(effect, timeout, self._context)
         if found is None:
             return None
-        return self._awaiting(found, reactions.Target("action server", found.server), effect)
+        return self._awaiting(
+            found, reactions.ExclusiveTarget("action server", found.server), effect
+        )
 
     # --- resources ---------------------------------------------------------------------------
 
     def _awaiting(
-        self, found: Awaited, target: reactions.Target, effect: ast.Awaited
+        self, found: Awaited, target: reactions.ExclusiveTarget, effect: ast.Awaited
     ) -> CheckedEffect:
         otherwise = None if effect.otherwise is None else effect.otherwise.text
         return CheckedEffect(found, effect.span, None, self._resource(target), otherwise)
 
-    def _resource(self, target: reactions.Target) -> str:
+    def _resource(self, target: reactions.ExclusiveTarget) -> str:
         """The resource that an effect needs exclusively, with its name in the system model."""
         declared = self._resources.get(target.name)
         return str(target) if declared is None else f"resource {declared}"

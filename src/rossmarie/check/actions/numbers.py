@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Remark
 from rossmarie.check.actions.errors import FieldUnitMismatch
-from rossmarie.check.actions.paths import Field, describe_field
+from rossmarie.check.actions.paths import EffectField, describe_field
 from rossmarie.check.expressions.errors import NotPositive
 from rossmarie.check.expressions.frequencies import is_frequency
 from rossmarie.check.expressions.infer import infer
@@ -20,7 +20,7 @@ _FASTEST_HZ = 1000.0
 _USUAL_TIMEOUT_NS = 2_000_000_000
 
 
-def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) -> bool:
+def fits(node: ast.Expression, found: Quantity, field: EffectField, context: Context) -> bool:
     """Say whether numbers have the dimension of a field. Report an error if they do not."""
     if found.unit is None:
         return True

@@ -23,7 +23,7 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 
 @dataclass(frozen=True)
-class Field:
+class EffectField:
     """A field that an effect names. `leaf` is None if the field is a message itself. `is_element`
     is True if the path selects an element of an array.
     """
@@ -36,7 +36,7 @@ class Field:
     is_element: bool
 
 
-def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> Field | None:
+def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> EffectField | None:
     """The field that a path leads to; None after reporting that there is no such field."""
     type_: Type = message_value(sent.message)
     text, before = sent.type, path.span
@@ -62,7 +62,7 @@ def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> Field | None:
         step.index if isinstance(step, ast.Position) else step.text for step in path.steps
     )
     unit = _stated_unit(sent, targets) or unit_of(type_)
-    return Field(path.span.text, steps, type_, leaf, unit, is_element)
+    return EffectField(path.span.text, steps, type_, leaf, unit, is_element)
 
 
 def leaf_unit(leaf: Leaf, sent: Sent, targets: Targets) -> Unit | None:
@@ -85,7 +85,7 @@ def symbol_of(unit: Unit | None) -> str:
     return "" if unit is None or unit == DIMENSIONLESS else unit.symbol
 
 
-def describe_field(field: Field) -> str:
+def describe_field(field: EffectField) -> str:
     """`in m/s`, `a plain number`, `a string`, `true or false`."""
     element = field.type.element if isinstance(field.type, Array) else field.type
     if isinstance(element, Boolean):

@@ -12,7 +12,7 @@ from rossmarie.check.actions.trees import SERVER
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.system.model import full_name
 from rossmarie.syntax import ast
-from rossmarie.types import Kind
+from rossmarie.types import InterfaceKind
 
 
 def declared_resources(targets: Targets) -> Mapping[str, str]:
@@ -27,7 +27,7 @@ def declared_resources(targets: Targets) -> Mapping[str, str]:
             reason = "declare a resource once, with all its parts"
             report_second(resource.name, earlier, "resource", reason, targets.context.collector)
         for name in resource.targets:
-            full = targets.full_name(Kind.MESSAGE, name)
+            full = targets.full_name(InterfaceKind.MESSAGE, name)
             before = found.setdefault(full, (resource.name.text, name))
             if before[1] is not name:
                 shared = SharedTarget(target=full, resource=before[0])
@@ -50,7 +50,7 @@ def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
         return
     known = set(_known(targets))
     for name in names:
-        if targets.full_name(Kind.MESSAGE, name) not in known:
+        if targets.full_name(InterfaceKind.MESSAGE, name) not in known:
             unknown = UnknownTarget(identifier=name.text)
             targets.context.report_unknown(unknown, name, sorted(known))
 
@@ -67,9 +67,9 @@ def _known(targets: Targets) -> Iterator[str]:
 def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
     match effect:
         case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
-            yield targets.full_name(Kind.MESSAGE, target.name)
+            yield targets.full_name(InterfaceKind.MESSAGE, target.name)
         case ast.Publish(target=target) | ast.Retrace(target=target):
-            yield targets.full_name(Kind.MESSAGE, target.name)
+            yield targets.full_name(InterfaceKind.MESSAGE, target.name)
         case ast.CallService(target=target) | ast.SendGoal(target=target):
             yield full_name(target.name.text)
         case ast.SetParameter(node=name):

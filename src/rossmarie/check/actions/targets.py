@@ -19,9 +19,12 @@ from rossmarie.check.system.model import (
 )
 from rossmarie.check.wording.suggestions import near_name, rename, suggesting
 from rossmarie.syntax import ast
-from rossmarie.types import Kind, Message, MessageDefinitionError
+from rossmarie.types import InterfaceKind, Message, MessageDefinitionError
 
-_WORDS: Mapping[Kind, str] = {Kind.SERVICE: "service", Kind.ACTION: "action server"}
+_WORDS: Mapping[InterfaceKind, str] = {
+    InterfaceKind.SERVICE: "service",
+    InterfaceKind.ACTION: "action server",
+}
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Targets:
     model: SystemModel
     context: Context
     is_parsed: bool
-    stated: dict[tuple[Kind, str], ast.Name] = field(default_factory=dict)
+    stated: dict[tuple[InterfaceKind, str], ast.Name] = field(default_factory=dict)
     commanded: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -57,12 +60,12 @@ class Targets:
         for found in self.context.inputs.values():
             written = found.declaration.message_type
             if written is not None:
-                self.stated.setdefault((Kind.MESSAGE, found.topic), written)
+                self.stated.setdefault((InterfaceKind.MESSAGE, found.topic), written)
         for member in self._members():
             if isinstance(member, ast.ServiceDeclaration):
-                self._declare(Kind.SERVICE, member.name, member.service_type)
+                self._declare(InterfaceKind.SERVICE, member.name, member.service_type)
             elif isinstance(member, ast.ServerDeclaration):
-                self._declare(Kind.ACTION, member.name, member.action_type)
+                self._declare(InterfaceKind.ACTION, member.name, member.action_type)
         for item in self.context.declarations.items:
             if isinstance(item, ast.Action):
                 for effect in item.effects:
@@ -75,15 +78,15 @@ class Targets:
     def _gather_effect(self, effect: ast.Effect) -> None:
         match effect:
             case ast.CallService(target=target):
-                kind = Kind.SERVICE
+                kind = InterfaceKind.SERVICE
             case ast.SendGoal(target=target):
-                kind = Kind.ACTION
+                kind = InterfaceKind.ACTION
             case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
-                kind = Kind.MESSAGE
+                kind = InterfaceKind.MESSAGE
                 full = self.full_name(kind, target.name)
                 self.commanded.setdefault(full, target.name.text)
             case ast.Publish(target=target) | ast.Retrace(target=target):
-                kind = Kind.MESSAGE
+                kind = InterfaceKind.MESSAGE
             case (
                 ast.SetParameter() | ast.SwitchControllers() | ast.CancelGoal() | ast.Log()
                 | ast.RunTree() | ast.Diagnose() | ast.Hook() | ast.Reset()
@@ -92,13 +95,13 @@ class Targets:
         if target.type is not None:
             self._state(kind, target.name, target.type)
 
-    def _declare(self, kind: Kind, name: ast.Name, written: ast.Name) -> None:
+    def _declare(self, kind: InterfaceKind, name: ast.Name, written: ast.Name) -> None:
         self._find_sent(written, kind)
         self._state(kind, name, written)
 
-    def _state(self, kind: Kind, name: ast.Name, written: ast.Name) -> None:
+    def _state(self, kind: InterfaceKind, name: ast.Name, written: ast.Name) -> None:
         full = self.full_name(kind, name)
-        if kind is Kind.MESSAGE and full in self.model.topics:
+        if kind is InterfaceKind.MESSAGE and full in self.model.topics:
             report_conflict(written, self.model.topics[full], self._collector)
             return
         first = self.stated.setdefault((kind, full), written)
@@ -107,9 +110,9 @@ class Targets:
             place = Here(what=_short(first)).at(first.span)
             self._collector.add(finding.at(written.span, place))
 
-    def full_name(self, kind: Kind, name: ast.Name) -> str:
+    def full_name(self, kind: InterfaceKind, name: ast.Name) -> str:
         """`/cmd_vel` for `cmd_vel` and for an alias of it."""
-        topic = self.model.find(name.text) if kind is Kind.MESSAGE else None
+        topic = self.model.find(name.text) if kind is InterfaceKind.MESSAGE else None
         return full_name(name.text) if topic is None else topic.name
 
     # --- types -------------------------------------------------------------------------------
@@ -118,9 +121,9 @@ class Targets:
         """The topic; None after reporting that its type is unknown. `example` is a possible
         type.
         """
-        name = self.full_name(Kind.MESSAGE, target.name)
+        name = self.full_name(InterfaceKind.MESSAGE, target.name)
         topic = self.model.topics.get(name)
-        written = self.stated.get((Kind.MESSAGE, name))
+        written = self.stated.get((InterfaceKind.MESSAGE, name))
         if topic is not None:
             written = topic.declaration.message_type
         if written is None:
@@ -134,14 +137,14 @@ class Targets:
 
     def is_commanded(self, name: ast.Name) -> bool:
         """Say whether an action commands the topic. Report an error if no action does."""
-        if self.full_name(Kind.MESSAGE, name) in self.commanded:
+        if self.full_name(InterfaceKind.MESSAGE, name) in self.commanded:
             return True
         if self.model.is_whole and self.is_parsed:
             self._report_uncommanded(name)
         return False
 
     def _report_uncommanded(self, name: ast.Name) -> None:
-        full = self.full_name(Kind.MESSAGE, name)
+        full = self.full_name(InterfaceKind.MESSAGE, name)
         finding = UncommandedTopic(topic=full)
         bare = (topic.lstrip("/") for topic in self.commanded)
         known = [*self.commanded, *self.commanded.values(), *bare]
@@ -152,7 +155,7 @@ class Targets:
         commanded = finding.Commanded(known=listed(tuple(self.commanded)))
         self._collector.add(finding.at(name.span, notes=(commanded,) if self.commanded else ()))
 
-    def sent(self, target: ast.Target, kind: Kind) -> Sent | None:
+    def sent(self, target: ast.Target, kind: InterfaceKind) -> Sent | None:
         """The service or action server; None after reporting that its type is unknown."""
         name = full_name(target.name.text)
         written = self.stated.get((kind, name))
@@ -162,7 +165,7 @@ class Targets:
         message = None if _contradicts(target, written) else self._find_sent(written, kind)
         return None if message is None else Sent(name, _short(written), message)
 
-    def _find_sent(self, written: ast.Name, kind: Kind) -> Message | None:
+    def _find_sent(self, written: ast.Name, kind: InterfaceKind) -> Message | None:
         try:
             found = self.model.messages.find_sent(written.text, kind)
         except MessageDefinitionError as error:
@@ -172,7 +175,7 @@ class Targets:
         if found is None and self.model.is_whole:
             known = self.model.messages.known_names(kind)
             near = near_name(_short(written), known) if self.context.may_suggest() else None
-            word = "service" if kind is Kind.SERVICE else "action"
+            word = "service" if kind is InterfaceKind.SERVICE else "action"
             unknown = UnknownSentType(kind=word, identifier=written.text)
             if near is None:
                 self._collector.add(unknown.at(written.span))

@@ -23,7 +23,7 @@ from rossmarie.check.skills.doing import (
 )
 from rossmarie.check.wording.describe import describe
 from rossmarie.ir import reactions
-from rossmarie.skills import Parameter, Skill
+from rossmarie.skills import Skill, SkillParameter
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Quantity, Text, Type, Unknown
 from rossmarie.units import DIMENSIONLESS
@@ -97,7 +97,7 @@ def _argument(
     return str(int(number)) if parameter.type == "int" else repr(number)
 
 
-def _fits(parameter: Parameter, type_: Type) -> bool:
+def _fits(parameter: SkillParameter, type_: Type) -> bool:
     if parameter.type in _NUMBERS:
         return isinstance(type_, Quantity) and type_.unit in (None, DIMENSIONLESS)
     if parameter.type == "bool":
@@ -107,7 +107,7 @@ def _fits(parameter: Parameter, type_: Type) -> bool:
 
 def _passed(
     value: ast.Passed,
-    parameter: Parameter | None,
+    parameter: SkillParameter | None,
     skill: Skill,
     skills: CheckedSkills,
     context: Context,
@@ -131,7 +131,7 @@ def _passed(
 
 
 def _report(
-    parameter: Parameter,
+    parameter: SkillParameter,
     skill: Skill,
     found: str,
     place: ast.Expression | ast.Passed,

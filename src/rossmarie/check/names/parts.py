@@ -8,17 +8,17 @@ from rossmarie.ir.path import POINTS, Beams, ByName, Listed, Path, Sector, Step
 from rossmarie.types import Array, Entry, List, Message, Type
 
 
-def part_at(path: Path, type_: Type) -> Part:
+def part_at(path: Path, type_: Type) -> MessagePart:
     """The part of a message at the end of a path of fields, if there is a `type_`, or at a query
     about the running skills.
     """
     if path and isinstance(path[-1], str):
-        return Part(path[:-1]).field(path[-1], type_)
-    return Part(path)
+        return MessagePart(path[:-1]).field(path[-1], type_)
+    return MessagePart(path)
 
 
 @dataclass(frozen=True)
-class Part:
+class MessagePart:
     """A part of a message. With an `entry`, the part consists of the elements with this name in all
     arrays below `path`.
     """
@@ -26,7 +26,7 @@ class Part:
     path: Path = ()
     entry: ByName | None = None
 
-    def field(self, name: str, type_: Type) -> Part:
+    def field(self, name: str, type_: Type) -> MessagePart:
         """A field of this part, with its type. The field of an entry is the element in the
         array.
         """
@@ -36,13 +36,13 @@ class Part:
         path = (*self.path, step)
         if self.entry is None or isinstance(type_, Entry):
             return replace(self, path=path)
-        return Part((*path, self.entry))
+        return MessagePart((*path, self.entry))
 
-    def sector(self, sector: Sector) -> Part:
+    def sector(self, sector: Sector) -> MessagePart:
         """A sector of this part, which is the `ranges` of a scan."""
         return replace(self, path=(*self.path, sector))
 
-    def element(self, index: int | str, owner: Type) -> Part:
+    def element(self, index: int | str, owner: Type) -> MessagePart:
         """An element of this part by its index or its name. `owner` is the type of this part, and
         has such elements.
         """

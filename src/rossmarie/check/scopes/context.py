@@ -18,7 +18,7 @@ from rossmarie.check.model import (
     ConditionKey,
     Value,
 )
-from rossmarie.check.scopes.declarations import Declarations
+from rossmarie.check.scopes.declarations import ProgramDeclarations
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.check.wording.suggestions import Suggestions, near_name, suggesting
 from rossmarie.core import Region
@@ -54,7 +54,7 @@ class Context:
     """
 
     collector: Collector
-    declarations: Declarations
+    declarations: ProgramDeclarations
     messages: MessageCatalog | None = None
     inputs: dict[str, CheckedInput] = field(default_factory=dict)
     constants: dict[str, Type] = field(default_factory=dict)

@@ -43,7 +43,7 @@ def kind_of(item: Named) -> str:
 
 
 @dataclass(frozen=True)
-class Declarations:
+class ProgramDeclarations:
     """The declarations. `names` is the single name space of constants, inputs, entities, motions,
     zones and actions. `conditions` contains the conditions of each entity. `items` contains every
     item, including repeated declarations. `rules` are all rules, imported files first, each before
@@ -84,7 +84,7 @@ class Declarations:
             yield from expressions(item)
 
 
-def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations:
+def collect(modules: Sequence[ast.Module], collector: Collector) -> ProgramDeclarations:
     """Collect the declarations of `modules`, main module last."""
     items = tuple(item for module in modules for item in module.items)
     names: dict[str, Named] = {}
@@ -99,7 +99,7 @@ def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations
             conditions[item.name.text] = _conditions(item, collector)
     is_whole = all(module.is_whole for module in modules)
     rules = with_exemptions([item for item in items if isinstance(item, ast.Rule)])
-    declarations = Declarations(items, modules[-1], names, conditions, is_whole, rules)
+    declarations = ProgramDeclarations(items, modules[-1], names, conditions, is_whole, rules)
     _check_hidden_names(declarations, collector)
     _check_structure(declarations, collector)
     return declarations
@@ -136,7 +136,7 @@ def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condi
     return found
 
 
-def _check_hidden_names(declarations: Declarations, collector: Collector) -> None:
+def _check_hidden_names(declarations: ProgramDeclarations, collector: Collector) -> None:
     """Report conditions with the name of a value: inside its entity, such a condition would hide
     the value.
     """
@@ -154,7 +154,7 @@ def _check_hidden_names(declarations: Declarations, collector: Collector) -> Non
                 collector.add(finding.at(condition.name.span, place))
 
 
-def _check_structure(declarations: Declarations, collector: Collector) -> None:
+def _check_structure(declarations: ProgramDeclarations, collector: Collector) -> None:
     rule_names: dict[str, ast.Name] = {}
     for rule in declarations.rules:
         _check_rule(rule, rule_names, collector)

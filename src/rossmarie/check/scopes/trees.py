@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rossmarie.check.scopes.declarations import Declarations
+from rossmarie.check.scopes.declarations import ProgramDeclarations
 from rossmarie.syntax import ast
 
 LONGEST_QUOTE = 160
@@ -34,7 +34,7 @@ def root_of(node: ast.Expression) -> ast.Reference | None:
     return node if isinstance(node, ast.Reference) else None
 
 
-def constant_of(node: ast.Expression, declarations: Declarations) -> ast.Constant | None:
+def constant_of(node: ast.Expression, declarations: ProgramDeclarations) -> ast.Constant | None:
     """The declaration that a reference to a constant stands for."""
     if not isinstance(node, ast.Reference):
         return None
@@ -42,7 +42,9 @@ def constant_of(node: ast.Expression, declarations: Declarations) -> ast.Constan
     return found if isinstance(found, ast.Constant) else None
 
 
-def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number | ast.Bracket | None:
+def literal_of(
+    node: ast.Expression, declarations: ProgramDeclarations
+) -> ast.Number | ast.Bracket | None:
     """The literal number or range of a constant: here, or at its declaration.
 
     The constants must not be circular.

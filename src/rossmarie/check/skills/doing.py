@@ -19,7 +19,7 @@ from rossmarie.check.skills.errors import (
     UnknownSkillParameter,
 )
 from rossmarie.check.wording.suggestions import near_name, suggesting
-from rossmarie.skills import Parameter, Place, Skill, among
+from rossmarie.skills import Skill, SkillParameter, SourcePlace, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Type, Unknown
 
@@ -88,7 +88,7 @@ def find_skill(name: ast.Name, skills: CheckedSkills, context: Context) -> Skill
 
 def find_parameter(
     name: ast.Name, skill: Skill, skills: CheckedSkills, context: Context
-) -> Parameter | None:
+) -> SkillParameter | None:
     """The parameter with this name; None after reporting that the skill has none."""
     found = skill.parameters.get(name.text)
     if found is None:
@@ -112,7 +112,7 @@ def _has(intro: str, known: Iterable[str]) -> str:
 def report_unlike(
     finding: Template,
     name: ast.Name,
-    places: dict[str, Place | None],
+    places: dict[str, SourcePlace | None],
     skills: CheckedSkills,
     context: Context,
     around: tuple[Label, ...] = (),
@@ -136,7 +136,7 @@ def _known(finding: Template, places: Iterable[str]) -> tuple[Remark, ...]:
     return (Known(known=listed(names)),) if names and says_nothing else ()
 
 
-def _declared(what: str, place: Place | None, skills: CheckedSkills) -> tuple[Label, ...]:
+def _declared(what: str, place: SourcePlace | None, skills: CheckedSkills) -> tuple[Label, ...]:
     span = skills.span_at(place)
     return () if span is None else (InSkills(what=f"`{what}` stands").at(span),)
 

@@ -11,7 +11,7 @@ from rossmarie.check.names.frame_errors import NothingToTransform, NoWay, Unknow
 from rossmarie.check.names.frames import frame_field, has_frame, is_reported
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.system.frames import find_frame, report_second_frame
-from rossmarie.check.system.model import Topic
+from rossmarie.check.system.model import DeclaredTopic
 from rossmarie.syntax import ast
 from rossmarie.types import Message, Quantity, Type, Unknown
 from rossmarie.units import UnknownUnitError, parse_unit
@@ -37,7 +37,7 @@ def _is_unit(text: str) -> bool:
 
 
 def framed(
-    used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
+    used: CheckedInput, topic: DeclaredTopic | None, first: dict[str, ast.Name], context: Context
 ) -> CheckedInput:
     """The input with its frames. `first` contains the frames that earlier inputs gave to topics."""
     source = _source(used, topic, first, context)
@@ -60,7 +60,7 @@ def framed(
 
 
 def _source(
-    used: CheckedInput, topic: Topic | None, first: dict[str, ast.Name], context: Context
+    used: CheckedInput, topic: DeclaredTopic | None, first: dict[str, ast.Name], context: Context
 ) -> str | None:
     """The frame in which an input arrives: the frame after its own `from`, or else the frame of its
     topic.
@@ -125,7 +125,11 @@ def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
 
 
 def _report_no_way(
-    used: CheckedInput, source: str, written: ast.Name, topic: Topic | None, context: Context
+    used: CheckedInput,
+    source: str,
+    written: ast.Name,
+    topic: DeclaredTopic | None,
+    context: Context,
 ) -> None:
     finding = NoWay(source=source, target=context.frames.named(written.text))
     origin = used.declaration.source

@@ -22,8 +22,8 @@ from rossmarie.check.system.errors import (
 from rossmarie.check.system.field_units import FieldKey, check_one_unit
 from rossmarie.check.system.input_frames import framed, with_frame_for_unit
 from rossmarie.check.system.model import (
+    DeclaredTopic,
     SystemModel,
-    Topic,
     contradicts,
     find_message,
     full_name,
@@ -117,7 +117,7 @@ def _resolve(declaration: ast.Input, model: SystemModel, collector: Collector) -
 
 
 def _message(
-    declaration: ast.Input, topic: Topic | None, model: SystemModel, collector: Collector
+    declaration: ast.Input, topic: DeclaredTopic | None, model: SystemModel, collector: Collector
 ) -> Message | None:
     written = declaration.message_type
     if written is not None:
@@ -157,7 +157,11 @@ def _selected(type_: Type, message: Message, declaration: ast.Input, collector: 
 
 
 def _in_unit(
-    type_: Type, field: str, declaration: ast.Input, topic: Topic | None, collector: Collector
+    type_: Type,
+    field: str,
+    declaration: ast.Input,
+    topic: DeclaredTopic | None,
+    collector: Collector,
 ) -> Type:
     if isinstance(type_, Unknown):
         return type_
@@ -184,7 +188,7 @@ def _in_unit(
 
 
 def _report_other_unit(
-    written: ast.Unit, unit: Unit, field: str, topic: Topic, collector: Collector
+    written: ast.Unit, unit: Unit, field: str, topic: DeclaredTopic, collector: Collector
 ) -> None:
     """Report that a system model gives the values of a topic another unit than an input does."""
     declared = topic.declaration.unit

@@ -13,7 +13,7 @@ from pathlib import Path
 from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, Remark
 from dslkit.source import is_folder
 from rossmarie.check.names.fields import has_no_number, select, unit_of
-from rossmarie.check.scopes.declarations import Declarations
+from rossmarie.check.scopes.declarations import ProgramDeclarations
 from rossmarie.check.scopes.errors import DuplicateName
 from rossmarie.check.system.errors import (
     FieldUnitConflict,
@@ -46,7 +46,7 @@ from rossmarie.units import Unit
 
 
 @dataclass(frozen=True)
-class Topic:
+class DeclaredTopic:
     """A declared topic. `unit` is the unit of a std_msgs value, if the declaration gives one."""
 
     name: str
@@ -68,10 +68,10 @@ class SystemModel:
     messages: MessageCatalog
     suggestions: Suggestions
     is_whole: bool
-    topics: dict[str, Topic] = field(default_factory=dict)
+    topics: dict[str, DeclaredTopic] = field(default_factory=dict)
     aliases: dict[str, str] = field(default_factory=dict)
 
-    def find(self, name: str) -> Topic | None:
+    def find(self, name: str) -> DeclaredTopic | None:
         """The topic for a name in a rules file: an alias, else the topic's own name."""
         return self.topics.get(self.aliases.get(name) or full_name(name))
 
@@ -109,7 +109,7 @@ def type_name(name: str) -> str:
 
 
 def read_system_model(
-    declarations: Declarations,
+    declarations: ProgramDeclarations,
     message_folders: Sequence[Path],
     suggestions: Suggestions,
     collector: Collector,
@@ -251,7 +251,7 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
     name = full_name(declaration.topic.text)
     message = find_message(declaration.message_type, model, collector)
     unit = _topic_unit(declaration, message, collector)
-    topic = Topic(name, type_name(declaration.message_type.text), unit, declaration)
+    topic = DeclaredTopic(name, type_name(declaration.message_type.text), unit, declaration)
     first = model.topics.setdefault(name, topic)
     if first.message_type != topic.message_type:
         report_conflict(declaration.message_type, first, collector)
@@ -275,7 +275,7 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
 
 
 def _report_other_unit(
-    declaration: ast.TopicDeclaration, unit: Unit, first: Topic, collector: Collector
+    declaration: ast.TopicDeclaration, unit: Unit, first: DeclaredTopic, collector: Collector
 ) -> None:
     """Report that an earlier declaration gives the values of a topic another unit."""
     written, earlier = declaration.unit, first.declaration.unit
@@ -291,7 +291,7 @@ def _report_other_unit(
     collector.add(finding.at(written.span, place))
 
 
-def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:
+def report_conflict(written: ast.Name, topic: DeclaredTopic, collector: Collector) -> None:
     """Report an error if `written` is not the message type that a system model gives `topic`,
     unless one of the two could not be read.
     """

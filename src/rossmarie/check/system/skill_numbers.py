@@ -21,7 +21,7 @@ from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import end_of_field, read_unit
 from rossmarie.check.wording.gaps import without
 from rossmarie.ir import Quantity as Query
-from rossmarie.skills import Parameter, Property, among
+from rossmarie.skills import Property, SkillParameter, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Quantity, Type, Unknown
 from rossmarie.units import Unit, UnknownUnitError, parse_unit, si_unit
@@ -106,7 +106,7 @@ def _find(
 
 def _property(
     number: ast.SkillNumber,
-    parameter: Parameter,
+    parameter: SkillParameter,
     rest: list[ast.Name],
     skills: CheckedSkills,
     context: Context,

@@ -8,7 +8,7 @@ from rossmarie.check.model import CheckedSkills
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.skills.doing import checked_doing, find_class, known_skills
 from rossmarie.check.tests.errors import NothingBeside
-from rossmarie.ir.script import Running
+from rossmarie.ir.script import ScriptedSkills
 from rossmarie.ir.skills import RunningSkill, SkillArgument
 from rossmarie.syntax import ast
 
@@ -27,7 +27,7 @@ def repeats_skills(setting: ast.Setting, context: Context) -> bool:
     return is_word and not rest and setting.value is None and context.skills is not None
 
 
-def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:
+def running_of(written: Sequence[ast.Doing], context: Context) -> ScriptedSkills | None:
     """All skills that run, or can start next, from a statement on; None after reporting an
     error.
     """
@@ -39,7 +39,7 @@ def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None
         context.collector.add(NothingBeside().at(nothing[0].span))
         return None
     if nothing:
-        return Running(skills.file.topic, (), f"doing {NOTHING}")
+        return ScriptedSkills(skills.file.topic, (), f"doing {NOTHING}")
     found: list[RunningSkill] = []
     words: list[str] = []
     for each in written:
@@ -49,7 +49,7 @@ def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None
             words.append(asked.text)
     if len(found) < len(written):
         return None
-    return Running(skills.file.topic, tuple(found), ", ".join(words))
+    return ScriptedSkills(skills.file.topic, tuple(found), ", ".join(words))
 
 
 def _is_nothing(node: ast.Doing, skills: CheckedSkills) -> bool:

@@ -10,7 +10,7 @@ from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import members, select, unit_of
-from rossmarie.check.names.parts import Part, part_at
+from rossmarie.check.names.parts import MessagePart, part_at
 from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.operations.sectors import checked_sector, report_no_sectors
@@ -162,7 +162,7 @@ class _SettingChecker:
 
     def _whole_scan(
         self, used: CheckedInput, type_: Type, steps: Sequence[Step]
-    ) -> tuple[Type, Part]:
+    ) -> tuple[Type, MessagePart]:
         """The scan, if a setting names a field of the scan outside the part that the input reads:
         readings of a scan depend on all of its fields.
         """
@@ -175,10 +175,10 @@ class _SettingChecker:
             for name in used.path[:-1]:
                 scan = None if scan is None else members(scan).get(name)
             if scan is not None:
-                return scan, Part(used.path[:-1])
+                return scan, MessagePart(used.path[:-1])
         return type_, part_at(used.base, type_)
 
-    def _message(self, used: CheckedInput, type_: Type) -> tuple[Type, Part]:
+    def _message(self, used: CheckedInput, type_: Type) -> tuple[Type, MessagePart]:
         """The whole message of an input, and the start of the path in it. A number of a skill has
         no message.
         """

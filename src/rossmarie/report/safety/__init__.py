@@ -3,15 +3,15 @@ proofs.
 """
 
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, evidence_text, parse_evidence
-from rossmarie.report.safety.model import Declared, SafetyFile, Source
+from rossmarie.report.safety.model import Declared, RulesFile, SafetyFile
 from rossmarie.report.safety.page import open_points, render_safety_file
 
 __all__ = [
     "Declared",
     "Evidence",
     "EvidenceKind",
+    "RulesFile",
     "SafetyFile",
-    "Source",
     "evidence_text",
     "open_points",
     "parse_evidence",

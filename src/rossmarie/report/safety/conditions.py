@@ -11,7 +11,7 @@ from __future__ import annotations
 from rossmarie import ir
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.support import is_leaf, proposition_operands
-from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number, sizes
+from rossmarie.report.safety.numbers import MOST_PARTS, NumberWords, number, sizes
 from rossmarie.report.safety.phrase import Phrase
 
 _MOST_SIDE_BY_SIDE = 3
@@ -27,12 +27,12 @@ _WORDS = {
 }
 
 
-class Conditions:
+class ConditionWords:
     """The words for each proposition of one machine."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
-        self.numbers = Numbers(machine, self.inline)
+        self.numbers = NumberWords(machine, self.inline)
         self._sizes = sizes(
             proposition_operands(proposition.node) for proposition in machine.propositions
         )
@@ -239,7 +239,7 @@ class Conditions:
             source = self._machine.slots[read.slot]
         elif isinstance(read, ir.Element):
             source = self._machine.arrays[read.array]
-        is_text = source is not None and source.kind is ir.Kind.TEXT
+        is_text = source is not None and source.kind is ir.FieldKind.TEXT
         if not is_text or not isinstance(literal, ir.Constant):
             return None
         return f'"{self._machine.texts[int(literal.value)]}"'

@@ -13,7 +13,7 @@ from rossmarie import ir
 from rossmarie.ir import overruled, reactions
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.path import path_words
-from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.conditions import ConditionWords
 from rossmarie.report.safety.numbers import number, quantity
 from rossmarie.report.safety.phrase import Phrase, listed
 
@@ -21,7 +21,7 @@ from rossmarie.report.safety.phrase import Phrase, listed
 class Effects:
     """The words for each task of one machine."""
 
-    def __init__(self, machine: ir.Machine, conditions: Conditions) -> None:
+    def __init__(self, machine: ir.Machine, conditions: ConditionWords) -> None:
         self._machine = machine
         self._found = machine.reactions
         self._conditions = conditions

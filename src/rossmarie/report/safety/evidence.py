@@ -59,7 +59,7 @@ class Hashed:
 
 
 @dataclass(frozen=True)
-class Result:
+class AnsweredQuery:
     """One query of a report and its answer."""
 
     name: str
@@ -78,11 +78,11 @@ class Evidence:
     sources: tuple[Hashed, ...]
     outputs: tuple[Hashed, ...]
     bound: str
-    results: tuple[Result, ...]
+    results: tuple[AnsweredQuery, ...]
     margins: tuple[Spare, ...] = ()
 
     @property
-    def open_results(self) -> tuple[Result, ...]:
+    def open_results(self) -> tuple[AnsweredQuery, ...]:
         """The results with a bad status."""
         return tuple(each for each in self.results if each.status != self.kind.statuses[0])
 
@@ -104,7 +104,7 @@ def evidence_text(
     sources: Sequence[Hashed],
     outputs: Sequence[Hashed] = (),
     bound: str,
-    results: Sequence[Result],
+    results: Sequence[AnsweredQuery],
     margins: Sequence[Spare] = (),
 ) -> str:
     """A report of a kind: the versions of the tools by name, the covered files, the files generated
@@ -164,10 +164,10 @@ def _hashed(found: list[dict[str, object]]) -> tuple[Hashed, ...]:
     return tuple(Hashed(_text(each["path"]), _text(each["sha256"])) for each in found)
 
 
-def _result(found: dict[str, object], kind: EvidenceKind) -> Result:
+def _result(found: dict[str, object], kind: EvidenceKind) -> AnsweredQuery:
     status = _text(found["status"])
     _require(status in kind.statuses, f"`{status}` is none of {', '.join(kind.statuses)}")
-    return Result(_text(found["name"]), status, _text(found.get("detail", "")))
+    return AnsweredQuery(_text(found["name"]), status, _text(found.get("detail", "")))
 
 
 def _text(value: object) -> str:

@@ -12,7 +12,7 @@ from rossmarie.report.safety.evidence import Evidence
 
 
 @dataclass(frozen=True)
-class Source:
+class RulesFile:
     """A file of the rules; `name` is its name on the page, `sha256` is in hexadecimal."""
 
     name: str
@@ -41,7 +41,7 @@ class SafetyFile:
 
     machine: ir.Machine
     rules_file: str
-    sources: tuple[Source, ...]
+    sources: tuple[RulesFile, ...]
     constants: tuple[Declared, ...]
     priorities: tuple[Declared, ...]
     findings: tuple[Finding, ...]

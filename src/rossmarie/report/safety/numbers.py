@@ -43,7 +43,7 @@ def quantity(value: float, unit: str) -> str:
     return f"{number(value)} {unit}".rstrip()
 
 
-class Numbers:
+class NumberWords:
     """The words for each signal of one machine. `each` gives the words for a condition on the
     current element.
     """

@@ -19,7 +19,7 @@ from rossmarie.analysis.loss import Effect
 from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.path import path_words
-from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.conditions import ConditionWords
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed
 from rossmarie.report.safety.kept import kept
 from rossmarie.report.safety.model import SafetyFile
@@ -37,7 +37,7 @@ _MOST_NAMES = 3
 def render_safety_file(content: SafetyFile) -> str:
     """The text of the page."""
     machine = content.machine
-    conditions = Conditions(machine)
+    conditions = ConditionWords(machine)
     rules = rule_texts(machine, conditions)
     return template("safety.html.j2").render(
         content=content,
@@ -252,7 +252,11 @@ class _Field:
     unit: str
 
 
-_KINDS = {ir.Kind.REAL: "number", ir.Kind.FLAG: "true or false", ir.Kind.TEXT: "text"}
+_KINDS = {
+    ir.FieldKind.REAL: "number",
+    ir.FieldKind.FLAG: "true or false",
+    ir.FieldKind.TEXT: "text",
+}
 
 
 def _kind_of_array(machine: ir.Machine, array: ir.Array) -> str:
@@ -261,11 +265,11 @@ def _kind_of_array(machine: ir.Machine, array: ir.Array) -> str:
     """
     if array.list is None:
         return "array"
-    kind = ir.Kind.FLAG if holds_flags(array) else array.kind
+    kind = ir.FieldKind.FLAG if holds_flags(array) else array.kind
     return f"{_KINDS[kind]} of each of up to {machine.lists[array.list].most} elements"
 
 
-def _fields(machine: ir.Machine, conditions: Conditions) -> list[_Field]:
+def _fields(machine: ir.Machine, conditions: ConditionWords) -> list[_Field]:
     found = [
         _Field(conditions.numbers.slot(index), slot.input, path_words(slot.path) or "data",
                _KINDS[slot.kind], slot.unit)
@@ -287,7 +291,7 @@ class _Condition:
     span: Span
 
 
-def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
+def _conditions(machine: ir.Machine, conditions: ConditionWords) -> list[_Condition]:
     """The named conditions, and the conditions to which the sentences above refer."""
     wanted = {
         index
@@ -305,7 +309,7 @@ def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]
     ]  # fmt: skip
 
 
-def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
+def _numbers_apart(conditions: ConditionWords) -> list[tuple[int, str]]:
     """The signals that have a name such as `number 7` in the sentences."""
     said: dict[int, str] = {}
     while missing := set(conditions.numbers.apart) - set(said):

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rossmarie import ir
 from rossmarie.report.proofs import Proofs
-from rossmarie.report.safety.evidence import EvidenceKind, Result
+from rossmarie.report.safety.evidence import AnsweredQuery, EvidenceKind
 from rossmarie.verification.message_checks import ELEMENTS
 
 _PROVED, _, _, _NOT_PROVED = EvidenceKind.VERIFICATION.statuses
@@ -23,21 +23,21 @@ def bound_of(machine: ir.Machine) -> str:
     )
 
 
-def verification_results(proofs: Proofs) -> Iterator[Result]:
+def verification_results(proofs: Proofs) -> Iterator[AnsweredQuery]:
     """The results: first, for each rule, whether it is correct in runs of any length, which depends
     on all parts.
     """
     for name in proofs.rules:
-        yield Result(
+        yield AnsweredQuery(
             name=f"rule {name} in runs of any length",
             status=_PROVED if proofs.is_inductive else _NOT_PROVED,
             detail="rests on every query about the monitor",
         )
     for outcome in proofs.outcomes:
-        yield Result(
+        yield AnsweredQuery(
             name=outcome.check.about,
             status=outcome.verdict.value,
             detail="; ".join((f"check_{outcome.check.name}", *proofs.reasons(outcome))),
         )
     for name in proofs.unasked:
-        yield Result(name=name, status=_NOT_PROVED, detail="no query is asked about it")
+        yield AnsweredQuery(name=name, status=_NOT_PROVED, detail="no query is asked about it")

@@ -14,7 +14,7 @@ from dslkit.source import Span
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.conditions import ConditionWords
 from rossmarie.report.safety.effects import Effects
 from rossmarie.report.safety.phrase import Phrase, listed
 
@@ -51,7 +51,7 @@ class RuleText:
         yield from self.ends.lines()
 
 
-def rule_texts(machine: ir.Machine, conditions: Conditions) -> tuple[RuleText, ...]:
+def rule_texts(machine: ir.Machine, conditions: ConditionWords) -> tuple[RuleText, ...]:
     """The sentences of each rule, in the order of the machine."""
     writer = _Writer(machine, conditions)
     return tuple(writer.rule(index) for index in range(len(machine.rules)))
@@ -60,7 +60,7 @@ def rule_texts(machine: ir.Machine, conditions: Conditions) -> tuple[RuleText, .
 class _Writer:
     """Writes about the rules of one machine."""
 
-    def __init__(self, machine: ir.Machine, conditions: Conditions) -> None:
+    def __init__(self, machine: ir.Machine, conditions: ConditionWords) -> None:
         self._machine = machine
         self._conditions = conditions
         self._effects = Effects(machine, conditions)

@@ -7,7 +7,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Kind, Output, Wiring
+from rossmarie.report.wiring.model import (
+    PLANNER,
+    ROBOT,
+    Command,
+    Output,
+    Subscription,
+    TargetKind,
+    Wiring,
+)
 
 
 def wiring_dot(wiring: Wiring) -> str:
@@ -30,18 +38,21 @@ def _command(node: str, command: Command) -> Iterator[str]:
     for end in (PLANNER, ROBOT):
         yield f"{_node(end)} [label={_quoted(end)}, shape=ellipse];"
     for topic in (command.unfiltered, command.topic):
-        yield _thing(Kind.TOPIC, topic, command.message_type)
-    unfiltered, filtered = _id(Kind.TOPIC, command.unfiltered), _id(Kind.TOPIC, command.topic)
+        yield _thing(TargetKind.TOPIC, topic, command.message_type)
+    unfiltered, filtered = (
+        _id(TargetKind.TOPIC, command.unfiltered),
+        _id(TargetKind.TOPIC, command.topic),
+    )
     yield f"{_node(PLANNER)} -> {unfiltered} -> {_node(node)} [penwidth=2];"
     yield f"{_node(node)} -> {filtered} [label={_lines(map(str, command.uses))}, penwidth=2];"
     yield f"{filtered} -> {_node(ROBOT)} [penwidth=2];"
 
 
-def _input(node: str, each: Input) -> Iterator[str]:
+def _input(node: str, each: Subscription) -> Iterator[str]:
     timeout = "no timeout" if each.timeout_ns is None else duration_text(each.timeout_ns)
-    yield _thing(Kind.TOPIC, each.topic, each.message_type)
+    yield _thing(TargetKind.TOPIC, each.topic, each.message_type)
     label = _lines((timeout, f"for {', '.join(each.rules)}"))
-    yield f"{_id(Kind.TOPIC, each.topic)} -> {_node(node)} [label={label}];"
+    yield f"{_id(TargetKind.TOPIC, each.topic)} -> {_node(node)} [label={label}];"
 
 
 def _output(node: str, each: Output) -> Iterator[str]:
@@ -50,11 +61,11 @@ def _output(node: str, each: Output) -> Iterator[str]:
     yield f"{_node(node)} -> {_id(each.kind, each.name)} [label={label}];"
 
 
-def _thing(kind: Kind, name: str, below: str) -> str:
+def _thing(kind: TargetKind, name: str, below: str) -> str:
     return f"{_id(kind, name)} [label={_lines((name, below))}];"
 
 
-def _id(kind: Kind, name: str) -> str:
+def _id(kind: TargetKind, name: str) -> str:
     """An identifier. A topic and a service with the same name have different identifiers."""
     return _quoted(f"{kind.value} {name}")
 

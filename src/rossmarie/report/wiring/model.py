@@ -20,7 +20,7 @@ ROBOT = "robot"
 
 
 @dataclass(frozen=True)
-class Use:
+class EffectUse:
     """An effect in words (`limit /cmd_vel`), its action, and the rules that use it."""
 
     effect: str
@@ -32,7 +32,7 @@ class Use:
 
 
 @dataclass(frozen=True)
-class Input:
+class Subscription:
     """A topic to which the node subscribes. `timeout_ns` is the least timeout of its inputs in ns;
     None if no input has a timeout.
     """
@@ -50,10 +50,10 @@ class Command:
     unfiltered: str
     topic: str
     message_type: str
-    uses: tuple[Use, ...]
+    uses: tuple[EffectUse, ...]
 
 
-class Kind(enum.Enum):
+class TargetKind(enum.Enum):
     """The kinds of things on which the node acts."""
 
     TOPIC = "topic"
@@ -69,10 +69,10 @@ class Output:
     goals; None if there is none or if it is unknown.
     """
 
-    kind: Kind
+    kind: TargetKind
     name: str
     type: str | None
-    uses: tuple[Use, ...]
+    uses: tuple[EffectUse, ...]
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Wiring:
 
     node: str
     commands: tuple[Command, ...]
-    inputs: tuple[Input, ...]
+    inputs: tuple[Subscription, ...]
     outputs: tuple[Output, ...]
     remark: str | None
 
@@ -147,7 +147,7 @@ def _filtered(effect: reactions.Effect) -> int | None:
 # --- inputs ----------------------------------------------------------------------------------
 
 
-def _inputs(machine: ir.Machine) -> Iterator[Input]:
+def _inputs(machine: ir.Machine) -> Iterator[Subscription]:
     read = [
         {*rule.inputs, *_confirming(machine, index)} for index, rule in enumerate(machine.rules)
     ]
@@ -156,7 +156,7 @@ def _inputs(machine: ir.Machine) -> Iterator[Input]:
             continue
         used = {place for place, each in enumerate(machine.inputs) if each.channel == index}
         timeouts = (machine.inputs[place].timeout_ns for place in used)
-        yield Input(
+        yield Subscription(
             topic=channel.topic,
             message_type=channel.message_type,
             timeout_ns=min((each for each in timeouts if each is not None), default=None),
@@ -183,36 +183,36 @@ def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
 
 def _outputs(machine: ir.Machine) -> Iterator[Output]:
     """The outputs on which tasks act, by kind, and in the order of the file within each kind."""
-    found: dict[tuple[Kind, str], list[int]] = {}
-    types: dict[tuple[Kind, str], str | None] = {}
+    found: dict[tuple[TargetKind, str], list[int]] = {}
+    types: dict[tuple[TargetKind, str], str | None] = {}
     for index, task in enumerate(machine.reactions.tasks):
         target = _target(task.effect)
         if target is not None:
             kind, name, its_type = target
             found.setdefault((kind, name), []).append(index)
             types[kind, name] = types.get((kind, name)) or its_type
-    for kind in Kind:
+    for kind in TargetKind:
         for (each, name), tasks in found.items():
             if each is kind:
                 yield Output(kind, name, types[kind, name], _uses(machine, tasks))
 
 
-def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
+def _target(effect: reactions.Effect) -> tuple[TargetKind, str, str | None] | None:
     """The target of an effect outside of the node: its kind, name and type."""
     match effect:
         case (
             reactions.Publish(topic=topic, message_type=message_type, command=None)
             | reactions.Retrace(topic=topic, message_type=message_type)
         ):
-            return Kind.TOPIC, topic, message_type
+            return TargetKind.TOPIC, topic, message_type
         case reactions.Call(service=service, service_type=service_type):
-            return Kind.SERVICE, service, service_type
+            return TargetKind.SERVICE, service, service_type
         case reactions.SendGoal() | reactions.CancelGoal():
-            return Kind.ACTION_SERVER, effect.server, effect.action_type
+            return TargetKind.ACTION_SERVER, effect.server, effect.action_type
         case reactions.SetParameter(node=node, parameter=parameter):
-            return Kind.PARAMETER, f"{node}.{parameter}", None
+            return TargetKind.PARAMETER, f"{node}.{parameter}", None
         case reactions.SwitchControllers(manager=manager):
-            return Kind.CONTROLLER_MANAGER, manager, None
+            return TargetKind.CONTROLLER_MANAGER, manager, None
         case (
             reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Log()
             | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
@@ -220,7 +220,7 @@ def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
             return None
 
 
-def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[Use, ...]:
+def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[EffectUse, ...]:
     """The uses of an output by these tasks. Equal uses by several rules are one use."""
     rules: dict[tuple[str, str], dict[str, None]] = {}
     plans = zip(machine.rules, machine.reactions.plans, strict=True)
@@ -230,4 +230,6 @@ def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[Use, ...]:
         action = machine.reactions.actions[task.action].name
         key = effect_words(machine, task.effect), action
         rules.setdefault(key, {})[rule_of[index]] = None
-    return tuple(Use(effect, action, tuple(having)) for (effect, action), having in rules.items())
+    return tuple(
+        EffectUse(effect, action, tuple(having)) for (effect, action), having in rules.items()
+    )

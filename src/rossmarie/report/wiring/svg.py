@@ -13,7 +13,7 @@ from importlib.resources import files
 from textwrap import wrap
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Output, Wiring
+from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Output, Subscription, Wiring
 
 _MARGIN = 24
 _PADDING = 12
@@ -60,7 +60,7 @@ def _filter_block(command: Command) -> Block:
     return _block("safety filter", command.message_type, *map(str, command.uses))
 
 
-def _input_block(each: Input) -> Block:
+def _input_block(each: Subscription) -> Block:
     timeout = "no timeout"
     if each.timeout_ns is not None:
         timeout = f"timeout {duration_text(each.timeout_ns)}"

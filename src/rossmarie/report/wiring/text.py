@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Use, Wiring
+from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, EffectUse, Wiring
 
 _INDENT = 2
 _UNBROKEN = 1_000_000
@@ -74,7 +74,7 @@ def _outputs(wiring: Wiring, room: int) -> Iterator[str]:
     return _indented(_table(("Effect", "Type", "Action", "Rules"), rows, room))
 
 
-def _use(use: Use) -> tuple[str, str, str]:
+def _use(use: EffectUse) -> tuple[str, str, str]:
     return use.effect, use.action, ", ".join(use.rules)
 
 

@@ -8,10 +8,10 @@ the state of its input needs no separate check.
 from __future__ import annotations
 
 from rossmarie import ir
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 
 
-def covered_values(layout: Layout) -> frozenset[int]:
+def covered_values(layout: CLayout) -> frozenset[int]:
     """Values that may be stored as received while all guards of their channel are satisfied:
     guarded scalars, and their absolute and negated values, if no other value is computed from them.
     """
@@ -36,7 +36,7 @@ def covered_values(layout: Layout) -> frozenset[int]:
     return frozenset(found)
 
 
-def is_seen_by_guards(layout: Layout, channel: int) -> bool:
+def is_seen_by_guards(layout: CLayout, channel: int) -> bool:
     """Say whether every input of a channel has a guarded number of its own, and no age of an input
     is used.
     """
@@ -54,7 +54,7 @@ def _is_mirror(machine: ir.Machine, signal: int) -> bool:
     return isinstance(node, ir.Apply) and node.function in mirrors
 
 
-def _looked_at_freely(layout: Layout) -> set[int]:
+def _looked_at_freely(layout: CLayout) -> set[int]:
     """The values that tests, oscillations and elements use without a guard."""
     propositions = [*layout.value_of_test, *layout.oscillations]
     nodes = [layout.machine.propositions[proposition].node for proposition in propositions]

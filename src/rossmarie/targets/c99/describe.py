@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import indented
 
 
@@ -15,7 +15,7 @@ def most(counts: Iterable[int]) -> int:
     return max(1, *counts, 1)
 
 
-def rule_enumeration(layout: Layout) -> str:
+def rule_enumeration(layout: CLayout) -> str:
     """The public names of the rules."""
     rules = layout.machine.rules
     if not rules:
@@ -29,7 +29,7 @@ def rule_enumeration(layout: Layout) -> str:
     return f"enum {layout.name}_rule {{\n{body}\n}};\n"
 
 
-def text_declaration(layout: Layout) -> str:
+def text_declaration(layout: CLayout) -> str:
     """The texts that rules compare with, for programs that give texts to a monitor."""
     texts = layout.machine.texts
     if not texts:
@@ -40,7 +40,7 @@ def text_declaration(layout: Layout) -> str:
     )
 
 
-def descriptions(layout: Layout) -> str:
+def descriptions(layout: CLayout) -> str:
     """The tables with the texts of each rule, and of compared texts."""
     machine = layout.machine
     propositions = [proposition.name or proposition.text for proposition in machine.propositions]
@@ -70,7 +70,7 @@ def _texts(declared: str, named: Sequence[str], rows: Sequence[Sequence[str]]) -
     return f"{declared}[{count}] = {{\n{indented(quoted)}\n}};"
 
 
-def _rules(layout: Layout) -> str:
+def _rules(layout: CLayout) -> str:
     rows, starts = [], [0, 0, 0]
     for rule in layout.machine.rules:
         texts = (
@@ -95,6 +95,6 @@ def _rules(layout: Layout) -> str:
     return f"{declared}[{max(1, len(layout.machine.rules))}] = {{\n{body}\n}};"
 
 
-def _remark(layout: Layout, index: int) -> str:
+def _remark(layout: CLayout, index: int) -> str:
     rule = layout.machine.rules[index]
     return f"{names.place(rule.span)}  {rule.contract}"

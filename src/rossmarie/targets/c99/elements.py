@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.targets.c99.expressions import Expressions, converted
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 
 _START = {ir.Folding.MINIMUM: "INFINITY", ir.Folding.MAXIMUM: "-INFINITY"}
 _CALLS = {ir.Quantifier.ANY: "some", ir.Quantifier.ALL: "every"}
@@ -48,10 +48,10 @@ class _Loop:
         return self.count if self.most is None else "ELEMENTS"
 
 
-class Elements:
+class ElementLoops:
     """Writes the loops of one machine."""
 
-    def __init__(self, layout: Layout, expressions: Expressions) -> None:
+    def __init__(self, layout: CLayout, expressions: Expressions) -> None:
         self._layout = layout
         self._machine = layout.machine
         self._expressions = expressions

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.core import AnyFunction, View, may_be_infinite, sampling_row
 from rossmarie.targets.c99.functions import C
-from rossmarie.targets.c99.layout import Layout, Window
+from rossmarie.targets.c99.layout import CLayout, Window
 from rossmarie.targets.c99.types import number
-from rossmarie.targets.formulas import Definition, definition_of, definition_of_samples
+from rossmarie.targets.formulas import FunctionDefinition, definition_of, definition_of_samples
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Expressions:
     the signals call.
     """
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: CLayout) -> None:
         self._layout = layout
         self._machine = layout.machine
         self.functions: set[str] = set()
@@ -173,7 +173,7 @@ class Expressions:
         """A function with these operands, before S4 applies."""
         return self._call(definition_of(function, len(operands)), operands)
 
-    def _call(self, definition: Definition, operands: list[str]) -> str:
+    def _call(self, definition: FunctionDefinition, operands: list[str]) -> str:
         self.functions.add(definition.name)
         return definition.call(C, operands)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rossmarie.core.expressions import Primitive, locals_of
 from rossmarie.targets.c99.types import number
-from rossmarie.targets.formulas import Definition, Dialect, Formulas
+from rossmarie.targets.formulas import Dialect, Formulas, FunctionDefinition
 
 C = Dialect(
     number=lambda value: number(value) if value == value else "NAN",
@@ -15,7 +15,7 @@ C = Dialect(
 )
 
 
-def function(definition: Definition) -> str:
+def function(definition: FunctionDefinition) -> str:
     """The text of a C function."""
     formulas = Formulas(C, definition.parameters)
     lines = [

@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.targets.c99 import types
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.text import call, indented, table
 
 
-def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
+def blanks(layout: CLayout, messages: Messages) -> dict[str, object]:
     """The values for the placeholders of the template."""
     return {
         "value_of_signal": _value_of_signal(layout),
@@ -25,17 +25,17 @@ def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
     }
 
 
-def _value_of_signal(layout: Layout) -> str:
+def _value_of_signal(layout: CLayout) -> str:
     places = (layout.value_index(signal) for signal in range(len(layout.machine.signals)))
     listed = [-1 if place is None else place for place in places]
     return table("int", "value_of_signal", listed)
 
 
-def _channels(layout: Layout) -> range:
+def _channels(layout: CLayout) -> range:
     return range(len(layout.channel_names))
 
 
-def _update(layout: Layout, messages: Messages, channel: int) -> str:
+def _update(layout: CLayout, messages: Messages, channel: int) -> str:
     """One message, with every scalar as a double."""
     fields = messages.fields[channel]
     parameters = ["host *h", "int64_t t_ns"]
@@ -47,7 +47,7 @@ def _update(layout: Layout, messages: Messages, channel: int) -> str:
     return f"int host_update_{channel}({', '.join(parameters)})\n{{\n    return {call};\n}}\n"
 
 
-def _packed(layout: Layout, messages: Messages) -> list[str]:
+def _packed(layout: CLayout, messages: Messages) -> list[str]:
     """A case for every channel without arrays."""
     lines = []
     for channel, name in enumerate(layout.channel_names):
@@ -59,7 +59,7 @@ def _packed(layout: Layout, messages: Messages) -> list[str]:
     return lines
 
 
-def _step(layout: Layout, messages: Messages) -> list[str]:
+def _step(layout: CLayout, messages: Messages) -> list[str]:
     lines = [] if layout.channel_names else ["(void)present;", "v.has_nothing = true;"]
     for channel, name in enumerate(layout.channel_names):
         lines.append(f"v.has_{name} = present[{channel}] != 0;")
@@ -78,14 +78,16 @@ def _step(layout: Layout, messages: Messages) -> list[str]:
 
 def _flag_values(machine: ir.Machine) -> str:
     """The third value is for a missing flag: NaN, which is unknown."""
-    if not any(slot.kind is ir.Kind.FLAG for slot in machine.slots):
+    if not any(slot.kind is ir.FieldKind.FLAG for slot in machine.slots):
         return ""
     return "\nstatic const double flag_values[] = {0.0, 1.0, NAN};\n"
 
 
-def _columns(layout: Layout, messages: Messages) -> list[str]:
+def _columns(layout: CLayout, messages: Messages) -> list[str]:
     machine = layout.machine
-    kinds = ["unsigned char" if slot.kind is ir.Kind.FLAG else "double" for slot in machine.slots]
+    kinds = [
+        "unsigned char" if slot.kind is ir.FieldKind.FLAG else "double" for slot in machine.slots
+    ]
     lines = [_column(f"column_{index}", kind, index) for index, kind in enumerate(kinds)]
     for index in range(len(machine.arrays)):
         lines.append(_column(f"array_{index}", "double", len(kinds) + index))
@@ -103,22 +105,22 @@ def _column(name: str, kind: str, place: int) -> str:
     return f"const {kind} *{name} = (const {kind} *)table->columns[{place}];"
 
 
-def _is_single(layout: Layout, messages: Messages) -> bool:
+def _is_single(layout: CLayout, messages: Messages) -> bool:
     """Say whether every row is one message on the only channel."""
     return len(layout.channel_names) == 1 and bool(messages.fields[0])
 
 
-def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
+def _cell(machine: ir.Machine, field: types.StructField) -> list[str]:
     """One field of row i, as plain arguments."""
     if field.slot is None:
         row = f"array_{field.array} + i * width_{field.array}"
         return [row] if field.count is None else [row, f"width_{field.array}"]
     cell = f"column_{field.slot}[i]"
-    is_flag = machine.slots[field.slot].kind is ir.Kind.FLAG
+    is_flag = machine.slots[field.slot].kind is ir.FieldKind.FLAG
     return [f"flag_values[{cell}]" if is_flag else cell]
 
 
-def _row(layout: Layout, messages: Messages) -> list[str]:
+def _row(layout: CLayout, messages: Messages) -> list[str]:
     if _is_single(layout, messages):
         cells = [cell for field in messages.fields[0] for cell in _cell(layout.machine, field)]
         take = call(f"take_{layout.channel_names[0]}", ["&h->machine", "times[i]", *cells])

@@ -21,7 +21,7 @@ from rossmarie import ir
 from rossmarie.core import sampling_row
 from rossmarie.naming import public_prefix
 from rossmarie.targets.c99 import names
-from rossmarie.targets.limits import Limit, limits_of
+from rossmarie.targets.limits import PropositionLimit, limits_of
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class ValueGuard:
     name: str
     value: int
     leaves: list[int] = field(default_factory=list)
-    limits: list[Limit] = field(default_factory=list)
+    limits: list[PropositionLimit] = field(default_factory=list)
 
 
 class Window(NamedTuple):
@@ -56,7 +56,7 @@ class Window(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Layout:
+class CLayout:
     """The layout of one machine. Lists of proposition indexes are in the order of their nodes."""
 
     machine: ir.Machine
@@ -184,7 +184,7 @@ class Layout:
         return self.blamed(value.support)
 
 
-def lay_out(machine: ir.Machine) -> Layout:
+def lay_out(machine: ir.Machine) -> CLayout:
     """Number and name every part of a machine."""
     return _Builder(machine).layout()
 
@@ -205,7 +205,7 @@ class _Builder:
         self.proposition_family = names.Family("PROPOSITION_")
         self.whole = [i for i, a in enumerate(self.elements.propositions) if a is None]
 
-    def layout(self) -> Layout:
+    def layout(self) -> CLayout:
         self._slots()
         self._signals()
         for index in self.whole:
@@ -220,7 +220,7 @@ class _Builder:
         derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since, ir.Recurs)
         guarded = [leaf for guard in guards for leaf in guard.leaves]
         order = [*guarded, *ages, *literals, *oscillations, *derived]
-        return Layout(
+        return CLayout(
             machine=self.machine,
             name=public_prefix(self.machine.name),
             supports=self.supports,
@@ -326,12 +326,12 @@ class _Builder:
             return
         fixed = limits_of(self.machine, node)
         if fixed is None:
-            value, found = self._test(index), [Limit(0.5, True)]
+            value, found = self._test(index), [PropositionLimit(0.5, True)]
         else:
             value, found = self.value_of_signal[fixed.signal], fixed.limits
         guard = self._guard(value)
         guard.leaves.append(index)
-        guard.limits += [Limit(limit.at, limit.rises, index) for limit in found]
+        guard.limits += [PropositionLimit(limit.at, limit.rises, index) for limit in found]
 
     def _test(self, index: int) -> int:
         proposition = self.machine.propositions[index]

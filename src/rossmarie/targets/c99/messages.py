@@ -13,20 +13,20 @@ from rossmarie import ir
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
-from rossmarie.targets.c99.elements import Elements
+from rossmarie.targets.c99.elements import ElementLoops
 from rossmarie.targets.c99.expressions import Expressions, Piece
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import block, boolean, call, indented
 
 
 class Messages:
     """Writes the processing of messages."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: CLayout) -> None:
         self._layout = layout
         self._machine = layout.machine
         self.expressions = Expressions(layout)
-        self._elements = Elements(layout, self.expressions)
+        self._elements = ElementLoops(layout, self.expressions)
         self._covered = covered_values(layout)
         self._beside = ir.beside(self._machine)
         self.fields = [
@@ -164,7 +164,7 @@ class Messages:
         if lines:
             yield f"{self._fold_head(channel, name)}\n{{\n{indented(lines)}\n}}\n"
 
-    def _folded(self, channel: int) -> list[types.Field]:
+    def _folded(self, channel: int) -> list[types.StructField]:
         """The arrays of a channel whose elements are compared with numbers beside them."""
         return [field for field in self.fields[channel] if self._is_beside_numbers(field)]
 
@@ -276,7 +276,7 @@ class Messages:
             if is_timed and used.channel == channel:
                 yield f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
 
-    def _received(self, field: types.Field, channel: int) -> list[str]:
+    def _received(self, field: types.StructField, channel: int) -> list[str]:
         """The assignment of a field in the memory of the monitor. Numbers with guards are stored as
         received.
         """
@@ -287,7 +287,7 @@ class Messages:
             return [f"(void){name};" for name in types.arguments(field)]
         return self._loop(field, channel)
 
-    def _is_beside_numbers(self, field: types.Field) -> bool:
+    def _is_beside_numbers(self, field: types.StructField) -> bool:
         return field.array is not None and self._first(field.array) in self._beside
 
     def _first(self, array: int) -> int:
@@ -295,7 +295,7 @@ class Messages:
         its_list = self._machine.arrays[array].list
         return array if its_list is None else ir.columns_of(self._machine, its_list)[0]
 
-    def _loop(self, field: types.Field, channel: int) -> list[str]:
+    def _loop(self, field: types.StructField, channel: int) -> list[str]:
         """The loop over the elements of an array; for a list, at its last column."""
         assert field.array is not None, "a field is a slot or an array"
         if field.count is None:

@@ -7,10 +7,10 @@ from __future__ import annotations
 from rossmarie import ir
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 
 
-def derive(layout: Layout) -> str:
+def derive(layout: CLayout) -> str:
     """The function that evaluates one derived proposition. The declaration of its name contains the
     proposition's text.
     """
@@ -36,7 +36,7 @@ def derive(layout: Layout) -> str:
     return "\n".join(lines)
 
 
-def _expression(layout: Layout, index: int, node: ir.PropositionNode) -> str:
+def _expression(layout: CLayout, index: int, node: ir.PropositionNode) -> str:
     match node:
         case ir.Not(operand=operand):
             return f"opposite({_proposition(layout, operand)})"
@@ -63,12 +63,12 @@ def _expression(layout: Layout, index: int, node: ir.PropositionNode) -> str:
             raise AssertionError(f"{type(node).__name__} is a leaf")
 
 
-def _joined(layout: Layout, word: str, operands: tuple[int, ...]) -> str:
+def _joined(layout: CLayout, word: str, operands: tuple[int, ...]) -> str:
     text = _proposition(layout, operands[0])
     for operand in operands[1:]:
         text = f"{word}({text}, {_proposition(layout, operand)})"
     return text
 
 
-def _proposition(layout: Layout, index: int) -> str:
+def _proposition(layout: CLayout, index: int) -> str:
     return f"m->truth_value[{layout.proposition_names[index]}]"

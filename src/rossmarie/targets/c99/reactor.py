@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from rossmarie.ir import overruled, reactions
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import boolean, lists, remarked_table, sizes, starts_of, table
 from rossmarie.targets.c99.types import duration, number
 
 
-def blanks(layout: Layout) -> dict[str, object]:
+def blanks(layout: CLayout) -> dict[str, object]:
     """The values for the placeholders of both templates."""
     found = layout.machine.reactions
     return {
@@ -54,7 +54,7 @@ def _counts(found: reactions.Reactions) -> dict[str, int]:
     return {**counts, **{name: count for name, count in used.items() if count}}
 
 
-def _sizes(layout: Layout) -> str:
+def _sizes(layout: CLayout) -> str:
     found = layout.machine.reactions
     rows = [("TASKS", len(found.tasks), ""), ("COMMANDS", len(found.commands), "")]
     for index, command in enumerate(found.commands):

@@ -6,13 +6,13 @@ The input is a layout; the result is C text.
 from __future__ import annotations
 
 from rossmarie import ir
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.state import recent_counts
 from rossmarie.targets.c99.text import remarked_table, starts_of, table
 from rossmarie.targets.c99.types import duration, number
 
 
-def recent_tables(layout: Layout) -> list[str]:
+def recent_tables(layout: CLayout) -> list[str]:
     """The windows, places and propositions of oscillations and counts of edges, and the additional
     data of oscillations.
     """
@@ -26,7 +26,7 @@ def recent_tables(layout: Layout) -> list[str]:
     ]
 
 
-def _turn_tables(layout: Layout) -> list[str]:
+def _turn_tables(layout: CLayout) -> list[str]:
     swings, values = [], []
     for index in layout.oscillations:
         node = layout.machine.propositions[index].node
@@ -36,7 +36,7 @@ def _turn_tables(layout: Layout) -> list[str]:
     return [table("double", "turn_swings", swings), table("index_t", "turn_value", values)]
 
 
-def _window_ns(layout: Layout, index: int) -> int:
+def _window_ns(layout: CLayout, index: int) -> int:
     node = layout.machine.propositions[index].node
     assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists what has a window"
     return node.window_ns

@@ -6,15 +6,15 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.core import MOST_SAMPLES
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 
 
-def is_small(layout: Layout) -> bool:
+def is_small(layout: CLayout) -> bool:
     """Say whether the marks of all propositions and rules fit one word."""
     return layout.proposition_count + len(layout.machine.rules) <= 64
 
 
-def recent_counts(layout: Layout) -> list[int]:
+def recent_counts(layout: CLayout) -> list[int]:
     """The number of turning points that each oscillation stores, followed by the number of edges
     that each count of edges stores.
     """
@@ -22,7 +22,7 @@ def recent_counts(layout: Layout) -> list[int]:
     return [node.count for node in nodes if isinstance(node, ir.Oscillates | ir.Recurs)]
 
 
-def members(layout: Layout) -> list[str]:
+def members(layout: CLayout) -> list[str]:
     """The members of the struct of a monitor. Members that every message uses come first."""
     machine, propositions = layout.machine, layout.proposition_count
     words = (propositions + len(machine.rules) + 63) // 64

@@ -13,7 +13,7 @@ from rossmarie.core import MOST_SAMPLES
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Layout, ValueGuard
+from rossmarie.targets.c99.layout import CLayout, ValueGuard
 from rossmarie.targets.c99.recent import recent_tables
 from rossmarie.targets.c99.state import is_small
 from rossmarie.targets.c99.text import boolean, enumeration, lists, remarked_table, sizes, table
@@ -21,7 +21,7 @@ from rossmarie.targets.c99.types import duration, number
 from rossmarie.targets.limits import true_below, twins
 
 
-def tables(layout: Layout) -> str:
+def tables(layout: CLayout) -> str:
     """All data of a machine for the engine."""
     parts = [
         sizes(_sizes(layout)),
@@ -38,7 +38,7 @@ def tables(layout: Layout) -> str:
     return "\n".join(part for part in parts if part)
 
 
-def _sizes(layout: Layout) -> dict[str, int]:
+def _sizes(layout: CLayout) -> dict[str, int]:
     """The sizes of the parts of a monitor. A part without an entry has size 0."""
     machine = layout.machine
     always = {
@@ -83,7 +83,7 @@ def _section(title: str, parts: Sequence[str]) -> str:
 # --- inputs ----------------------------------------------------------------------------------
 
 
-def _input_tables(layout: Layout) -> str:
+def _input_tables(layout: CLayout) -> str:
     """The names of inputs, the time in ns for which each input is fresh (0: always), and the values
     that expire with each input.
     """
@@ -107,7 +107,7 @@ def _input_tables(layout: Layout) -> str:
     return _section("Inputs: how long each is fresh, and what is forgotten then.", parts)
 
 
-def _expiry_tables(layout: Layout) -> list[str]:
+def _expiry_tables(layout: CLayout) -> list[str]:
     values: list[Sequence[object]] = []
     samples: list[Sequence[object]] = []
     windows: list[Sequence[object]] = []
@@ -126,11 +126,11 @@ def _expiry_tables(layout: Layout) -> list[str]:
     return listed
 
 
-def _of_inputs(layout: Layout, rows: list[Sequence[object]]) -> list[tuple[str, Sequence[object]]]:
+def _of_inputs(layout: CLayout, rows: list[Sequence[object]]) -> list[tuple[str, Sequence[object]]]:
     return list(zip(layout.input_names, rows, strict=True))
 
 
-def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
+def _resting(layout: CLayout, signals: Sequence[int], used: int) -> list[int]:
     """The places of the signals that depend on an input that expires."""
     if not layout.has_timeout(used):
         return []
@@ -142,12 +142,12 @@ def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
 # ----------------------------------------------------------------------------------
 
 
-def _value_names_listed(layout: Layout) -> str:
+def _value_names_listed(layout: CLayout) -> str:
     rows = [(value.name, value.remark) for value in layout.values]
     return _section("The numbers that a monitor keeps, in SI units.", [enumeration(rows)])
 
 
-def _proposition_names_listed(layout: Layout) -> str:
+def _proposition_names_listed(layout: CLayout) -> str:
     propositions = [
         (layout.proposition_names[index], layout.remark(index))
         for index in layout.propositions_in_order()
@@ -160,11 +160,11 @@ def _proposition_names_listed(layout: Layout) -> str:
     return _section(title, [enumeration([*propositions, *rules])])
 
 
-def _rule_node(layout: Layout, rule: int) -> str:
+def _rule_node(layout: CLayout, rule: int) -> str:
     return layout.rule_names[rule].upper()
 
 
-def _node_tables(layout: Layout) -> str:
+def _node_tables(layout: CLayout) -> str:
     """The nodes that depend on each proposition, rules included."""
     users: list[set[int]] = [set() for _ in range(layout.proposition_count)]
     for index in layout.derived:
@@ -185,7 +185,7 @@ def _node_tables(layout: Layout) -> str:
     return _section(title, [remarked_table("uint64_t", "node_users", rows)])
 
 
-def _rule_tables(layout: Layout) -> str:
+def _rule_tables(layout: CLayout) -> str:
     rules = layout.machine.rules
     remarks = [f"{names.place(rule.span)}  {rule.name}: {rule.contract}" for rule in rules]
     conditions = [layout.proposition_names[rule.condition] for rule in rules]
@@ -219,14 +219,14 @@ def _rule_tables(layout: Layout) -> str:
     )
 
 
-def _of_rules(layout: Layout, rows: list[list[str]]) -> list[tuple[str, list[str]]]:
+def _of_rules(layout: CLayout, rows: list[list[str]]) -> list[tuple[str, list[str]]]:
     return list(zip([rule.name for rule in layout.machine.rules], rows, strict=True))
 
 
 # --- guards ----------------------------------------------------------------------------------
 
 
-def _guard_tables(layout: Layout) -> str:
+def _guard_tables(layout: CLayout) -> str:
     leaves, starts, below = [0], [0], []
     rows: list[str] = []
     for guard in layout.guards:
@@ -258,7 +258,7 @@ def _guard_tables(layout: Layout) -> str:
     )
 
 
-def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
+def _limit_rows(layout: CLayout, guard: ValueGuard) -> list[str]:
     """The limits of a guard between two ends."""
     rows = [f"BELOW_ALL, /* {comments.in_c(layout.values[guard.value].remark)} */"]
     pairs = enumerate(zip(guard.limits, twins(guard.limits), strict=True))
@@ -271,7 +271,7 @@ def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
     return [*rows, "ABOVE_ALL,"]
 
 
-def _blame_tables(layout: Layout) -> str:
+def _blame_tables(layout: CLayout) -> str:
     """The values that make a guard stale if they are missing, and the values that make it unknown;
     then the same for oscillations.
     """
@@ -293,14 +293,14 @@ def _blame_tables(layout: Layout) -> str:
     )
 
 
-def _excuses(layout: Layout) -> list[list[int]]:
+def _excuses(layout: CLayout) -> list[list[int]]:
     """The values that make each guard, and then each oscillation, unknown if they are missing."""
     supports = [layout.values[guard.value].support for guard in layout.guards]
     supports += [layout.supports.propositions[index] for index in layout.oscillations]
     return [layout.excuses(support) for support in supports]
 
 
-def _rows_of_values(layout: Layout, rows: list[list[int]]) -> list[tuple[str, list[str]]]:
+def _rows_of_values(layout: CLayout, rows: list[list[int]]) -> list[tuple[str, list[str]]]:
     owners = [guard.name for guard in layout.guards]
     owners += [layout.proposition_names[index] for index in layout.oscillations]
     found = [[layout.values[value].name for value in row] for row in rows]
@@ -310,7 +310,7 @@ def _rows_of_values(layout: Layout, rows: list[list[int]]) -> list[tuple[str, li
 # --- timers and samples ----------------------------------------------------------------------
 
 
-def _timer_tables(layout: Layout) -> str:
+def _timer_tables(layout: CLayout) -> str:
     parts = [
         *(_held_tables(layout) if layout.held else ()),
         *(_age_tables(layout) if layout.ages else ()),
@@ -322,7 +322,7 @@ def _timer_tables(layout: Layout) -> str:
     return _section(title, parts)
 
 
-def _literal_tables(layout: Layout) -> list[str]:
+def _literal_tables(layout: CLayout) -> list[str]:
     propositions = layout.machine.propositions
     values = [_value(propositions[index].node == ir.Literal(True)) for index in layout.literals]
     named = [layout.proposition_names[index] for index in layout.literals]
@@ -336,7 +336,7 @@ def _value(holds: bool) -> str:
     return "TRUE" if holds else "FALSE"
 
 
-def _sample_tables(layout: Layout) -> str:
+def _sample_tables(layout: CLayout) -> str:
     if not layout.sampled and not layout.windows:
         return ""
     parts = [table("index_t", "sampled_values", _sampled_values(layout))]
@@ -346,7 +346,7 @@ def _sample_tables(layout: Layout) -> str:
     return _section("Numbers that rest on samples.", parts)
 
 
-def _sampled_values(layout: Layout) -> list[str]:
+def _sampled_values(layout: CLayout) -> list[str]:
     """The values that depend on samples, which a jump in time deletes."""
     rests: set[int] = set()
     for index, signal in enumerate(layout.machine.signals):
@@ -358,14 +358,14 @@ def _sampled_values(layout: Layout) -> list[str]:
     ]
 
 
-def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[int]) -> bool:
+def _rests_on(layout: CLayout, signal: int | None, test: int | None, rests: set[int]) -> bool:
     if test is not None:
         compared = ir.compared_signals(layout.machine.propositions[test].node)
         return bool(rests.intersection(compared))
     return signal in rests
 
 
-def _held_tables(layout: Layout) -> list[str]:
+def _held_tables(layout: CLayout) -> list[str]:
     rows = []
     for index in layout.held:
         node = layout.machine.propositions[index].node
@@ -381,7 +381,7 @@ def _held_tables(layout: Layout) -> list[str]:
     ]
 
 
-def _age_tables(layout: Layout) -> list[str]:
+def _age_tables(layout: CLayout) -> list[str]:
     limits, inputs, unknown = [], [], []
     for index in layout.ages:
         node = layout.machine.propositions[index].node

@@ -13,13 +13,13 @@ from functools import cached_property
 from rossmarie import ir
 from rossmarie.targets.python import expressions, names
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Layout, ValueLimits, number
+from rossmarie.targets.python.layout import PythonLayout, ValueLimits, number
 
 _LARGEST_EXACT = 2.0**53
 """Every integer below this number is a double, so integers and doubles compare alike."""
 
 
-def calm_channels(layout: Layout) -> list[int]:
+def calm_channels(layout: PythonLayout) -> list[int]:
     """The channels that can have calm messages."""
     supports = layout.supports.signals
     sampled = [*layout.sampled, *(node.signal for _, node in layout.oscillations)]
@@ -28,7 +28,7 @@ def calm_channels(layout: Layout) -> list[int]:
     return [c for c in channels if c not in remembered and not layout.arrays(c)]
 
 
-def receive(layout: Layout, channel: int) -> list[str]:
+def receive(layout: PythonLayout, channel: int) -> list[str]:
     """The function that converts the content of a message. If it fails, nothing changes (S7)."""
     parameters = _parameters(layout, channel)
     function = Function(f"receive_{channel}({', '.join(parameters)})")
@@ -37,14 +37,14 @@ def receive(layout: Layout, channel: int) -> list[str]:
     return function.text()
 
 
-def arrive(layout: Layout, channel: int) -> list[str]:
+def arrive(layout: PythonLayout, channel: int) -> list[str]:
     """The function that processes the result of `receive`."""
     function = Function(f"arrive_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})")
     _take(layout, channel, function)
     return function.text()
 
 
-def update(layout: Layout, channel: int) -> list[str]:
+def update(layout: PythonLayout, channel: int) -> list[str]:
     """The function that users call with a message: its scalars, then its arrays."""
     function = Function(f"update_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})")
     if channel in calm_channels(layout):
@@ -59,7 +59,7 @@ def update(layout: Layout, channel: int) -> list[str]:
     return function.text()
 
 
-def _convert(layout: Layout, channel: int, function: Function) -> None:
+def _convert(layout: PythonLayout, channel: int, function: Function) -> None:
     calm = _Calm(layout, channel)
     for slot in layout.slots(channel):
         raw, declared = f"a{slot}", layout.machine.slots[slot]
@@ -75,7 +75,7 @@ def _convert(layout: Layout, channel: int, function: Function) -> None:
         function.line(f"a_{array} = {converted}")
 
 
-def _take(layout: Layout, channel: int, function: Function) -> None:
+def _take(layout: PythonLayout, channel: int, function: Function) -> None:
     """S9: store the numbers of a message and set the states of its inputs."""
     for group in layout.groups:
         if group.channel == channel:
@@ -92,7 +92,7 @@ def _take(layout: Layout, channel: int, function: Function) -> None:
             function.line(f"look_{array}({', '.join(f'a_{column}' for column in columns)})")
 
 
-def _parameters(layout: Layout, channel: int) -> list[str]:
+def _parameters(layout: PythonLayout, channel: int) -> list[str]:
     slots = [f"a{slot}" for slot in layout.slots(channel)]
     return [*slots, *(f"a_{array}" for array in layout.arrays(channel))]
 
@@ -105,7 +105,7 @@ def _converted(declared: ir.Slot, slot: int) -> str:
     return f"a{slot} * {number(declared.scale)} + {number(declared.offset)}"
 
 
-def _computed(layout: Layout, channel: int) -> list[tuple[int, ir.Apply]]:
+def _computed(layout: PythonLayout, channel: int) -> list[tuple[int, ir.Apply]]:
     """The functions of numbers of a channel."""
     nodes = ((index, layout.machine.signals[index].node) for index in layout.signals)
     supports = layout.supports.signals
@@ -116,7 +116,7 @@ def _computed(layout: Layout, channel: int) -> list[tuple[int, ir.Apply]]:
     ]
 
 
-def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.PropositionNode]]:
+def _unguarded(layout: PythonLayout, channel: int) -> list[tuple[int, ir.PropositionNode]]:
     """The comparisons of numbers of a channel that have no fixed limits."""
     nodes = ((index, layout.machine.propositions[index].node) for index in layout.propositions)
     supports = layout.supports.propositions
@@ -132,7 +132,7 @@ def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.PropositionNo
 class _Calm:
     """Writes the code for a calm message."""
 
-    def __init__(self, layout: Layout, channel: int) -> None:
+    def __init__(self, layout: PythonLayout, channel: int) -> None:
         self._layout = layout
         self._channel = channel
         self._slots = layout.slots(channel)

@@ -13,12 +13,12 @@ from rossmarie.targets.formulas import definition_of
 from rossmarie.targets.python import expressions
 from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.functions import PYTHON
-from rossmarie.targets.python.layout import Layout, number
+from rossmarie.targets.python.layout import PythonLayout, number
 
 _STARTS = {ir.Folding.MINIMUM: "INF", ir.Folding.MAXIMUM: "-INF"}
 
 
-def results(layout: Layout, array: int) -> dict[str, str]:
+def results(layout: PythonLayout, array: int) -> dict[str, str]:
     """The variables that depend on an array, with their values without elements."""
     return {
         **{f"s{signal}": "NAN" for signal in (*_folds(layout, array), *_counts(layout, array))},
@@ -26,7 +26,7 @@ def results(layout: Layout, array: int) -> dict[str, str]:
     }
 
 
-def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
+def inputs_of(layout: PythonLayout, variable: str) -> frozenset[int]:
     """The inputs that such a variable depends on: those of the elements, and of numbers beside
     them.
     """
@@ -34,7 +34,7 @@ def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
     return supports[int(variable[1:])].inputs
 
 
-def look(layout: Layout, array: int) -> list[str]:
+def look(layout: PythonLayout, array: int) -> list[str]:
     """The function that processes the elements of an array, or of the list with this first column;
     empty for other columns.
     """
@@ -71,16 +71,16 @@ def look(layout: Layout, array: int) -> list[str]:
     return function.text()
 
 
-def _elements(layout: Layout, column: int) -> str:
+def _elements(layout: PythonLayout, column: int) -> str:
     return f"elements{_ending(layout, column)}"
 
 
-def _ending(layout: Layout, array: int) -> str:
+def _ending(layout: PythonLayout, array: int) -> str:
     """The ending of the names of a list's column; empty for an array outside of lists."""
     return "" if layout.machine.arrays[array].list is None else f"_{array}"
 
 
-def _is_unknown(layout: Layout, array: int) -> str:
+def _is_unknown(layout: PythonLayout, array: int) -> str:
     """A condition: the elements are unknown (S24, S51)."""
     its_list = layout.machine.arrays[array].list
     if its_list is None:
@@ -92,7 +92,7 @@ def _is_unknown(layout: Layout, array: int) -> str:
     return " or ".join([*lacking, *others, too_many])
 
 
-def _head(layout: Layout, columns: Sequence[int]) -> str:
+def _head(layout: PythonLayout, columns: Sequence[int]) -> str:
     """The head of a loop over the elements: the loop variables, and the iterated columns."""
     names = [f"e{_ending(layout, column)}" for column in columns]
     found = [_converted(layout, column) for column in columns]
@@ -101,7 +101,7 @@ def _head(layout: Layout, columns: Sequence[int]) -> str:
     return f"{', '.join(names)} in zip({', '.join(found)})"
 
 
-def _finish(layout: Layout, array: int, function: Function) -> None:
+def _finish(layout: PythonLayout, array: int, function: Function) -> None:
     for signal in _folds(layout, array):
         function.assign(f"s{signal}", f"f{signal}")
     for signal, proposition in _counts(layout, array).items():
@@ -121,7 +121,7 @@ def _finish(layout: Layout, array: int, function: Function) -> None:
 class _Element:
     """The writer of the nodes of one element."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: PythonLayout) -> None:
         self._layout = layout
 
     def value(self, signal: int) -> str:
@@ -136,7 +136,7 @@ class _Element:
         return self._layout.proposition(index)
 
 
-def _one_element(layout: Layout, array: int) -> Iterator[str]:
+def _one_element(layout: PythonLayout, array: int) -> Iterator[str]:
     """The signals and propositions of the current element, each once."""
     write = _Element(layout)
     for index, signal in enumerate(layout.machine.signals):
@@ -151,14 +151,14 @@ def _one_element(layout: Layout, array: int) -> Iterator[str]:
             yield f"t{index} = {expressions.compared(layout, proposition.node, write.value, '2')}"
 
 
-def _converted(layout: Layout, index: int) -> str:
+def _converted(layout: PythonLayout, index: int) -> str:
     array, elements = layout.machine.arrays[index], _elements(layout, index)
     if (array.scale, array.offset) == (1.0, 0.0):
         return elements
     return f"[e * {number(array.scale)} + {number(array.offset)} for e in {elements}]"
 
 
-def _folds(layout: Layout, array: int) -> dict[int, ir.Fold]:
+def _folds(layout: PythonLayout, array: int) -> dict[int, ir.Fold]:
     found = {index: signal.node for index, signal in enumerate(layout.machine.signals)}
     return {
         index: node
@@ -167,7 +167,7 @@ def _folds(layout: Layout, array: int) -> dict[int, ir.Fold]:
     }
 
 
-def _counts(layout: Layout, array: int) -> dict[int, int]:
+def _counts(layout: PythonLayout, array: int) -> dict[int, int]:
     found = {index: signal.node for index, signal in enumerate(layout.machine.signals)}
     return {
         index: node.element
@@ -176,7 +176,7 @@ def _counts(layout: Layout, array: int) -> dict[int, int]:
     }
 
 
-def _quantifiers(layout: Layout, array: int) -> dict[int, ir.Quantified]:
+def _quantifiers(layout: PythonLayout, array: int) -> dict[int, ir.Quantified]:
     found = {
         index: proposition.node for index, proposition in enumerate(layout.machine.propositions)
     }
@@ -187,7 +187,7 @@ def _quantifiers(layout: Layout, array: int) -> dict[int, ir.Quantified]:
     }
 
 
-def _counted(layout: Layout, array: int) -> list[int]:
+def _counted(layout: PythonLayout, array: int) -> list[int]:
     """The elementwise propositions whose true and unknown elements are counted."""
     quantified = [node.element for node in _quantifiers(layout, array).values()]
     return sorted({*_counts(layout, array).values(), *quantified})

@@ -16,7 +16,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Layout, ValueLimits, memory
+from rossmarie.targets.python.layout import PythonLayout, ValueLimits, memory
 
 _MOST_LINES = 2000
 """The most lines of a function. Python's compiler takes disproportionately long for much longer
@@ -24,7 +24,7 @@ functions.
 """
 
 
-def evaluate(layout: Layout) -> list[str]:
+def evaluate(layout: PythonLayout) -> list[str]:
     """The function that evaluates at an instant; `updated` has a bit for each channel. If the
     function is long, it is divided, and the functions for its parts come before it.
     """
@@ -44,7 +44,7 @@ def evaluate(layout: Layout) -> list[str]:
     return [line for each in (*before, function) for line in each.text()]
 
 
-def _parts(layout: Layout) -> list[Function]:
+def _parts(layout: PythonLayout) -> list[Function]:
     """The steps of an evaluation, in their order, divided into functions."""
     parts = [Function("evaluate_0(at_ns, updated)")]
     for step in _steps(layout):
@@ -54,7 +54,7 @@ def _parts(layout: Layout) -> list[Function]:
     return parts
 
 
-def _steps(layout: Layout) -> Iterator[Function]:
+def _steps(layout: PythonLayout) -> Iterator[Function]:
     """The signals, the propositions and the rules. The numbers beside elements, and the results
     over these elements, come first.
     """
@@ -79,7 +79,7 @@ def _remark(function: Function, thing: ir.Signal | ir.Proposition | ir.Rule, tex
     function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
 
 
-def _look(layout: Layout, array: int) -> Function:
+def _look(layout: PythonLayout, array: int) -> Function:
     """S74: the results over elements that arrived, with the numbers of this evaluation beside
     them.
     """
@@ -94,7 +94,7 @@ def _look(layout: Layout, array: int) -> Function:
 # --- signals ---------------------------------------------------------------------------------
 
 
-def _signal(layout: Layout, index: int) -> Function:
+def _signal(layout: PythonLayout, index: int) -> Function:
     function = Function("step()")
     signal = layout.machine.signals[index]
     match signal.node:
@@ -113,7 +113,7 @@ def _signal(layout: Layout, index: int) -> Function:
     return function
 
 
-def _sample(layout: Layout, index: int, node: ir.Sampled, function: Function) -> None:
+def _sample(layout: PythonLayout, index: int, node: ir.Sampled, function: Function) -> None:
     """S18: take a sample, once for all signals that use the same samples."""
     name = memory(node)
     users = (
@@ -134,7 +134,7 @@ def _of_samples(node: ir.Sampled) -> str:
     return f"{memory(node)}.newest()" if feeds_back else expressions.of_samples(node)
 
 
-def _bits(layout: Layout, signal: int) -> int:
+def _bits(layout: PythonLayout, signal: int) -> int:
     return sum(1 << channel for channel in layout.supports.signals[signal].channels)
 
 
@@ -142,7 +142,9 @@ def _bits(layout: Layout, signal: int) -> int:
 # ----------------------------------------------------------------------------------
 
 
-def _record(layout: Layout, index: int, value: str, function: Function, depth: int = 0) -> None:
+def _record(
+    layout: PythonLayout, index: int, value: str, function: Function, depth: int = 0
+) -> None:
     """Set a proposition. If a verdict reports it, also set the instant since which it has its value
     (S34).
     """
@@ -156,7 +158,7 @@ def _record(layout: Layout, index: int, value: str, function: Function, depth: i
     function.assign(f"d{index}", "at_ns", depth + 1)
 
 
-def _guard(layout: Layout, guard: ValueLimits) -> Function:
+def _guard(layout: PythonLayout, guard: ValueLimits) -> Function:
     """The code for a number that has left its guard: evaluate its comparisons, and find its new
     guard.
     """
@@ -193,7 +195,7 @@ def _gap(guard: ValueLimits, cuts: Sequence[float], function: Function, depth: i
     function.assign(guard.high, "MAX" if high == sys.float_info.max else repr(high), depth)
 
 
-def _proposition(layout: Layout, index: int) -> Function:
+def _proposition(layout: PythonLayout, index: int) -> Function:
     function = Function("step()")
     proposition = layout.machine.propositions[index]
     _remark(function, proposition, proposition.text)
@@ -215,7 +217,7 @@ def _proposition(layout: Layout, index: int) -> Function:
     return function
 
 
-def _text(layout: Layout, index: int, node: ir.PropositionNode) -> str:
+def _text(layout: PythonLayout, index: int, node: ir.PropositionNode) -> str:
     match node:
         case ir.AgeReaches(input=used, age_ns=age_ns):
             known = f"1 if at_ns - stamp_{layout.channel(used)} >= {age_ns} else 0"
@@ -235,7 +237,7 @@ def _text(layout: Layout, index: int, node: ir.PropositionNode) -> str:
             return expressions.logic(node, layout.proposition)
 
 
-def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None:
+def _held(layout: PythonLayout, index: int, node: ir.Held, function: Function) -> None:
     """S33: a `for`."""
     function.line(f"v = {layout.proposition(node.operand)}")
     function.line("if v != 1:")
@@ -249,7 +251,7 @@ def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None
     _record(layout, index, "v", function)
 
 
-def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> None:
+def _since(layout: PythonLayout, index: int, node: ir.Since, function: Function) -> None:
     """S44: a `since`."""
     held, begun = layout.proposition(node.held), layout.proposition(node.begun)
     function.line(f"v = {expressions.either(begun, f'before_{index}')}")
@@ -259,7 +261,7 @@ def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> No
     _record(layout, index, "v", function)
 
 
-def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Function) -> None:
+def _oscillates(layout: PythonLayout, index: int, node: ir.Oscillates, function: Function) -> None:
     """S32: an oscillation."""
     if not layout.supports.signals[node.signal].channels:
         _record(layout, index, "0", function)
@@ -278,7 +280,7 @@ def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Funct
 # --- rules -----------------------------------------------------------------------------------
 
 
-def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
+def _rule(layout: PythonLayout, number: int, rule: ir.Rule) -> Function:
     """S35 to S37: a rule."""
     function = Function("step()")
     condition = layout.proposition(rule.condition)
@@ -297,7 +299,7 @@ def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
     return function
 
 
-def tell(layout: Layout, number: int, change: str, function: Function) -> None:
+def tell(layout: PythonLayout, number: int, change: str, function: Function) -> None:
     """Change a rule and report it, with a snapshot of the values that it depends on (S41). The code
     is indented by one level.
     """
@@ -317,7 +319,7 @@ def tell(layout: Layout, number: int, change: str, function: Function) -> None:
     function.line(")", 1)
 
 
-def _calm(layout: Layout, function: Function) -> None:
+def _calm(layout: PythonLayout, function: Function) -> None:
     """Compute the instant until which a message on a channel may be calm."""
     channels = calm_channels(layout)
     if not channels:

@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterable
 from rossmarie import core, ir
 from rossmarie.targets.formulas import definition_of, definition_of_samples
 from rossmarie.targets.python.functions import PYTHON
-from rossmarie.targets.python.layout import Layout, memory
+from rossmarie.targets.python.layout import PythonLayout, memory
 
 Write = Callable[[int], str]
 """A function that writes a signal or a proposition, given its index."""
 
 
-def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
+def applied(layout: PythonLayout, node: ir.Apply, write: Write) -> str:
     """A function of signals; NaN if it is not finite (S4)."""
     text = raw(node, write)
     is_infinite = any(may_be_infinite(layout, operand) for operand in node.operands)
@@ -52,7 +52,7 @@ def is_shown(node: ir.Apply, operand: int) -> bool:
     return not core.shown_by(node.function, len(node.operands)).isdisjoint(places)
 
 
-def may_be_infinite(layout: Layout, signal: int) -> bool:
+def may_be_infinite(layout: PythonLayout, signal: int) -> bool:
     """Say whether a signal can be an element of an array that is out of range (S8)."""
     match layout.machine.signals[signal].node:
         case ir.Element() | ir.Fold():
@@ -83,7 +83,7 @@ def holds(node: ir.PropositionNode, write: Write) -> str:
             raise AssertionError(f"{type(node).__name__} does not compare")
 
 
-def is_unknown(layout: Layout, node: ir.PropositionNode, write: Write) -> str:
+def is_unknown(layout: PythonLayout, node: ir.PropositionNode, write: Write) -> str:
     """The condition that an operand of a comparison is NaN; empty if no operand can be NaN."""
     signals = dict.fromkeys(ir.compared_signals(node))
     nodes = layout.machine.signals
@@ -91,14 +91,14 @@ def is_unknown(layout: Layout, node: ir.PropositionNode, write: Write) -> str:
     return " or ".join(f"{write(signal)} != {write(signal)}" for signal in variable)
 
 
-def compared(layout: Layout, node: ir.PropositionNode, write: Write, unknown: str) -> str:
+def compared(layout: PythonLayout, node: ir.PropositionNode, write: Write, unknown: str) -> str:
     """A comparison as a proposition."""
     condition = is_unknown(layout, node, write)
     known = f"1 if {holds(node, write)} else 0"
     return f"{unknown} if {condition} else {known}" if condition else known
 
 
-def unknown_kind(layout: Layout, index: int) -> str:
+def unknown_kind(layout: PythonLayout, index: int) -> str:
     """S30: the value of an unknown leaf. It is 3 if an input with a timeout is missing, else 2."""
     support = layout.supports.propositions[index]
     if not layout.is_timed(support.inputs):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rossmarie.core.expressions import Primitive, locals_of
-from rossmarie.targets.formulas import Definition, Dialect, Formulas
+from rossmarie.targets.formulas import Dialect, Formulas, FunctionDefinition
 
 PYTHON = Dialect(
     number=lambda value: repr(value) if value == value else "NAN",
@@ -18,7 +18,7 @@ PYTHON = Dialect(
 )
 
 
-def function(definition: Definition) -> str:
+def function(definition: FunctionDefinition) -> str:
     """The text of a Python function."""
     formulas = Formulas(PYTHON, definition.parameters)
     head = ", ".join(f"{each}: float" for each in definition.parameters)

@@ -49,7 +49,7 @@ class ValueLimits:
         return f"high_{self.value}"
 
 
-class Layout:
+class PythonLayout:
     """Queries about one machine."""
 
     def __init__(self, machine: ir.Machine) -> None:

@@ -18,7 +18,7 @@ from rossmarie.targets.python.channels import arrive, receive, update
 from rossmarie.targets.python.elements import look
 from rossmarie.targets.python.evaluate import evaluate, tell
 from rossmarie.targets.python.function import INDENT, Function
-from rossmarie.targets.python.layout import Layout
+from rossmarie.targets.python.layout import PythonLayout
 
 _ALWAYS = (parts.Verdict, parts.TimeJump, parts.Rule)
 _ON_DEMAND = (
@@ -97,7 +97,7 @@ _TIME = '''\
 
 def source(machine: ir.Machine) -> str:
     """The text of the module."""
-    layout = Layout(machine)
+    layout = PythonLayout(machine)
     body = "\n".join(_start(layout))
     computed = list(_functions(machine, body))
     copied = [*map(inspect.getsource, _ALWAYS), *_needed("\n".join([*computed, body]))]
@@ -201,7 +201,7 @@ def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
     return f"{words}[]" if isinstance(field, ir.Array) else words
 
 
-def _start(layout: Layout) -> Iterator[str]:
+def _start(layout: PythonLayout) -> Iterator[str]:
     machine = layout.machine
     yield from _monitor(machine)
     yield "def start():"
@@ -229,7 +229,7 @@ def _start(layout: Layout) -> Iterator[str]:
     yield from _queries(layout)
 
 
-def _reset(layout: Layout) -> list[str]:
+def _reset(layout: PythonLayout) -> list[str]:
     """S38: the function that resets rules."""
     function = Function("reset(at_ns, rule=None)")
     function.line("reported = len(events)")
@@ -254,7 +254,7 @@ def _latch(machine: ir.Machine) -> list[str]:
     return function.text()
 
 
-def _queries(layout: Layout) -> Iterator[str]:
+def _queries(layout: PythonLayout) -> Iterator[str]:
     machine = layout.machine
     next_wake = Function("next_wake()")
     next_wake.line("due = earliest()")
@@ -297,13 +297,13 @@ def _queries(layout: Layout) -> Iterator[str]:
     yield f"{INDENT})"
 
 
-def _readings(layout: Layout) -> list[str]:
+def _readings(layout: PythonLayout) -> list[str]:
     function = Function("readings()")
     function.line(f"return {names.tuple_of(map(layout.value, layout.machine.readings))}")
     return function.text()
 
 
-def _watches(layout: Layout) -> list[str]:
+def _watches(layout: PythonLayout) -> list[str]:
     function = Function("watches()")
     unknown = names.tuple_of("2" for _ in layout.machine.watches)
     function.line("if now == EARLIEST:")

@@ -13,10 +13,10 @@ from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.elements import inputs_of, results
 from rossmarie.targets.python.expressions import applied
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Group, Layout
+from rossmarie.targets.python.layout import Group, PythonLayout
 
 
-def variables(layout: Layout) -> Iterator[tuple[str, str]]:
+def variables(layout: PythonLayout) -> Iterator[tuple[str, str]]:
     """Each variable and its initial value."""
     # The range from now to wake is empty, so the first event is evaluated at its own instant.
     yield from (("now", "EARLIEST"), ("wake", "EARLIEST - 1"))
@@ -47,7 +47,7 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     yield from ((f"active_{rule}", "False") for rule in range(len(layout.machine.rules)))
 
 
-def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
+def _signals(layout: PythonLayout) -> Iterator[tuple[str, str]]:
     """Signals, initially unknown, except for those that depend only on a parameter of the node
     (S87).
     """
@@ -65,7 +65,7 @@ def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
 # --- inputs that grow old --------------------------------------------------------------------
 
 
-def expire(layout: Layout, function: Function) -> None:
+def expire(layout: PythonLayout, function: Function) -> None:
     """S10: expire the inputs that reach their timeout, and forget their values."""
     for group in layout.groups:
         if group.timeout_ns is None:
@@ -84,7 +84,7 @@ def expire(layout: Layout, function: Function) -> None:
             function.line(f"{name}.forget()", 1)
 
 
-def _sampled(layout: Layout, group: Group) -> list[str]:
+def _sampled(layout: PythonLayout, group: Group) -> list[str]:
     """S21: the samples that expire together with these inputs."""
     supports = layout.supports.signals
     memories = layout.memories.items()
@@ -94,7 +94,7 @@ def _sampled(layout: Layout, group: Group) -> list[str]:
 # --- timers ----------------------------------------------------------------------------------
 
 
-def earliest(layout: Layout) -> list[str]:
+def earliest(layout: PythonLayout) -> list[str]:
     """The function that computes the exact instant of the next timer (S15)."""
     function = Function("earliest()")
     look_for_timers(layout, function)
@@ -102,7 +102,7 @@ def earliest(layout: Layout) -> list[str]:
     return function.text()
 
 
-def look_for_timers(layout: Layout, function: Function) -> None:
+def look_for_timers(layout: PythonLayout, function: Function) -> None:
     """The code that computes the same within a function: `first` is the instant of the next
     timer.
     """
@@ -120,7 +120,7 @@ def look_for_timers(layout: Layout, function: Function) -> None:
         function.line(f"first = min(first, {name}.recent.wake_ns(t{index}, NEVER))")
 
 
-def _recent(layout: Layout) -> Iterator[tuple[int, str]]:
+def _recent(layout: PythonLayout) -> Iterator[tuple[int, str]]:
     """The propositions that count turning points or edges, each with the name of its memory."""
     yield from ((index, f"oscillation_{index}") for index, _ in layout.oscillations)
     yield from ((index, f"recurrence_{index}") for index, _ in layout.recurring)
@@ -134,7 +134,7 @@ def _sooner(function: Function, condition: str, due: str) -> None:
 # --- time that jumps -------------------------------------------------------------------------
 
 
-def restart(layout: Layout) -> list[str]:
+def restart(layout: PythonLayout) -> list[str]:
     """The function that forgets everything measured by the clock (S17)."""
     function = Function("restart(at_ns)")
     function.line("events.append(TimeJump(now, at_ns))")

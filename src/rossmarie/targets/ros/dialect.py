@@ -18,7 +18,7 @@ class Interface(Enum):
     ACTION = "action"
 
 
-class Part(NamedTuple):
+class RuntimePart(NamedTuple):
     """A header of the runtime with the class of a task, and packages that it uses."""
 
     header: str
@@ -41,9 +41,9 @@ class Dialect:
     cpp_type: Callable[[str, Interface], str]
     header: Callable[[str, Interface], str]
     primitives: Mapping[str, str]
-    parts: Mapping[type[reactions.Effect], Part]
+    parts: Mapping[type[reactions.Effect], RuntimePart]
     status_topic: str
-    relay: Part | None = None
+    relay: RuntimePart | None = None
 
 
 def message_package(ros_type: str) -> str:

@@ -9,7 +9,7 @@ from rossmarie.ir import reactions
 from rossmarie.naming import unfiltered
 from rossmarie.targets.c99 import names as c99_names
 from rossmarie.targets.c99 import types
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.dialect import Dialect, Interface
@@ -22,13 +22,13 @@ def types_of(machine: ir.Machine) -> list[str]:
     return sorted(used | {command.message_type for command in machine.reactions.commands})
 
 
-def channels(layout: Layout, dialect: Dialect) -> str:
+def channels(layout: CLayout, dialect: Dialect) -> str:
     """A struct for each input topic, with a function that copies the fields of a message."""
     classes = names.channel_classes(layout).items()
     return "".join(_channel(layout, dialect, channel, word) for channel, word in classes)
 
 
-def given(layout: Layout) -> str:
+def given(layout: CLayout) -> str:
     """The lines that pass the parameters of the rules to the monitor."""
     lines = []
     for index, each in enumerate(ir.settings_of(layout.machine)):
@@ -38,7 +38,7 @@ def given(layout: Layout) -> str:
     return block(lines)
 
 
-def arrays(layout: Layout) -> str:
+def arrays(layout: CLayout) -> str:
     """The members of the struct that holds arrays while the monitor processes them."""
     machine = layout.machine
     kept = (
@@ -58,7 +58,7 @@ def _room(machine: ir.Machine, array: int, name: str) -> str:
     return f"std::array<double, {machine.lists[its_list].most}> {name}{{}};"
 
 
-def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
+def _channel(layout: CLayout, dialect: Dialect, channel: int, word: str) -> str:
     topic, name = layout.machine.channels[channel], layout.channel_names[channel]
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
@@ -101,13 +101,13 @@ def _transform(edge: ir.Edge) -> str:
     return f"transform_in(all, {', '.join(frames)})"
 
 
-def _timeout(layout: Layout, channel: int) -> int:
+def _timeout(layout: CLayout, channel: int) -> int:
     """The least timeout of the inputs of a channel in ns, 0 if none has one."""
     timeouts = (used.timeout_ns for used in layout.machine.inputs if used.channel == channel)
     return min((timeout for timeout in timeouts if timeout is not None), default=0)
 
 
-def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
+def _field(layout: CLayout, channel: str, field: types.StructField) -> Iterator[str]:
     """The lines that copy one field of `message`."""
     target = f"values.{channel}.{field.name}"
     if field.slot is not None:
@@ -141,7 +141,7 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
 
 
 def _points(
-    layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
+    layout: CLayout, channel: str, last: types.StructField, fields: Sequence[types.StructField]
 ) -> Iterator[str]:
     """The lines that copy the points of a cloud, at the last of their fields."""
     machine = layout.machine
@@ -158,7 +158,7 @@ def _points(
 
 
 def _beams(
-    layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
+    layout: CLayout, channel: str, last: types.StructField, fields: Sequence[types.StructField]
 ) -> Iterator[str]:
     """The lines that copy the beams of a scan, at the last of their fields."""
     machine = layout.machine
@@ -218,9 +218,9 @@ def _texts(texts: Sequence[str]) -> str:
     return ", ".join(map(c99_names.string, texts))
 
 
-def _reader(kind: ir.Kind) -> str:
+def _reader(kind: ir.FieldKind) -> str:
     """The C++ function that converts a field to a number."""
-    return "text_index" if kind is ir.Kind.TEXT else "number"
+    return "text_index" if kind is ir.FieldKind.TEXT else "number"
 
 
 def _element_place(element: int | ir.ByName | ir.Listed, whole: str) -> str:

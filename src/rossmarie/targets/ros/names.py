@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import CLayout
 
 _VARIABLES = ("host", "filtering", "made", "tasks")
 _SHARING = (
@@ -29,7 +29,7 @@ def heard(channel: ir.Channel) -> str:
     return relative(channel.topic) if channel.edge is None else names.string(channel.source)
 
 
-def channel_classes(layout: Layout) -> dict[int, str]:
+def channel_classes(layout: CLayout) -> dict[int, str]:
     """The name of the struct for each channel that is a topic: `ImuDataChannel`."""
     channels = zip(layout.machine.channels, layout.channel_names, strict=True)
     return {

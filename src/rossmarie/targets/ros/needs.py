@@ -11,7 +11,7 @@ from rossmarie.ir import reactions
 from rossmarie.naming import relayed_servers, unfiltered
 from rossmarie.targets.c99.names import string
 from rossmarie.targets.ros import names
-from rossmarie.targets.ros.dialect import Dialect, Interface, Part
+from rossmarie.targets.ros.dialect import Dialect, Interface, RuntimePart
 
 MIDDLEWARE = "host.middleware()"
 
@@ -21,7 +21,7 @@ def resolved(name: str) -> str:
     return f"{MIDDLEWARE}.resolved({names.relative(name)})"
 
 
-def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
+def parts(machine: ir.Machine, dialect: Dialect) -> list[RuntimePart]:
     """The parts that the effects of the tasks need."""
     used = {type(task.effect) for task in machine.reactions.tasks}
     found = [part for effect, part in dialect.parts.items() if effect in used]

@@ -11,7 +11,7 @@ from rossmarie import ir
 from rossmarie.ir.beams import is_of_scan
 from rossmarie.naming import node_name
 from rossmarie.targets import c99, comments
-from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.c99.layout import CLayout, lay_out
 from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import (
     actions,
@@ -24,7 +24,7 @@ from rossmarie.targets.ros import (
     runtime,
     tables,
 )
-from rossmarie.targets.ros.dialect import Dialect, Interface, Part, message_package
+from rossmarie.targets.ros.dialect import Dialect, Interface, RuntimePart, message_package
 
 OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
@@ -51,7 +51,7 @@ class PackageWriter:
         self._machine = machine
         self._dialect = dialect
         self._placed = placed
-        self._layout: Layout = lay_out(machine)
+        self._layout: CLayout = lay_out(machine)
         targets = (f"rossmarie.targets.{each}" for each in (dialect.folder, "ros"))
         self._templates = Environment(
             loader=ChoiceLoader([PackageLoader(each) for each in targets]),
@@ -111,7 +111,7 @@ class PackageWriter:
             "README.md": self.fill("README.md", **readme.blanks(self._machine, self._dialect)),
         }
 
-    def _parts(self) -> list[Part]:
+    def _parts(self) -> list[RuntimePart]:
         return needs.parts(self._machine, self._dialect)
 
     def _source_files(self) -> dict[str, str]:

@@ -13,9 +13,9 @@ from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect
 
 _KINDS = {
-    ir.Kind.REAL: "ValueText::NUMBER",
-    ir.Kind.FLAG: "ValueText::FLAG",
-    ir.Kind.TEXT: "ValueText::TEXT",
+    ir.FieldKind.REAL: "ValueText::NUMBER",
+    ir.FieldKind.FLAG: "ValueText::FLAG",
+    ir.FieldKind.TEXT: "ValueText::TEXT",
 }
 
 

@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 from rossmarie.ir import reactions
-from rossmarie.targets.ros.dialect import Dialect, Interface, Part, bare_name, message_package
+from rossmarie.targets.ros.dialect import (
+    Dialect,
+    Interface,
+    RuntimePart,
+    bare_name,
+    message_package,
+)
 
 
 def _cpp_type(ros_type: str, interface: Interface) -> str:
@@ -27,10 +33,10 @@ ROS1 = Dialect(
     header=_header,
     primitives={"time": "time", "duration": "duration"},
     parts={
-        reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
-        reactions.SendGoal: Part("ros1/send_task.h", _GOAL_PACKAGES),
-        reactions.SetParameter: Part("ros1/set_task.h", ()),
-        reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
+        reactions.CancelGoal: RuntimePart("cancel_task.h", _GOAL_PACKAGES),
+        reactions.SendGoal: RuntimePart("ros1/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: RuntimePart("ros1/set_task.h", ()),
+        reactions.SwitchControllers: RuntimePart("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/status",
 )

@@ -5,7 +5,13 @@ from __future__ import annotations
 import re
 
 from rossmarie.ir import reactions
-from rossmarie.targets.ros.dialect import Dialect, Interface, Part, bare_name, message_package
+from rossmarie.targets.ros.dialect import (
+    Dialect,
+    Interface,
+    RuntimePart,
+    bare_name,
+    message_package,
+)
 
 
 def _cpp_type(ros_type: str, interface: Interface) -> str:
@@ -31,11 +37,11 @@ ROS2 = Dialect(
     header=_header,
     primitives={"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"},
     parts={
-        reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
-        reactions.SendGoal: Part("ros2/send_task.h", _GOAL_PACKAGES),
-        reactions.SetParameter: Part("ros2/set_task.h", ()),
-        reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
+        reactions.CancelGoal: RuntimePart("cancel_task.h", _GOAL_PACKAGES),
+        reactions.SendGoal: RuntimePart("ros2/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: RuntimePart("ros2/set_task.h", ()),
+        reactions.SwitchControllers: RuntimePart("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/_action/status",
-    relay=Part("ros2/relay.h", _GOAL_PACKAGES),
+    relay=RuntimePart("ros2/relay.h", _GOAL_PACKAGES),
 )

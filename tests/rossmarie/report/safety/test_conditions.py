@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import TruthValue, kleene
-from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.conditions import ConditionWords
 from rossmarie.report.safety.phrase import Phrase
 from support.compiled import machine_of_condition, machine_of_rules
 from support.drafts import SECOND, Draft
@@ -25,7 +25,7 @@ Table = dict[tuple[str, ...], TruthValue]
 def words(condition: str) -> str:
     """One condition in words, on one line."""
     machine = machine_of_rules(f"rule it: if {condition} then {{ stop; }};")
-    found = Conditions(machine).phrase(machine.rules[0].condition)
+    found = ConditionWords(machine).phrase(machine.rules[0].condition)
     return " | ".join(line.strip().removeprefix("- ") for line in found.lines())
 
 
@@ -128,7 +128,7 @@ def test_the_word_of_a_comparison_means_it(
     read, limit = draft.read(), draft.constant(1.0)
     sides = (limit, read) if is_constant_left else (read, limit)
     proposition = draft.proposition(ir.Compare(comparison, *sides))
-    text = Conditions(draft.machine()).phrase(proposition, is_so).text
+    text = ConditionWords(draft.machine()).phrase(proposition, is_so).text
     (word,) = (word for word in MEANINGS if f" is {word} 1" in text)
     for value in (0.0, 1.0, 2.0):
         monitor = Interpreter(replace(draft.machine(), watches=(proposition,)))
@@ -153,7 +153,7 @@ def read_again(phrase: Phrase, table: Table) -> TruthValue:
     raise AssertionError(f"nobody says what this is: {whole}")
 
 
-def known(machine: ir.Machine, conditions: Conditions, monitor: Interpreter) -> Table:
+def known(machine: ir.Machine, conditions: ConditionWords, monitor: Interpreter) -> Table:
     """The values of leaves and durations, and of what is only named, by their sentences."""
     table: Table = {("- always",): TruthValue.TRUE, ("- never",): TruthValue.FALSE}
     for index, proposition in enumerate(machine.propositions):
@@ -176,7 +176,7 @@ def test_a_sentence_has_the_value_of_its_condition(case: Case) -> None:
     monitor = Interpreter(machine)
     for step in trace:
         take(monitor, step)
-    conditions = Conditions(machine)
+    conditions = ConditionWords(machine)
     table = known(machine, conditions, monitor)
     for index in range(len(machine.propositions)):
         value = monitor._memory.truth_values[index]
@@ -189,7 +189,7 @@ def test_a_sentence_has_the_value_of_its_condition(case: Case) -> None:
 
 @given(machines(max_nodes=40), st.booleans())
 def test_sentences_stay_short_however_much_is_shared(machine: ir.Machine, is_so: bool) -> None:
-    conditions = Conditions(machine)
+    conditions = ConditionWords(machine)
     for index in range(len(machine.rules)):
         phrase = conditions.phrase(machine.rules[index].condition, is_so)
         assert len(list(phrase.lines())) < 100
@@ -197,20 +197,22 @@ def test_sentences_stay_short_however_much_is_shared(machine: ir.Machine, is_so:
 
 def test_what_is_doubled_again_and_again_is_named() -> None:
     draft = Draft()
-    proposition = draft.proposition(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
+    proposition = draft.proposition(ir.Flag(draft.read(kind=ir.FieldKind.FLAG)))
     number = draft.read()
     for _ in range(200):
         proposition = draft.proposition(
             ir.And((proposition, draft.proposition(ir.Not(proposition))))
         )
         number = draft.apply(ir.Function.ADD, number, number)
-    conditions = Conditions(draft.machine())
+    conditions = ConditionWords(draft.machine())
     assert len(list(conditions.phrase(proposition).lines())) < 100
     assert len(conditions.numbers.words(number)) < 2000
     assert conditions.apart
     assert conditions.numbers.apart
     held = draft.proposition(ir.Held(proposition, 2 * SECOND))
-    assert "throughout the last 2 s" in "\n".join(Conditions(draft.machine()).in_full(held).lines())
+    assert "throughout the last 2 s" in "\n".join(
+        ConditionWords(draft.machine()).in_full(held).lines()
+    )
 
 
 @pytest.mark.parametrize(
@@ -243,16 +245,16 @@ def test_what_is_doubled_again_and_again_is_named() -> None:
 )
 def test_what_looks_back_in_time(condition: str, lines: list[str]) -> None:
     machine = machine_of_condition(condition)
-    assert list(Conditions(machine).phrase(machine.rules[0].condition).lines()) == lines
+    assert list(ConditionWords(machine).phrase(machine.rules[0].condition).lines()) == lines
 
 
 def test_what_looks_back_in_time_on_one_line() -> None:
     machine = machine_of_condition("once (estop since battery > 3 V) within 2 sec")
-    assert Conditions(machine).inline(machine.rules[0].condition) == (
+    assert ConditionWords(machine).inline(machine.rules[0].condition) == (
         "((battery is above 3 V), or it was and (estop is true) ever since) at least once within "
         "the last 2 s"
     )
     machine = machine_of_condition("not after estop, battery < 3 V within 2 sec")
-    assert Conditions(machine).inline(machine.rules[0].condition) == (
+    assert ConditionWords(machine).inline(machine.rules[0].condition) == (
         "not (within 2 s after each instant at which (estop is true), (battery is below 3 V))"
     )

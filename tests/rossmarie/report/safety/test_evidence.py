@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from rossmarie.report.safety.errors import EvidenceError
 from rossmarie.report.safety.evidence import (
+    AnsweredQuery,
     EvidenceKind,
     Hashed,
-    Result,
     evidence_text,
     parse_evidence,
 )
@@ -108,7 +108,7 @@ def test_what_is_written_is_read_again(
     data: st.DataObject,
 ) -> None:
     statuses = st.sampled_from(kind.statuses)
-    results = data.draw(st.lists(st.builds(Result, words, statuses, words), max_size=3))
+    results = data.draw(st.lists(st.builds(AnsweredQuery, words, statuses, words), max_size=3))
     text = evidence_text(
         kind,
         tools=tools,

@@ -23,8 +23,8 @@ from rossmarie.ir import reactions
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.overruled import can_fail, fails_at_once
 from rossmarie.report.safety import SafetyFile, open_points, render_safety_file
-from rossmarie.report.safety.conditions import Conditions
-from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed, Result
+from rossmarie.report.safety.conditions import ConditionWords
+from rossmarie.report.safety.evidence import AnsweredQuery, Evidence, EvidenceKind, Hashed
 from rossmarie.report.safety.phrase import Phrase
 from rossmarie.report.safety.rules import rule_texts
 from support.browser import document_of, needs_browser
@@ -86,7 +86,7 @@ def example(name: str) -> SafetyFile:
 @pytest.mark.parametrize("name", RULES)
 def test_sentences_of_the_examples_are_those_that_were_read(name: str, bless: bool) -> None:
     machine = compile_file(EXAMPLES / f"{name}.ross").machine
-    texts = ["\n".join(rule.lines()) for rule in rule_texts(machine, Conditions(machine))]
+    texts = ["\n".join(rule.lines()) for rule in rule_texts(machine, ConditionWords(machine))]
     text = "\n\n".join(texts) + "\n"
     assert_golden(GOLDEN / f"{Path(name).name}.txt", text, bless=bless)
 
@@ -114,7 +114,7 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
                 case ir.Between(low=one, high=other) | ir.Compare(left=one, right=other):
                     yield from (constant(machine, end) for end in (one, other))
                 case ir.Quantified() as node:
-                    yield "element of " + Conditions(machine).numbers.array_of(node.element)
+                    yield "element of " + ConditionWords(machine).numbers.array_of(node.element)
                 case ir.Since():
                     yield "ever since"
                 case ir.Literal() | ir.Flag() | ir.Not() | ir.And() | ir.Or():
@@ -198,7 +198,7 @@ def test_all_that_rules_do_is_in_the_page(machine: ir.Machine) -> None:
     content = content_of(machine)
     words = Page(render_safety_file(content)).words
     assert [each for each in expected_of_reactions(machine) if each not in words] == []
-    conditions = Conditions(machine)
+    conditions = ConditionWords(machine)
     for index, rule in enumerate(rule_texts(machine, conditions)):
         count = len(machine.reactions.plans[index].tasks)
         named = [line for step in rule.steps for line in actions(step)]
@@ -300,7 +300,7 @@ def evidence(content: SafetyFile, *, is_current: bool, status: str) -> Evidence:
     hashes = tuple(
         Hashed(each.name, each.sha256 if is_current else "0" * 64) for each in content.sources
     )
-    results = (Result("no overflow", status, "by induction"),)
+    results = (AnsweredQuery("no overflow", status, "by induction"),)
     kind = EvidenceKind.VERIFICATION
     return Evidence(kind, "v.json", "f" * 64, (("cbmc", "6.6.0"),), hashes, (), "3 events", results)
 
@@ -329,7 +329,7 @@ def test_what_a_report_leaves_open_is_said(
 def test_of_many_open_results_only_the_first_are_named() -> None:
     content = example("demo/demo")
     found = evidence(content, is_current=True, status="undecided")
-    many = tuple(Result(f"query {number}", "undecided") for number in range(9))
+    many = tuple(AnsweredQuery(f"query {number}", "undecided") for number in range(9))
     points = open_points(replace(content, verification=replace(found, results=many)))
     assert (
         "The verification report has 9 undecided: query 0, query 1, query 2 and 6 more." in points

@@ -13,7 +13,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import ChannelValues, Comparison, Kind
+from rossmarie.ir import ChannelValues, Comparison, FieldKind
 from rossmarie.native import NativeMonitor, load_native
 from rossmarie.targets.c99 import generate_loadable
 from support.c_compiler import needs_c
@@ -42,8 +42,8 @@ def everything() -> ir.Machine:
     first, second, third = (draft.channel() for _ in range(3))
     timed = draft.input(first, 5 * TICK)
     x = draft.signal(ir.Read(draft.slot(timed)))
-    flag = draft.signal(ir.Read(draft.slot(timed, Kind.FLAG)))
-    mode = draft.signal(ir.Read(draft.slot(timed, Kind.TEXT)))
+    flag = draft.signal(ir.Read(draft.slot(timed, FieldKind.FLAG)))
+    mode = draft.signal(ir.Read(draft.slot(timed, FieldKind.TEXT)))
     y = draft.signal(ir.Read(draft.slot(draft.input(second), scale=0.5, offset=0.25)))
     ranges = draft.signal(ir.Element(draft.array(draft.input(third, 9 * TICK))))
     rate = draft.signal(ir.Sampled(ir.Sampling.RATE, x))
