@@ -48,17 +48,17 @@ def message(name: str, **fields: Any) -> Any:
 # --- the vehicle -----------------------------------------------------------------------------
 
 
-def terrain_slope(way: float) -> float:
+def terrain_slope(distance: float) -> float:
     """The slope of the ground under the vehicle (rad, up is positive)."""
-    slope = RAMP_RISE * np.clip((way - RAMP_START) / TRACK, 0, 1)
-    slope -= RAMP_RISE * np.clip((way - RAMP_END) / TRACK, 0, 1)
-    front, rear = (bump_height(way + side * TRACK / 2) for side in (1, -1))
+    slope = RAMP_RISE * np.clip((distance - RAMP_START) / TRACK, 0, 1)
+    slope -= RAMP_RISE * np.clip((distance - RAMP_END) / TRACK, 0, 1)
+    front, rear = (bump_height(distance + side * TRACK / 2) for side in (1, -1))
     return float(slope + (front - rear) / TRACK)
 
 
-def bump_height(way: float) -> float:
+def bump_height(distance: float) -> float:
     """The height of the bump at a place (m)."""
-    along = (way - BUMP_START) / BUMP_LENGTH
+    along = (distance - BUMP_START) / BUMP_LENGTH
     return float(BUMP_HEIGHT * np.sin(np.pi * along) ** 2) if 0 < along < 1 else 0.0
 
 
@@ -69,7 +69,7 @@ def simulate() -> dict[str, np.ndarray]:
     times = np.arange(0.0, DURATION, STEP)
     names = ("way", "speed", "acceleration", "pitch", "pitch_rate", "yaw", "yaw_rate")
     track = {name: np.zeros(len(times)) for name in names}
-    way = speed = pitch = pitch_rate = yaw = 0.0
+    distance = speed = pitch = pitch_rate = yaw = 0.0
     for i, t in enumerate(times):
         is_blocked = PERSON_ARRIVES + 0.8 < t < PERSON_LEAVES
         limit = 3.0 if is_blocked else 0.6  # m/s^2: it brakes harder than it starts
@@ -77,17 +77,17 @@ def simulate() -> dict[str, np.ndarray]:
             np.clip(((0.0 if is_blocked else CRUISE) - speed) / 0.1, -limit, limit)
         )
         yaw_rate = 0.25 * np.sin(2 * np.pi * t / 15.0) * speed / CRUISE
-        error = -terrain_slope(way) - pitch
+        error = -terrain_slope(distance) - pitch
         pitch_rate += (
             SUSPENSION_FREQUENCY**2 * error
             - 2 * SUSPENSION_DAMPING * SUSPENSION_FREQUENCY * pitch_rate
         ) * STEP
         pitch += pitch_rate * STEP
         speed += acceleration * STEP
-        way += speed * STEP
+        distance += speed * STEP
         yaw += yaw_rate * STEP
         for name, value in zip(
-            names, (way, speed, acceleration, pitch, pitch_rate, yaw, yaw_rate), strict=True
+            names, (distance, speed, acceleration, pitch, pitch_rate, yaw, yaw_rate), strict=True
         ):
             track[name][i] = value
     return {"time": times, **track}

@@ -113,9 +113,9 @@ class _OpenSteps:
         """
         if skill.name not in self._known:
             self._known[skill.name] = _NONE  # a compound inside itself
-            ways = [self._in_tree(each, level) for each in skill.trees]
-            number = max((each.number for each in ways), default=0)
-            self._known[skill.name] = _Open(number, _once(ways))
+            alternatives = [self._in_tree(each, level) for each in skill.trees]
+            number = max((each.number for each in alternatives), default=0)
+            self._known[skill.name] = _Open(number, _once(alternatives))
         return self._known[skill.name]
 
     def _in_tree(self, tree: Control, level: int) -> _Open:
@@ -161,8 +161,8 @@ class _Times:
         key = skill.name, tuple(sorted(values.items()))
         if key not in self._known:
             self._known[key] = longest.STEP  # a compound inside itself
-            ways = [self._in_tree(each, values, level + 1) for each in skill.trees]
-            self._known[key] = longest.either(ways)
+            alternatives = [self._in_tree(each, values, level + 1) for each in skill.trees]
+            self._known[key] = longest.either(alternatives)
         return self._known[key]
 
     def _in_tree(self, tree: Control, values: Values, level: int) -> Longest:

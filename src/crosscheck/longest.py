@@ -48,9 +48,9 @@ STEP = Longest(_NEVER, _NEVER)
 """A step without a deadline."""
 
 
-def either(ways: Iterable[Longest]) -> Longest:
+def either(alternatives: Iterable[Longest]) -> Longest:
     """The times if the chosen branch is unknown."""
-    known = [*ways]
+    known = [*alternatives]
     success = _latest(*(each.success for each in known))
     return Longest(success, _latest(*(each.failure for each in known)))
 

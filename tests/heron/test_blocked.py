@@ -16,7 +16,7 @@ from heron.experiments import BlockedEpisode, run_blocked
 from heron.experiments.arms import BLOCKED_RULES
 from heron.experiments.obstacles import varied
 from heron.rules import FOLDER
-from heron.scene import WaysParameters
+from heron.scene import PathsParameters
 from heron.skills import EXPORT
 from heron.skills import FOLDER as SKILLS
 from heron.tasks import TaskStatus
@@ -38,7 +38,7 @@ def labels(found: BlockedEpisode) -> list[str]:
 
 
 def goes_by_the_yard(found: BlockedEpisode) -> bool:
-    return float(found.trace.columns["y"].min()) < WaysParameters().yard[1] / 2
+    return float(found.trace.columns["y"].min()) < PathsParameters().yard[1] / 2
 
 
 def test_without_a_monitor_an_operator_clears_the_way() -> None:
@@ -116,9 +116,9 @@ def test_it_is_the_same_episode_each_time() -> None:
 
 def test_obstacles_differ_from_seed_to_seed_and_not_from_arm_to_arm() -> None:
     assert episode(Arm.NONE).obstacles == episode(Arm.TREES).obstacles
-    ways = WaysParameters()
+    paths = PathsParameters()
     for blockage, count in ((Blockage.PALLET, 1), (Blockage.TROLLEY, 1), (Blockage.BOTH, 2)):
-        draws = [varied(blockage, ways, np.random.default_rng(seed)) for seed in range(20)]
+        draws = [varied(blockage, paths, np.random.default_rng(seed)) for seed in range(20)]
         assert {len(each) for each in draws} == {count}
         assert len({each[0].along for each in draws}) == 20
         stays = [each.stay_s for draw in draws for each in draw if each.name == "trolley"]

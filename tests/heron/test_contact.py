@@ -115,7 +115,7 @@ def test_another_seed_is_another_cell_and_only_one_that_is_jammed_has_an_obstacl
     one, other = (varied_cell(Encounter.JAMMED, np.random.default_rng(seed)) for seed in (1, 2))
     assert one != other
     assert one.jam is not None
-    assert one.jam < one.way
+    assert one.jam < one.push_distance
     assert varied_cell(Encounter.MEANT, np.random.default_rng(1)).jam is None
 
 

@@ -22,7 +22,7 @@ from heron.experiments import BlockedEpisode, run_second
 from heron.experiments.obstacles import OFTEN, troubled
 from heron.experiments.second import TEACHING_SEEDS, knowledge_of, learned
 from heron.rules import FOLDER as RULES
-from heron.scene import WaysParameters
+from heron.scene import PathsParameters
 from heron.skills import FOLDER as SKILLS
 from heron.tasks import TaskStatus
 from heron.variants import Arm, Trouble
@@ -40,7 +40,7 @@ def episode(arm: Arm) -> BlockedEpisode:
 
 
 def goes_by_the_yard(found: BlockedEpisode) -> bool:
-    return float(found.trace.columns["y"].min()) < WaysParameters().yard[1] / 2
+    return float(found.trace.columns["y"].min()) < PathsParameters().yard[1] / 2
 
 
 def knowledge(trouble: Trouble) -> Knowledge:
@@ -103,12 +103,12 @@ def test_no_run_that_taught_is_evaluated() -> None:
 
 
 def test_trouble_differs_from_seed_to_seed() -> None:
-    ways = WaysParameters()
+    paths = PathsParameters()
     for trouble, name in ((Trouble.LASTING, "pallet"), (Trouble.PASSING, "trolley")):
-        draws = [troubled(trouble, ways, np.random.default_rng(seed)) for seed in range(500)]
+        draws = [troubled(trouble, paths, np.random.default_rng(seed)) for seed in range(500)]
         assert sum(map(len, draws)) / 500 == pytest.approx(OFTEN, abs=0.05)
         assert {each.name for draw in draws for each in draw} == {name}
-    assert troubled(Trouble.NONE, ways, np.random.default_rng(0)) == ()
+    assert troubled(Trouble.NONE, paths, np.random.default_rng(0)) == ()
 
 
 @pytest.mark.deep

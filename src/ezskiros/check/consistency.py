@@ -26,7 +26,7 @@ from ezskiros.ontology.statements import Relation, Statement
 from ezskiros.skills.interface import Clause, SkillInterface
 
 Said: TypeAlias = frozenset[Statement]
-MOST_WAYS = 64
+MOST_ALTERNATIVES = 64
 """The most combinations of the alternatives of several `or`. Further combinations are not examined.
 """
 
@@ -138,18 +138,18 @@ class _Consistency:
         """Each `or` without any remaining alternative, given the certain facts and the remaining
         alternatives of the others.
         """
-        ways: list[Literals] = [()]
+        remaining: list[Literals] = [()]
         others: list[Clause] = []
         for clause in ors:
             parts = alternatives(clause.statement)
-            if len(parts) * len(ways) > MOST_WAYS:
+            if len(parts) * len(remaining) > MOST_ALTERNATIVES:
                 continue
-            further = [(*way, *part) for way in ways for part in parts]
+            further = [(*alternative, *part) for alternative in remaining for part in parts]
             left = [
                 each for each in further if not self._is_impossible(self._world([*places, *each]))
             ]
             if left:
-                ways = left
+                remaining = left
                 others.append(clause)
             elif frozenset({clause.statement}) not in reported:
                 reported.append(frozenset({clause.statement}))

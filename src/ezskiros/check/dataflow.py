@@ -192,7 +192,7 @@ class _Dataflow:
         if writer is None:
             missing = errors.MissingArgument(skill=skill, parameter=parameter.name)
             return missing.at(call.span, *labels)
-        found = errors.NotWrittenOnAllWays(skill=skill, parameter=parameter.name)
+        found = errors.NotWrittenOnAllPaths(skill=skill, parameter=parameter.name)
         labels.append(found.Writer().at(writer.span))
         return found.at(call.span, *labels)
 
@@ -249,5 +249,5 @@ class _Dataflow:
 
 def _in_all(outcomes: Iterable[Known]) -> Known:
     """The names that have a value on all reachable paths; None if there is no such path."""
-    ways = [each for each in outcomes if each is not None]
-    return frozenset.intersection(*ways) if ways else None
+    paths = [each for each in outcomes if each is not None]
+    return frozenset.intersection(*paths) if paths else None

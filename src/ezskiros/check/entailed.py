@@ -86,7 +86,7 @@ def relation_clashes(
     for fact, reason in facts.items():
         declared = model.relations.get(fact.relation)
         if declared is not None and (declared.is_asymmetric or declared.is_irreflexive):
-            yield from _wrong_way(fact, reason, facts, is_asymmetric=declared.is_asymmetric)
+            yield from _wrong_direction(fact, reason, facts, is_asymmetric=declared.is_asymmetric)
     yield from _too_many(facts, classes, model)
 
 
@@ -99,7 +99,9 @@ def _opposite(denied: Relation, reason: Reason, model: Model) -> Clash:
     return Clash(said, world_errors.OppositeFollows, reason.axioms, why)
 
 
-def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool) -> Iterator[Clash]:
+def _wrong_direction(
+    fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool
+) -> Iterator[Clash]:
     """A relation of an individual to itself, or in both directions."""
     back = Fact(fact.object, fact.relation, fact.subject)
     if fact == back:

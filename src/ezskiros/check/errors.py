@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 from ezskiros.check.world_errors import Clashing
 
 
-class OtherWay(Remark):
+class OtherDirection(Remark):
     """The help for a relation that fits with its sides exchanged."""
 
     says = "exchange the sides: `{other}.{property}({subject})`"

@@ -58,23 +58,23 @@ def _cycle(tree: Tree, trees: Sequence[Tree]) -> list[SkillCall] | None:
     for each in trees:
         by_skill.setdefault(each.owner.description, []).append(each)
     seen: set[int] = set()
-    ways: list[tuple[Tree, list[SkillCall]]] = [(tree, [])]
-    while ways:
-        current, way = ways.pop()
+    paths: list[tuple[Tree, list[SkillCall]]] = [(tree, [])]
+    while paths:
+        current, path = paths.pop()
         for call in calls(current.root):
             for called in by_skill.get(call.skill, []):
                 if call.implementation not in (None, called.implementation):
                     continue
                 if called.owner is tree.owner:
-                    return [*way, call]
+                    return [*path, call]
                 if id(called) not in seen:
                     seen.add(id(called))
-                    ways.append((called, [*way, call]))
+                    paths.append((called, [*path, call]))
     return None
 
 
 def _endless(tree: Tree, cycle: Sequence[SkillCall]) -> Diagnostic:
-    way = " > ".join([tree.skill.name, *(call.skill.__name__ for call in cycle)])
-    found = errors.EndlessRecursion(implementation=tree.implementation, way=way)
+    path = " > ".join([tree.skill.name, *(call.skill.__name__ for call in cycle)])
+    found = errors.EndlessRecursion(implementation=tree.implementation, path=path)
     labels = [found.Calls().at(call.span) for call in cycle[1:]]
     return found.at(cycle[0].span, *labels)

@@ -77,7 +77,7 @@ class _Checker:
                 wrong = [*self._related(subject, iri, other, clause)]
                 if len(wrong) == 2 and not [*self._related(other, iri, subject, clause)]:
                     name = identifier(split(iri)[1])
-                    turned = errors.OtherWay(other=other, property=name, subject=subject)
+                    turned = errors.OtherDirection(other=other, property=name, subject=subject)
                     wrong = [remarked(wrong[0], help=turned)]
                 yield from wrong
             case HasProperty(subject=subject, property=iri):

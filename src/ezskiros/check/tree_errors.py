@@ -154,7 +154,7 @@ class MissingArgument(Error, code="EZS530", name="missing-argument"):
     parameter: str
 
 
-class NotWrittenOnAllWays(Error, code="EZS531", name="not-written-on-all-ways"):
+class NotWrittenOnAllPaths(Error, code="EZS531", name="not-written-on-all-paths"):
     """A parameter that has no value on some path through the tree."""
 
     title = "`{skill}` needs a value for `{parameter}`, which is missing on some paths"
@@ -330,10 +330,10 @@ class StartedAgain(Warning, code="EZS545", name="started-again"):
 class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
     """A compound skill that cannot succeed without calling itself."""
 
-    title = "`{implementation}` calls itself endlessly: {way}"
+    title = "`{implementation}` calls itself endlessly: {path}"
     help = "add a path through the tree without this call"
     implementation: str
-    way: str
+    path: str
 
     class Calls(Remark):
         says = "this is the next call"
@@ -353,7 +353,7 @@ ALL: tuple[type[Template], ...] = (
     NameClash,
     SameThingTwice,
     MissingArgument,
-    NotWrittenOnAllWays,
+    NotWrittenOnAllPaths,
     ReadBesides,
     WrittenNeverRead,
     OutputMissing,

@@ -38,16 +38,16 @@ def alternatives(statement: Statement) -> tuple[Literals, ...]:
     if statement.is_true:
         return tuple(each for part in statement.parts for each in alternatives(part))
     parts = (negated(part) for part in statement.parts)
-    ways = product(*(alternatives(part) for part in parts if part is not None))
-    return tuple(sum(each, ()) for each in ways)
+    found = product(*(alternatives(part) for part in parts if part is not None))
+    return tuple(sum(each, ()) for each in found)
 
 
 def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
     """The statements that hold in each alternative of one of some statements."""
     for each in statements:
-        ways = alternatives(each)
-        if len(ways) == 1:
-            yield from ways[0]
+        found = alternatives(each)
+        if len(found) == 1:
+            yield from found[0]
 
 
 def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownClasses:

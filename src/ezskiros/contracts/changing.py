@@ -44,19 +44,19 @@ def _forgetting(
     return replace(known.without(lost), changes=later(known.changes, changes))
 
 
-def join(ways: Sequence[KnownFacts], judge: Judge) -> KnownFacts:
+def join(paths: Sequence[KnownFacts], judge: Judge) -> KnownFacts:
     """The knowledge where several paths meet: the facts that hold on every path that is not
     dead.
     """
-    alive = [each for each in ways if not each.is_dead] or list(ways)
+    alive = [each for each in paths if not each.is_dead] or list(paths)
     first, *others = alive
     if not others:
         return first
     facts: dict[Statement, Origin] = {}
     changes: dict[WorldChange, None] = {}
-    for way in alive:
-        changes |= way.changes
-        for fact, origin in way.facts.items():
+    for path in alive:
+        changes |= path.changes
+        for fact, origin in path.facts.items():
             facts.setdefault(fact, origin)
     facts = {
         fact: origin
@@ -75,10 +75,10 @@ def join(ways: Sequence[KnownFacts], judge: Judge) -> KnownFacts:
     )
 
 
-def _common(ways: Sequence[KnownFacts]) -> tuple[str, ...]:
+def _common(paths: Sequence[KnownFacts]) -> tuple[str, ...]:
     """The common beginning of the descriptions of some paths."""
     found = []
-    for steps in zip(*(each.trail for each in ways), strict=False):
+    for steps in zip(*(each.trail for each in paths), strict=False):
         if len(set(steps)) > 1:
             break
         found.append(steps[0])

@@ -24,7 +24,7 @@ from ezskiros.contracts.remarks import (
     KnownThere,
     Meanwhile,
     NothingKnown,
-    OnTheWay,
+    OnThePath,
     Why,
 )
 from ezskiros.contracts.repairs import Repairs
@@ -197,8 +197,8 @@ class Findings:
         related.sort(key=lambda each: -len(about & set(names_of(each))))
         texts = [self._spelled(each) for each in related[:_MOST_KNOWN]]
         held = KnownThere(conditions=listed(texts)) if texts else NothingKnown()
-        way = OnTheWay(way=", and ".join(known.trail)) if known.trail else None
-        return [each for each in (held, way, self.branch) if each is not None]
+        path = OnThePath(path=", and ".join(known.trail)) if known.trail else None
+        return [each for each in (held, path, self.branch) if each is not None]
 
     def _declared(self, call: SkillCall, asked: Asked) -> Iterator[Label]:
         condition = ConditionOf(kind=asked.kind, skill=call.skill.__name__)

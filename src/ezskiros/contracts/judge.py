@@ -104,8 +104,11 @@ class Judge:
             case Relation(is_abstract=True):
                 return False
             case AnyOf():
-                ways = alternatives(said)
-                if any(all(self._entails(facts, ors, bound, each) for each in way) for way in ways):
+                found = alternatives(said)
+                if any(
+                    all(self._entails(facts, ors, bound, each) for each in alternative)
+                    for alternative in found
+                ):
                     return True
             case Relation() | ValueComparison() | HasProperty():
                 if self._follows(facts, said):
@@ -133,8 +136,12 @@ class Judge:
         """
         for index, one in enumerate(ors):
             rest = [each for each in facts if each != one]
-            ways = (tuple(dict.fromkeys([*way, *rest])) for way in alternatives(one))
-            if all(self._entails(way, ors[index + 1 :], bound, said) for way in ways):
+            found = (
+                tuple(dict.fromkeys([*alternative, *rest])) for alternative in alternatives(one)
+            )
+            if all(
+                self._entails(alternative, ors[index + 1 :], bound, said) for alternative in found
+            ):
                 return True
         return False
 
@@ -148,7 +155,7 @@ class Judge:
 
     def _found_clash(self, facts: Said, said: Statement) -> Clash | None:
         if isinstance(said, AnyOf):
-            found = [self._clash_of_all(facts, way) for way in alternatives(said)]
+            found = [self._clash_of_all(facts, alternative) for alternative in alternatives(said)]
             return found[0] if found and all(found) else None
         own = (each for each in facts if all(self._known(n).is_own for n in names_of(each)))
         for each in chain(self._clashes((*facts, said)), self._clashes((*own, said))):
@@ -156,8 +163,8 @@ class Judge:
                 return each
         return None
 
-    def _clash_of_all(self, facts: Said, way: Iterable[Statement]) -> Clash | None:
-        found = (self._clash(facts, each) for each in way)
+    def _clash_of_all(self, facts: Said, alternative: Iterable[Statement]) -> Clash | None:
+        found = (self._clash(facts, each) for each in alternative)
         return next(filter(None, found), None)
 
     def is_impossible(self, said: Iterable[Statement]) -> bool:
@@ -174,9 +181,9 @@ class Judge:
 
     def _is_certain(self, clash: Clash) -> bool:
         """Say whether a clash remains if two names stand for one individual."""
-        return not any(True for _ in self._ways_out(clash))
+        return not any(True for _ in self._resolving_pairs(clash))
 
-    def _ways_out(self, clash: Clash) -> Iterator[tuple[str, str]]:
+    def _resolving_pairs(self, clash: Clash) -> Iterator[tuple[str, str]]:
         """Pairs of names that would resolve the clash if they stood for one individual."""
         about = dict.fromkeys(name for each in clash.said for name in names_of(each))
         for one, other in combinations(sorted(about), 2):
@@ -210,9 +217,9 @@ class Judge:
         """
         for clash in self._clashes(known.said):
             if clash.kind is errors.TwoPlaces and len(clash.said) == 2:
-                ways = list(self._ways_out(clash))
-                if len(ways) == 1:
-                    return self.merged(self._as_one(known, *ways[0]))
+                found = list(self._resolving_pairs(clash))
+                if len(found) == 1:
+                    return self.merged(self._as_one(known, *found[0]))
         return known
 
     def _as_one(self, known: KnownFacts, one: str, other: str) -> KnownFacts:

@@ -91,7 +91,7 @@ class KnownFacts:
         return tuple(self.facts)
 
     @property
-    def without_way(self) -> tuple[object, ...]:
+    def without_trail(self) -> tuple[object, ...]:
         """The knowledge that the next steps depend on, without the path so far."""
         facts, same = tuple(self.facts.items()), frozenset(self.same.items())
         return facts, self.bound, self.perhaps, same, self.is_dead

@@ -85,11 +85,11 @@ class NothingKnown(Remark):
     says = "nothing is known about these individuals at this point"
 
 
-class OnTheWay(Remark):
+class OnThePath(Remark):
     """The note with the path through the tree."""
 
-    says = "this is on the path where {way}"
-    way: str
+    says = "this is on the path where {path}"
+    path: str
 
 
 class Branch(Remark):
@@ -204,5 +204,5 @@ class LetAChild(Remark):
 class OneOf(Remark):
     """There are several repairs."""
 
-    says = "{ways}"
-    ways: str
+    says = "{repairs}"
+    repairs: str

@@ -171,7 +171,7 @@ class Repairs:
 
 
 def _one_of(*repairs: Remark) -> Remark:
-    return OneOf(ways="; or ".join(map(str, repairs)))
+    return OneOf(repairs="; or ".join(map(str, repairs)))
 
 
 def _unified(made: Statement, said: Statement) -> Mapping[str, str] | None:

@@ -30,8 +30,8 @@ def conjuncts(statement: Statement) -> tuple[Statement, ...]:
     """The statements that a statement implies: several for a negated `or`, otherwise the statement
     itself.
     """
-    ways = alternatives(statement)
-    return ways[0] if len(ways) == 1 else (statement,)
+    found = alternatives(statement)
+    return found[0] if len(found) == 1 else (statement,)
 
 
 def renamed(statement: Statement, names: Mapping[str, str]) -> Statement:

@@ -88,8 +88,8 @@ class Walk:
                 return self._selector(below, known, place, is_restarting=is_restarting)
             case Processor(flow=Flow.NO_FAIL, children=below):
                 inner = self._sequence(below, known, replace(place, is_fatal=False))
-                ways = (*inner.endings, *inner.failures)
-                return NodeOutcome(join(ways, self.judge), ways, ())
+                paths = (*inner.endings, *inner.failures)
+                return NodeOutcome(join(paths, self.judge), paths, ())
             case Processor(flow=Flow.PARALLEL_FF | Flow.PARALLEL_FS as flow, children=below):
                 return self._parallel(below, known, place, is_race=flow is Flow.PARALLEL_FS)
             case Processor():
@@ -105,7 +105,7 @@ class Walk:
         self._started.setdefault(id(call), right)
         if place.tick is not None:
             return self._step(child, known, wrong, place)
-        key = (call, *known.without_way)
+        key = (call, *known.without_trail)
         if key not in self._steps:
             bare = replace(known, changes={}, trail=())
             self._steps[key] = self._step(child, bare, wrong, place)

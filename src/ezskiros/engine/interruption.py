@@ -82,15 +82,15 @@ def newly_asked(queue: SimpleQueue[Recovery]) -> Iterator[Recovery]:
             yield asked
 
 
-class NoWayError(Exception):
+class NoPlanError(Exception):
     """No skills lead to the goal of a task. The text gives the reason."""
 
 
-Way = Sequence[SkillCall]
+PlannedCalls = Sequence[SkillCall]
 """A plan: skills, one after the other."""
-Replan = Callable[[SkillCall, Sequence[Prohibition]], "Future[Way]"]
+Replan = Callable[[SkillCall, Sequence[Prohibition]], "Future[PlannedCalls]"]
 """Searches for a plan from the current world to the post-conditions of a skill whose values are all
-given, without the skills that rules always stop. The future raises `NoWayError`.
+given, without the skills that rules always stop. The future raises `NoPlanError`.
 """
 
 
@@ -107,7 +107,7 @@ class InterruptibleTask(Task):
         self._asked: SimpleQueue[Recovery] = SimpleQueue()
         self._recovery: Recovery | None = None
         self._tree: SkillChild | None = None
-        self._search: Future[Way] | None = None
+        self._search: Future[PlannedCalls] | None = None
         self._interrupted: list[Running] | None = None
 
     @property
@@ -134,11 +134,11 @@ class InterruptibleTask(Task):
         own = skills_ahead(self.root, self._left[0] if self._left else None)
         return own if self._tree is None else [*skills_ahead(self._tree), *own]
 
-    def go_by(self, way: Way) -> None:
+    def go_by(self, plan: PlannedCalls) -> None:
         """Follow a plan that was made before the first tick, instead of the task's own tree. The
         plan has at least one skill.
         """
-        self._left = deque(way)
+        self._left = deque(plan)
         self._start(self._left.popleft())
 
     def recover(self, recovery: Recovery) -> None:
@@ -151,7 +151,7 @@ class InterruptibleTask(Task):
             self._take()
         if self._search is not None:
             self.ticks += 1
-            return self._take_way(self._search) if self._search.done() else Status.RUNNING
+            return self._take_plan(self._search) if self._search.done() else Status.RUNNING
         if self._tree is None:
             return self._tick_task()
         self.ticks += 1
@@ -230,18 +230,18 @@ class InterruptibleTask(Task):
             self._aim = replace(self._call, arguments=values)
         return self._aim
 
-    def _take_way(self, search: Future[Way]) -> Status:
+    def _take_plan(self, search: Future[PlannedCalls]) -> Status:
         """Continue the task with another plan. The task is over if its goal is met already."""
         recovery = self._recovery
         assert recovery is not None, "a way is looked for"
         self._search = None
         try:
-            way = search.result()
-        except NoWayError as problem:
+            plan = search.result()
+        except NoPlanError as problem:
             return self._failed(recovery, f"no plan leads to the goal of the task: {problem}")
         self._recovery = None
         self._stop_task()
-        self._left = deque(way)
+        self._left = deque(plan)
         recovery.done(True, "")
         if not self._left:
             return Status.SUCCESS

@@ -42,5 +42,5 @@ def sha256_of(file: Path) -> str:
 
 def path_from(folder: Path, file: str | os.PathLike[str]) -> str:
     """The path from a folder to a file, with `/`."""
-    way = os.path.relpath(os.path.realpath(file), os.path.realpath(folder))
-    return way.replace(os.sep, "/")
+    relative = os.path.relpath(os.path.realpath(file), os.path.realpath(folder))
+    return relative.replace(os.sep, "/")

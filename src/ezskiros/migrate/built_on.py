@@ -32,10 +32,10 @@ def other_base(
         return OtherBase(implementation=name, found=said)
     if root is not Root.UNKNOWN:
         return None
-    way = f" through `{base}`" if base != end else ""
+    through = f" through `{base}`" if base != end else ""
     return OtherBase(
         implementation=name,
-        found=f"inherits from `{end}`{way}, which none of these files defines",
+        found=f"inherits from `{end}`{through}, which none of these files defines",
         advice=f"if a library defines `{end}`, give its file as well",
         base=end,
     )

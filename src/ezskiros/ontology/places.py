@@ -50,7 +50,7 @@ class EntityDeclarations:
 
 _Spelling = tuple[str, str]
 """A kind of spelling of a subject, and the text."""
-_WAYS = {
+_PATTERNS = {
     "about": re.compile(r'rdf:about="([^"]*)"'),
     "ID": re.compile(r'rdf:ID="([^"]*)"'),
     "line": re.compile(r"^[^\S\n]*(\S+)(?=\s)", re.MULTILINE),
@@ -61,9 +61,9 @@ _WAYS = {
 def _all_spelled(text: str) -> dict[_Spelling, tuple[int, int]]:
     """The first place of each spelling in a text."""
     found: dict[_Spelling, tuple[int, int]] = {}
-    for way, pattern in _WAYS.items():
+    for kind, pattern in _PATTERNS.items():
         for each in pattern.finditer(text):
-            found.setdefault((way, each[1]), each.span(1))
+            found.setdefault((kind, each[1]), each.span(1))
     return found
 
 

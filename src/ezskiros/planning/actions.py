@@ -65,24 +65,26 @@ def actions(library: Library, model: Model) -> tuple[list[PlanningAction], list[
         if skill is None:
             continue
         try:
-            ways = _ways(description, skill, library)
-            drafts += [_draft(each, description, model) for each in ways]
+            alternatives = _alternatives(description, skill, library)
+            drafts += [_draft(each, description, model) for each in alternatives]
         except NotPlannableError as why:
             found.append(errors.SkillLeftOut(skill=skill.name, why=str(why)).at(skill.span))
     return [_with_consequences(each, drafts, model) for each in drafts], found
 
 
-def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> list[SkillInterface]:
+def _alternatives(
+    description: SkillClass, skill: SkillInterface, library: Library
+) -> list[SkillInterface]:
     """The skill as its implementations perform it: several variants if the implementations have
     their own pre-conditions. A plan calls the skill; the implementation is chosen at its start.
     """
     implementing = library.implementations(description).values()
     available = [each for each in implementing if each.available_for_planning]
     known = map(library.as_done_by, available) if implementing else [skill]
-    ways = {id(each): each for each in known if each and each.pre and each.post}
-    if ways and not implementing:
+    alternatives = {id(each): each for each in known if each and each.pre and each.post}
+    if alternatives and not implementing:
         raise NotPlannableError("these files have no implementation of the skill")
-    return list(ways.values())
+    return list(alternatives.values())
 
 
 def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> PlanningAction:

@@ -50,7 +50,7 @@ class ReachableFacts:
         while count < len(self._new):
             count = len(self._new)
             for action in self.actions:
-                for bound in self.ways(action):
+                for bound in self.bindings(action):
                     for effect in action.effects:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
@@ -115,7 +115,7 @@ class ReachableFacts:
 
     # --- assignments ------------------------------------------------------------------------------
 
-    def ways(self, action: PlanningAction) -> Iterator[dict[str, str]]:
+    def bindings(self, action: PlanningAction) -> Iterator[dict[str, str]]:
         """The individuals for which all needs of an action are possible."""
         return self._bindings(action, {}, 0)
 

@@ -14,7 +14,7 @@ from concurrent.futures import Future
 from types import MappingProxyType
 
 from dslkit.diagnostics import Diagnostic
-from ezskiros.engine.interruption import NoWayError, Replan, Way
+from ezskiros.engine.interruption import NoPlanError, PlannedCalls, Replan
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
@@ -38,14 +38,14 @@ The robot does not move during the search.
 def replanner(library: Library, world: World) -> Replan:
     """Searches in a thread, on a copy of the world, while the task continues to be ticked."""
 
-    def replan(task: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
+    def replan(task: SkillCall, without: Sequence[Prohibition]) -> Future[PlannedCalls]:
         start = world.copy()
-        return _in_background(lambda: way(library, task, world, start, without))
+        return _in_background(lambda: planned_calls(library, task, world, start, without))
 
     return replan
 
 
-def way(
+def planned_calls(
     library: Library,
     task: SkillCall,
     world: World,
@@ -54,10 +54,10 @@ def way(
     *,
     costs: Sequence[Cost] = (),
     seconds: float = SECONDS,
-) -> Way:
+) -> PlannedCalls:
     """The skills that lead to the post-conditions of a task, to be run in `world`. `start` is a
     copy of the current world, and `costs` are the known losses of time to rules. Steps that rules
-    always stop are not used. Raises `NoWayError`.
+    always stop are not used. Raises `NoPlanError`.
     """
     skill = library.skill(task.skill)
     assert skill is not None, "it runs"
@@ -68,9 +68,9 @@ def way(
         search = Search(start.copy, model, known, wanted, seconds, costs, without)
         steps, said = search.run()
     except (NoPlannerError, RuntimeError) as problem:
-        raise NoWayError(str(problem)) from None
+        raise NoPlanError(str(problem)) from None
     if steps is None:
-        raise NoWayError("; ".join(map(_reported, (*said, *left_out))))
+        raise NoPlanError("; ".join(map(_reported, (*said, *left_out))))
     return [_call(step, task.arguments, world) for step in steps]
 
 
@@ -82,17 +82,17 @@ def _reported(found: Diagnostic) -> str:
 def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal]:
     things = {name: each.iri for name, each in values.items() if isinstance(each, WorldThing)}
     if not skill.post:
-        raise NoWayError(f"`{skill.name}` has no post-condition, so its goal is unknown")
+        raise NoPlanError(f"`{skill.name}` has no post-condition, so its goal is unknown")
     for each in skill.post:
         try:
             wanted = literal(each.statement)
         except NotPlannableError:
-            raise NoWayError(
+            raise NoPlanError(
                 f"a post-condition of `{skill.name}` cannot be the goal of a plan"
             ) from None
         unknown = [name for name in wanted.arguments if name not in things]
         if unknown:
-            raise NoWayError(f"`{skill.name}` has no value yet for `{unknown[0]}`")
+            raise NoPlanError(f"`{skill.name}` has no value yet for `{unknown[0]}`")
         yield Goal(wanted.bound(things), each.span)
 
 
@@ -108,21 +108,21 @@ def _call(step: PlanStep, values: Mapping[str, object], world: World) -> SkillCa
         if each.name in values and each.takes(values[each.name]):
             found[each.name] = values[each.name]
         elif each.default is None:
-            raise NoWayError(f"`{skill.name}` needs a value for `{each.name}`")
+            raise NoPlanError(f"`{skill.name}` needs a value for `{each.name}`")
     return SkillCall(step.action.description, None, MappingProxyType(found), NOWHERE)
 
 
-def _in_background(search: Callable[[], Way]) -> Future[Way]:
+def _in_background(search: Callable[[], PlannedCalls]) -> Future[PlannedCalls]:
     """Run a search in a thread that does not delay the end of the program."""
-    future: Future[Way] = Future()
+    future: Future[PlannedCalls] = Future()
 
     def work() -> None:
         try:
             future.set_result(search())
-        except NoWayError as problem:
+        except NoPlanError as problem:
             future.set_exception(problem)
         except Exception as problem:  # the robot does not move: the task has to end in order
-            future.set_exception(NoWayError(f"the search failed: {problem!r}"))
+            future.set_exception(NoPlanError(f"the search failed: {problem!r}"))
 
     threading.Thread(target=work, name="replan", daemon=True).start()
     return future

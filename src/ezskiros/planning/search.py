@@ -108,7 +108,7 @@ class Search:
         """The steps that are possible and would help, if rules did not stop them."""
         found: dict[str, None] = {}
         for action in self.actions:
-            for bound in reach.ways(action):
+            for bound in reach.bindings(action):
                 why = stopped_by(action, bound, self.without, reach.world)
                 if why is not None and reach.leads_on(action, bound):
                     found[self._said_step(why, bound)] = None

@@ -22,7 +22,7 @@ from ezskiros.skills.added import Added
 from ezskiros.skills.interface import Clause, Parameter
 from ezskiros.skills.parameters import signature_of
 from ezskiros.skills.permits import Permission
-from ezskiros.skills.tracing import Method, Way, ways
+from ezskiros.skills.tracing import ExecutionPath, Method, execution_paths
 from ezskiros.skills.uses import Use
 from ezskiros.skills.values import SymbolicValue
 
@@ -69,23 +69,23 @@ def explored(
 
     found: list[PathConditions] = []
     are_whole = True
-    for way in ways(method, make, run):
-        conditions, is_whole = _conditions(way)
-        if not way.has_ended:
+    for path in execution_paths(method, make, run):
+        conditions, is_whole = _conditions(path)
+        if not path.has_ended:
             return conditions, is_whole
         if found and conditions.said() != found[0].said():
-            session.report(_depends(method.owner.__name__, *way.decisions.last_planned()))
+            session.report(_depends(method.owner.__name__, *path.decisions.last_planned()))
             break
         found.append(conditions)
         are_whole = are_whole and is_whole
     return found[0], are_whole
 
 
-def _conditions(way: Way[Adding]) -> tuple[PathConditions, bool]:
+def _conditions(path: ExecutionPath[Adding]) -> tuple[PathConditions, bool]:
     """The conditions that a run has added, and whether they are complete."""
-    if way.instance is None:
+    if path.instance is None:
         return PathConditions(), False
-    adding = way.instance
+    adding = path.instance
     found = PathConditions(
         tuple(adding.pre),
         tuple(adding.hold),
@@ -94,7 +94,7 @@ def _conditions(way: Way[Adding]) -> tuple[PathConditions, bool]:
         tuple(adding.uses),
     )
     parts = (adding.pre, adding.hold, adding.post, adding.permits, adding.uses)
-    return found, way.has_ended and all(each.are_whole for each in parts)
+    return found, path.has_ended and all(each.are_whole for each in parts)
 
 
 def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:

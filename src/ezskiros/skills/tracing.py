@@ -51,7 +51,7 @@ class Method:
 
 
 @dataclass(frozen=True)
-class Way(Generic[T]):
+class ExecutionPath(Generic[T]):
     """One path through a method: its inputs, None if they could not be made; whether it was
     completed; and whether it was free of errors until then.
     """
@@ -62,9 +62,9 @@ class Way(Generic[T]):
     is_right: bool = True
 
 
-def ways(
+def execution_paths(
     method: Method, make: Callable[[], T], run: Callable[[T, FunctionType], object]
-) -> Iterator[Way[T]]:
+) -> Iterator[ExecutionPath[T]]:
     """All paths through a method, within the limits. Mistakes are reported.
 
     For each path, `make` makes the object on which the method runs, and `run` runs it. An undefined
@@ -78,7 +78,7 @@ def ways(
         names = len(substitutes)
         session.come_to(str(file))
         with importing(file), session.trying() as found:
-            way, to_intercept = _way(method, make, run, Decisions(planned), substitutes)
+            path, to_intercept = _execution_path(method, make, run, Decisions(planned), substitutes)
         if intercept(to_intercept):
             forget_since(known)
             continue
@@ -86,22 +86,22 @@ def ways(
             session.report(diagnostic)
         if len(substitutes) > names:
             continue
-        yield replace(way, is_right=not found.sorted() and not substitutes)
+        yield replace(path, is_right=not found.sorted() and not substitutes)
         count += 1
-        planned = way.decisions.following() if way.has_ended else None
+        planned = path.decisions.following() if path.has_ended else None
         if planned is not None and count >= MOST_PATHS:
             cut = errors.TooManyPaths(method=method.called, count=MOST_PATHS)
             session.report(cut.at(definition(method.function).whole))
             return
 
 
-def _way(
+def _execution_path(
     method: Method,
     make: Callable[[], T],
     run: Callable[[T, FunctionType], object],
     decisions: Decisions,
     substitutes: dict[str, object],
-) -> tuple[Way[T], Sequence[str]]:
+) -> tuple[ExecutionPath[T], Sequence[str]]:
     """One path, and the files whose interception would let it continue."""
     instance, problem = None, None
     with guarded(SECONDS) as guard, deciding(decisions):
@@ -121,7 +121,7 @@ def _way(
     if missing:
         substitutes[missing] = method.substitute
     to_intercept = [*guard.files, *([] if missing else user_files(problem))]
-    return Way(instance, decisions, problem is None), to_intercept
+    return ExecutionPath(instance, decisions, problem is None), to_intercept
 
 
 def _missing_name(problem: BaseException | None) -> str | None:

@@ -23,7 +23,7 @@ from ezskiros.skills.methods import written
 from ezskiros.skills.no_such_parameter import no_such_parameter
 from ezskiros.skills.nodes import Node
 from ezskiros.skills.syntax import class_span, definition
-from ezskiros.skills.tracing import Method, ways
+from ezskiros.skills.tracing import Method, execution_paths
 from ezskiros.skills.values import Decisions
 from ezskiros.trees.library import known_skills
 from ezskiros.trees.tree import Reference, Tree, reference
@@ -99,15 +99,15 @@ def expand(
                 written.loose = tree.loose
 
     _report_identities(function)
-    for way in ways(method, lambda: _Written(implementation), run):
-        if way.has_ended and way.instance is not None:
-            branch = _branch(way.decisions)
-            if way.instance.loose:
-                *loose, root = way.instance.loose
+    for path in execution_paths(method, lambda: _Written(implementation), run):
+        if path.has_ended and path.instance is not None:
+            branch = _branch(path.decisions)
+            if path.instance.loose:
+                *loose, root = path.instance.loose
                 _report_loose(implementation, loose)
-                given = _given(way.decisions)
+                given = _given(path.decisions)
                 yield Tree(implementation, skill, root, class_span(implementation), branch, given)
-            elif way.is_right:
+            elif path.is_right:
                 _report_empty(implementation, function, branch)
 
 

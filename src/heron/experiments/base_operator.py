@@ -30,7 +30,7 @@ class BaseOperatorParameters:
     delay: float
     """The time from a call to the arrival of the operator."""
     pace: float = 0.2
-    way: float = 1.2
+    distance: float = 1.2
     """The shortest distance that the operator drives: the robot is 0.9 m long, and must pass a bump
     completely.
     """
@@ -78,8 +78,8 @@ class BaseOperator:
             self._replan(messages.Bool(True))
 
         def drive() -> bool:
-            way = math.dist(start[:2], self._physics.position[:2])
-            if way >= self._parameters.way and abs(self._pitch()) < _LEVEL:
+            distance = math.dist(start[:2], self._physics.position[:2])
+            if distance >= self._parameters.distance and abs(self._pitch()) < _LEVEL:
                 return False
             self._drive(messages.twist(pace, 0.0))
             return True

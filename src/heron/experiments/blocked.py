@@ -24,7 +24,7 @@ from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import EpisodeTrace
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import Base
-from heron.scene import BaseParameters, WaysParameters, build_ways
+from heron.scene import BaseParameters, PathsParameters, build_paths
 from heron.tasks import (
     LookOut,
     LookOutParameters,
@@ -117,7 +117,7 @@ def run_blocked(
 ) -> BlockedEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded_generators(seed)
-    obstacles = varied(blockage, WaysParameters(), generators["obstacles"])
+    obstacles = varied(blockage, PathsParameters(), generators["obstacles"])
     return delivered(Delivery(arm, blockage, seed, obstacles), generators, observers, settings)
 
 
@@ -162,8 +162,8 @@ def _assembled(
     settings: Settings,
     observers: Sequence[Observer],
 ) -> _Robot:
-    base, ways, across = BaseParameters(), WaysParameters(), delivery.obstacles
-    physics = Base(build_ways(ways, base, [each.name for each in across]))
+    base, paths, across = BaseParameters(), PathsParameters(), delivery.obstacles
+    physics = Base(build_paths(paths, base, [each.name for each in across]))
     obstacles = Obstacles(physics, across)
     physics.settle(_SETTLING_STEPS)
     carrier = InProcess()
@@ -179,7 +179,7 @@ def _assembled(
         nodes.append(guard)
         view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
     look_out = LookOut(carrier, LookOutParameters(), clock)
-    navigation = PlaceNavigation(view, _routes(ways), PATIENT, clock, lambda: look_out.is_blocked)
+    navigation = PlaceNavigation(view, _routes(paths), PATIENT, clock, lambda: look_out.is_blocked)
     scene, place = "blocked.turtle", [f"Place={_HALL}"]
     task = SkillTask(carrier, "Deliver", scene, place, delivery.costs)
     operator = ClearingOperator(physics, obstacles, settings.operator_delay)
@@ -191,14 +191,14 @@ def _assembled(
     return _Robot(physics, navigation, task, guard, operator, witness, nodes)
 
 
-def _routes(ways: WaysParameters) -> dict[str, tuple[tuple[tuple[float, float], ...], ...]]:
+def _routes(paths: PathsParameters) -> dict[str, tuple[tuple[tuple[float, float], ...], ...]]:
     """The routes to each place, from the previous place. Navigation alone knows the second route to
     the hall. Plans of skills lead to the hall through the yard.
     """
     return {
-        _JUNCTION: ((ways.junction,),),
-        _YARD: ((ways.yard,),),
-        _HALL: ((ways.hall,), (ways.junction, ways.yard, ways.hall)),
+        _JUNCTION: ((paths.junction,),),
+        _YARD: ((paths.yard,),),
+        _HALL: ((paths.hall,), (paths.junction, paths.yard, paths.hall)),
     }
 
 

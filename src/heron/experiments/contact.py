@@ -149,7 +149,7 @@ def varied_cell(encounter: Encounter, generator: np.random.Generator) -> CellPar
             x + float(generator.uniform(-0.02, 0.02)),
             y + float(generator.uniform(0, 0.01)),
         ),
-        way=float(generator.uniform(0.14, 0.17)),
+        push_distance=float(generator.uniform(0.14, 0.17)),
         board_friction=float(generator.uniform(0.35, 0.42)),
     )
     jam = float(generator.uniform(0.04, 0.1))
@@ -215,8 +215,8 @@ def _strokes(cell: CellParameters) -> list[Floats]:
     y = cell.board_face + SPONGE.block_half
     found = []
     for row, z in enumerate(cell.rows):
-        way = cell.stroke if row % 2 == 0 else cell.stroke[::-1]
-        found += [np.array([x, y, z]) for x in way]
+        stroke = cell.stroke if row % 2 == 0 else cell.stroke[::-1]
+        found += [np.array([x, y, z]) for x in stroke]
     return found
 
 

@@ -11,14 +11,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from heron.robot import Base
-from heron.scene import Way, WaysParameters
+from heron.scene import PathsParameters, StraightPath
 from heron.variants import Blockage, Trouble
 
 _NEAR = 1.8  # m from middle to middle: the base is about to stand before it
 _ASIDE = 3.0  # m, to where it is taken
 _PACE = 0.8  # m/s, at which a person pushes a trolley
 _IN_THE_WAY = 1.2  # m: the sideways distance at which it no longer blocks the base
-_ON_WAY = 0.75  # m beside the center of a path
+_ON_PATH = 0.75  # m beside the center of a path
 _BEGIN = 0.3  # m; a base so near the beginning of a path has left it
 _TROUBLES = {
     Trouble.LASTING: Blockage.PALLET,
@@ -37,35 +37,35 @@ class Obstacle:
     """
 
     name: str
-    way: Way
+    path: StraightPath
     along: float
     side: int
     stay_s: float | None
 
 
 def varied(
-    blockage: Blockage, ways: WaysParameters, generator: np.random.Generator
+    blockage: Blockage, paths: PathsParameters, generator: np.random.Generator
 ) -> tuple[Obstacle, ...]:
     """The part that differs from seed to seed: where obstacles stand, and for how long."""
     first, second = (float(generator.uniform(4.0, 8.0)) for _ in range(2))
     stay_s, later_s = (float(generator.uniform(3.0, 8.0)) for _ in range(2))
-    pallet = Obstacle("pallet", ways.first, first, 1, None)
+    pallet = Obstacle("pallet", paths.first, first, 1, None)
     if blockage is Blockage.PALLET:
         return (pallet,)
     if blockage is Blockage.TROLLEY:
-        return (Obstacle("trolley", ways.first, first, 1, stay_s),)
-    return pallet, Obstacle("trolley", ways.second, second, -1, later_s)
+        return (Obstacle("trolley", paths.first, first, 1, stay_s),)
+    return pallet, Obstacle("trolley", paths.second, second, -1, later_s)
 
 
 def troubled(
-    trouble: Trouble, ways: WaysParameters, generator: np.random.Generator
+    trouble: Trouble, paths: PathsParameters, generator: np.random.Generator
 ) -> tuple[Obstacle, ...]:
     """The obstacle of experiment VII, if there is one. In `OFTEN` of the runs it stands across the
     first path, as in experiment VI.
     """
     blockage = _TROUBLES[trouble]
     is_there = bool(generator.random() < OFTEN)
-    return () if blockage is None or not is_there else varied(blockage, ways, generator)
+    return () if blockage is None or not is_there else varied(blockage, paths, generator)
 
 
 @dataclass
@@ -97,7 +97,7 @@ class Obstacles:
         return any(
             state.near_ns is not None
             and state.aside < _IN_THE_WAY
-            and self._is_on(each.way, each.along)
+            and self._is_on(each.path, each.along)
             for each, state in zip(self.obstacles, self._states, strict=True)
         )
 
@@ -118,20 +118,20 @@ class Obstacles:
     def _note(self, each: Obstacle, state: _State, now_ns: int) -> None:
         """Check if the base has arrived, or if it is time to remove the obstacle."""
         here = self.physics.position[:2]
-        if state.near_ns is None and math.dist(here, each.way.at(each.along)) < _NEAR:
+        if state.near_ns is None and math.dist(here, each.path.at(each.along)) < _NEAR:
             state.near_ns = now_ns
         if each.stay_s is None or state.near_ns is None or state.taken_ns is not None:
             return
         if now_ns - state.near_ns >= each.stay_s * 1e9:
             state.taken_ns = now_ns
 
-    def _is_on(self, way: Way, until: float) -> bool:
+    def _is_on(self, path: StraightPath, until: float) -> bool:
         x, y, _ = self.physics.position.tolist()
-        along, left = way.beside((x, y))
-        return _BEGIN < along < until and abs(left) < _ON_WAY
+        along, left = path.beside((x, y))
+        return _BEGIN < along < until and abs(left) < _ON_PATH
 
     def _put(self, each: Obstacle, aside: float) -> None:
-        half = each.way.heading / 2
+        half = each.path.heading / 2
         index = self.physics.model.body(each.name).mocapid[0]
-        self.physics.data.mocap_pos[index] = (*each.way.at(each.along, each.side * aside), 0.0)
+        self.physics.data.mocap_pos[index] = (*each.path.at(each.along, each.side * aside), 0.0)
         self.physics.data.mocap_quat[index] = (math.cos(half), 0.0, 0.0, math.sin(half))

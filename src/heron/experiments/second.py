@@ -14,7 +14,7 @@ from heron.experiments.blocked import BlockedEpisode, Delivery, delivered, seede
 from heron.experiments.observer import Observer
 from heron.experiments.obstacles import troubled
 from heron.experiments.settings import USUAL, Settings
-from heron.scene import WaysParameters
+from heron.scene import PathsParameters
 from heron.skills import FOLDER
 from heron.variants import Arm, Trouble
 
@@ -31,7 +31,7 @@ def run_second(
 ) -> BlockedEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded_generators(seed)
-    obstacles = troubled(trouble, WaysParameters(), generators["obstacles"])
+    obstacles = troubled(trouble, PathsParameters(), generators["obstacles"])
     costs = learned(trouble) if arm is Arm.LEARNED else ()
     return delivered(
         Delivery(arm, trouble, seed, obstacles, costs), generators, observers, settings

@@ -294,7 +294,7 @@ _BLOCKED = {
     Trouble.PASSING: "a trolley on the first path for a while, in most runs",
     Trouble.NONE: "nothing on either path",
 }
-_ON_WAY = Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED))
+_ON_PATH = Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED))
 _REROUTES = Measure("replanned", "reroutes", "", 0, attrgetter("replanned"))
 
 BLOCKED = Experiment(
@@ -310,7 +310,7 @@ BLOCKED = Experiment(
     own_measures=(
         _REROUTES,
         Measure("nearest", "least distance to an obstacle", "m", 2, attrgetter("nearest")),
-        _ON_WAY,
+        _ON_PATH,
     ),
     hazards={"blocked": "path blocked"},
     harms=dict.fromkeys(Blockage, (INTERVENTIONS.name,)),
@@ -337,7 +337,7 @@ SECOND = replace(
         "runs."
     ),
     run=run_second,
-    own_measures=(ACTIVATIONS, _REROUTES, _ON_WAY),
+    own_measures=(ACTIVATIONS, _REROUTES, _ON_PATH),
     harms={
         Trouble.LASTING: (ACTIVATIONS.name,),
         Trouble.PASSING: (ACTIVATIONS.name,),

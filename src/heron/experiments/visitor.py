@@ -60,16 +60,16 @@ def varied(person: Person, generator: np.random.Generator) -> Walk:
     if person is Person.OUTSIDE:
         return Walk(_legs([(5.0, -7.0), (5.0, 7.0)], pace, begin_s), None)
     beside = (radius * math.cos(angle), radius * math.sin(angle))
-    way = [(6.0, 0.0), (4.0, 0.0), (1.6, -1.3), beside]
-    there = _legs(way, pace, begin_s)
+    path = [(6.0, 0.0), (4.0, 0.0), (1.6, -1.3), beside]
+    there = _legs(path, pace, begin_s)
     left_s = there[-1].end_s + stay_s
-    back = _legs(way[::-1], pace, left_s)
+    back = _legs(path[::-1], pace, left_s)
     return Walk((*there, *back), (there[-1].end_s, left_s))
 
 
-def _legs(way: Sequence[Point], pace: float, begin_s: float) -> tuple[Leg, ...]:
+def _legs(path: Sequence[Point], pace: float, begin_s: float) -> tuple[Leg, ...]:
     found = []
-    for start, end in pairwise(way):
+    for start, end in pairwise(path):
         end_s = begin_s + math.dist(start, end) / pace
         found.append(Leg(begin_s, end_s, start, end))
         begin_s = end_s

@@ -10,14 +10,14 @@ from heron.scene.insertion import build_insertion
 from heron.scene.person import STRIDE, stance
 
 CAMERA = Camera("table", distance=2.4, azimuth=102.0, elevation=-25.0, above=0.6)
-_WAY = 2 * STRIDE  # m that legs show: a person who stands next to the cell has closed legs
+_LARGEST_STRIDE = 2 * STRIDE  # m; a person who stands next to the cell has closed legs
 
 
 def moment(insertion: Insertion) -> VisibleState:
     """The visible scene, with the person, who is not part of the physics."""
     data, scene = insertion.arm.data, insertion.task.scene
     place, facing, share = insertion.person
-    limbs, _ = stance(scene.person, place, facing, share * _WAY)
+    limbs, _ = stance(scene.person, place, facing, share * _LARGEST_STRIDE)
     return VisibleState(
         data.qpos.copy(),
         np.array([limb.place for limb in limbs]),

@@ -26,12 +26,12 @@ class Visit:
         """The visitor's position, heading (rad), and walked part of the path in this direction,
         from 0 to 1.
         """
-        way = math.dist(_ENTRANCE, _BESIDE)
+        length = math.dist(_ENTRANCE, _BESIDE)
         walked = max(0.0, now_s - self.begin_s) * self.pace
-        gone = walked - way - self.stay_s * self.pace
+        gone = walked - length - self.stay_s * self.pace
         if gone <= 0.0:
-            return _on(_ENTRANCE, _BESIDE, min(walked, way) / way)
-        return _on(_BESIDE, _ENTRANCE, min(gone, way) / way)
+            return _on(_ENTRANCE, _BESIDE, min(walked, length) / length)
+        return _on(_BESIDE, _ENTRANCE, min(gone, length) / length)
 
     def distance(self, now_s: float, place: Point) -> float:
         """The distance from the visitor's body to a place, along the ground (m)."""

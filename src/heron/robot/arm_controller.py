@@ -88,7 +88,7 @@ class ArmController:
         self._admittance = Admittance(arm.grasp.copy(), parameters.stiffness)
         self._wanted = self._target = arm.grasp.copy()
         self._force = np.zeros(3)
-        self._way: Trajectory | None = None
+        self._trajectory: Trajectory | None = None
         self._scale = self._pace = 1.0
         self._stopped_ns = self._loosened_ns = _NEVER
         self._is_loose = False
@@ -132,7 +132,7 @@ class ArmController:
     def cancel(self) -> None:
         """The goal at hand, if there is one, is given up: the arm stays where it is."""
         self._wanted = self._target = self._arm.grasp.copy()
-        self._way = self._pressing = None
+        self._trajectory = self._pressing = None
         self._end(is_reached=False)
 
     def lead_up(self, height: float) -> None:
@@ -152,7 +152,7 @@ class ArmController:
         found, start = self._parameters, self._arm.grasp
         self._target = self._places[str(self._goal)].copy()
         usual = duration_of(start, self._target, found.carrying_speed, found.carrying_acceleration)
-        self._way = Trajectory(start, self._target, seconds or usual)
+        self._trajectory = Trajectory(start, self._target, seconds or usual)
 
     def _begin_to_place(self) -> None:
         self.attempts += 1
@@ -196,8 +196,8 @@ class ArmController:
             self._take_up_again()
         is_stopped = now_ns - self._stopped_ns <= self._parameters.stop_timeout * 1e9
         self._change_pace(0.0 if is_stopped else self._scale)
-        if self._way is not None:
-            self._carry(self._way)
+        if self._trajectory is not None:
+            self._carry(self._trajectory)
         elif is_stopped:
             self._stay()
         elif self._pressing is not None:
@@ -215,18 +215,18 @@ class ArmController:
         self._pace = 0.0
         self._wanted = self._admittance.place = self._arm.grasp.copy()
         self._admittance.rest()
-        if self._way is not None:
+        if self._trajectory is not None:
             self._begin_to_carry()
         if self._pressing is not None:
             self._pressing.begin(self._arm.grasp.copy())
 
-    def _carry(self, way: Trajectory) -> None:
+    def _carry(self, trajectory: Trajectory) -> None:
         """Move stiffly: a compliant motion would come too late."""
-        self._wanted = self._admittance.place = way.advance(self._pace * self._step_s)
+        self._wanted = self._admittance.place = trajectory.advance(self._pace * self._step_s)
         self._admittance.rest()
         self._arm.move(self._wanted, self._steps)
-        if way.is_over and self._is_there():
-            self._way = None
+        if trajectory.is_over and self._is_there():
+            self._trajectory = None
             self._end(is_reached=True)
 
     def _press(self, pressing: Pressing) -> None:
@@ -313,9 +313,9 @@ class ArmController:
 
 def _towards(place: Floats, target: Floats, most: float) -> Floats:
     """A place nearer to the target."""
-    way = target - place
-    distance = float(np.linalg.norm(way))
-    return target.copy() if distance <= most else place + way * (most / distance)
+    offset = target - place
+    distance = float(np.linalg.norm(offset))
+    return target.copy() if distance <= most else place + offset * (most / distance)
 
 
 def _nobody(_: bool) -> None:

@@ -58,12 +58,12 @@ class WheelOdometry:
             (now - before) * per_tick for now, before in zip(ticks, self._before, strict=True)
         )
         self._before = ticks
-        way, turn = (left + right) / 2, (right - left) / (2 * self._base.half_track)
-        self._x += way * math.cos(self._yaw + turn / 2)
-        self._y += way * math.sin(self._yaw + turn / 2)
+        distance, turn = (left + right) / 2, (right - left) / (2 * self._base.half_track)
+        self._x += distance * math.cos(self._yaw + turn / 2)
+        self._y += distance * math.sin(self._yaw + turn / 2)
         self._yaw += turn
         rate = self._parameters.rate
-        velocity = messages.twist(way * rate, turn * rate)
+        velocity = messages.twist(distance * rate, turn * rate)
         place = (self._x, self._y, self._yaw)
         self._late.send(now_ns, messages.odometry(now_ns, *place, velocity))
         frame = messages.transform_on_floor(now_ns, "odom", "base_link", place)

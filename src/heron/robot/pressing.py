@@ -78,9 +78,9 @@ class Push:
 
     def begin(self, place: Floats) -> None:
         """Begin at the current position of the grasp (m)."""
-        found, way = self._parameters, self._end - place
-        self._start, self._far = place.copy(), float(np.linalg.norm(way))
-        self._along = way / max(self._far, 1e-9)
+        found, offset = self._parameters, self._end - place
+        self._start, self._far = place.copy(), float(np.linalg.norm(offset))
+        self._along = offset / max(self._far, 1e-9)
         self._lean = _Lean(found.mass, found.damping)
         self._wanted = found.approach * found.damping / found.stiffness  # from the start
         self._has_touched = False
@@ -127,8 +127,8 @@ class Wipe:
     distance from the board does not matter.
     """
 
-    def __init__(self, way: Sequence[Floats], normal: Floats, parameters: WipeParameters) -> None:
-        self._way = [self._flat(place, normal) for place in way]
+    def __init__(self, path: Sequence[Floats], normal: Floats, parameters: WipeParameters) -> None:
+        self._path = [self._flat(place, normal) for place in path]
         self._normal = normal
         self._parameters = parameters
 
@@ -156,7 +156,7 @@ class Wipe:
             lean.step(found.press, felt, pace * step_s)
             if felt > found.touch:
                 self._stroke(pace * step_s)
-            if self._next == len(self._way):
+            if self._next == len(self._path):
                 self._left = float(grasp @ self._normal) - found.leaves
         return self._on_board + lean.depth * self._normal
 
@@ -165,10 +165,10 @@ class Wipe:
         found = self._parameters
         self._speed = min(found.speed, self._speed + found.acceleration * step_s)
         most = self._speed * step_s
-        left = self._way[self._next] - self._on_board
+        left = self._path[self._next] - self._on_board
         distance = float(np.linalg.norm(left))
         if distance <= most:
-            self._on_board = self._way[self._next]
+            self._on_board = self._path[self._next]
             self._next += 1
             self._speed = 0.0
         else:

@@ -37,7 +37,7 @@ class Trajectory:
 
 def duration_of(start: Floats, end: Floats, speed: float, acceleration: float) -> float:
     """The shortest one (s) that keeps to a speed (m/s) and an acceleration (m/s^2)."""
-    way = float(np.linalg.norm(end - start))
-    by_speed = _PEAK_SPEED * way / speed
-    by_acceleration = math.sqrt(_PEAK_ACCELERATION * way / acceleration)
+    distance = float(np.linalg.norm(end - start))
+    by_speed = _PEAK_SPEED * distance / speed
+    by_acceleration = math.sqrt(_PEAK_ACCELERATION * distance / acceleration)
     return max(by_speed, by_acceleration, _LEAST_DURATION)

@@ -158,8 +158,8 @@ class Ros1Node:
 
     def _connected(self, topic: str, publisher: str) -> tuple[Connection, str]:
         with ServerProxy(publisher) as asked:
-            _, _, way = cast("Any", asked.requestTopic(self._name, topic, [["TCPROS"]]))
-        connection = Connection.to(str(way[1]), int(way[2]))
+            _, _, protocol = cast("Any", asked.requestTopic(self._name, topic, [["TCPROS"]]))
+        connection = Connection.to(str(protocol[1]), int(protocol[2]))
         connection.send_header(
             {
                 "callerid": self._name,

@@ -6,11 +6,11 @@ from heron.scene.cell import CellParameters, ForearmParameters, build_cell
 from heron.scene.corridor import CHILD, CorridorParameters, build_corridor
 from heron.scene.course import Course, CourseParameters, Slope, add_course, course
 from heron.scene.ground import Contact
+from heron.scene.paths import PathsParameters, StraightPath, build_paths
 from heron.scene.person import PersonParameters
 from heron.scene.placing import TableParameters, build_placing
 from heron.scene.room import RoomParameters, build_room
 from heron.scene.scene import build_navigation
-from heron.scene.ways import Way, WaysParameters, build_ways
 
 __all__ = [
     "AXLES",
@@ -23,19 +23,19 @@ __all__ = [
     "Course",
     "CourseParameters",
     "ForearmParameters",
+    "PathsParameters",
     "PersonParameters",
     "RoomParameters",
     "Slope",
+    "StraightPath",
     "TableParameters",
-    "Way",
-    "WaysParameters",
     "add_base",
     "add_course",
     "build_cell",
     "build_corridor",
     "build_navigation",
+    "build_paths",
     "build_placing",
     "build_room",
-    "build_ways",
     "course",
 ]

@@ -51,7 +51,7 @@ class CellParameters:
     box_mass: float = 4.5
     box_half: tuple[float, float, float] = (0.08, 0.05, 0.05)
     box_place: tuple[float, float] = (-0.3, -0.44)
-    way: float = 0.16
+    push_distance: float = 0.16
     """The distance that the box must travel."""
     jam: float | None = None
     """The distance that the box travels if an obstacle is fixed to the table."""
@@ -72,7 +72,7 @@ class CellParameters:
     def mark(self) -> tuple[float, float]:
         """The target position of the center of the box."""
         x, y = self.box_place
-        return x, y - self.way
+        return x, y - self.push_distance
 
     @property
     def board_face(self) -> float:

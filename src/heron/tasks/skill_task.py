@@ -11,12 +11,12 @@ from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.events import Event
 from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.expansion import Expansions
-from ezskiros.engine.interruption import InterruptibleTask, NoWayError, Way
+from ezskiros.engine.interruption import InterruptibleTask, NoPlanError, PlannedCalls
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.skill import SkillChild
 from ezskiros.learning.lessons import Cost
-from ezskiros.planning.replanning import way
+from ezskiros.planning.replanning import planned_calls
 from ezskiros.runner import prepare
 from ezskiros.skills.calls import SkillCall
 from heron.goals import RECOVERY
@@ -49,7 +49,7 @@ class SkillTask:
     ) -> None:
         """With `costs` of skills, of which there may be none, a plan leads to the post-conditions
         of the skill; without, its own tree. Raises `FaultyError` if the skills or the scene have
-        errors, `NoWayError` if there is no plan, and `ValueError` if the export of the skills is
+        errors, `NoPlanError` if there is no plan, and `ValueError` if the export of the skills is
         none.
         """
         ready = prepare(skill, [FOLDER], FOLDER / scene, ["Robot=heron", *arguments])
@@ -64,7 +64,7 @@ class SkillTask:
             expansions=Expansions(ready.trees),
         )
         self._costs = costs or ()
-        self._task = InterruptibleTask(ready.call, execution, self._way)
+        self._task = InterruptibleTask(ready.call, execution, self._replanned)
         if costs is not None:
             self._task.go_by(self._planned(ready.call))
         self._events: list[tuple[float, Event]] = []
@@ -116,24 +116,24 @@ class SkillTask:
     def _note(self, root: SkillChild) -> None:
         self._trees.append(Begun(root, len(self._events)))
 
-    def _way(self, call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
+    def _replanned(self, call: SkillCall, without: Sequence[Prohibition]) -> Future[PlannedCalls]:
         """Find another path to the goal immediately, while time stands still. In a thread, the
         episode would depend on the load of the computer.
         """
-        found: Future[Way] = Future()
+        found: Future[PlannedCalls] = Future()
         try:
             found.set_result(self._planned(call, without))
-        except NoWayError as problem:
+        except NoPlanError as problem:
             found.set_exception(problem)
         else:
             self.replanned += 1
         return found
 
-    def _planned(self, call: SkillCall, without: Sequence[Prohibition] = ()) -> Way:
-        """The skills that lead to the goal from where the world is now. Raises `NoWayError`."""
+    def _planned(self, call: SkillCall, without: Sequence[Prohibition] = ()) -> PlannedCalls:
+        """The skills that lead to the goal from where the world is now. Raises `NoPlanError`."""
         execution = self._task.execution
         start = execution.world.copy()
-        return way(
+        return planned_calls(
             execution.library,
             call,
             execution.world,

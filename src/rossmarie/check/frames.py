@@ -67,7 +67,7 @@ class FrameTree:
         parents = (each.parent for each in self.frames.values())
         return tuple(dict.fromkeys((*self.aliases, *self.frames, *parents)))
 
-    def way(self, source: str, target: str) -> tuple[Leg, ...] | None:
+    def path(self, source: str, target: str) -> tuple[Leg, ...] | None:
         """The path from one frame to another; None if there is none. The tree has no circle."""
         up, down = self._above(source), self._above(target)
         above = {each.parent: number for number, each in enumerate(up, start=1)} | {source: 0}

@@ -19,8 +19,8 @@ LONGEST_TIME = 1e9
 
 def braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
     """S83: the braking distance for a speed `v`, a deceleration `a` and a latency `t`."""
-    way = abs(v) * t + (v * v) / a / 2.0
-    return choose(a > 0.0, choose(t < 0.0, UNKNOWN, way), UNKNOWN)
+    distance = abs(v) * t + (v * v) / a / 2.0
+    return choose(a > 0.0, choose(t < 0.0, UNKNOWN, distance), UNKNOWN)
 
 
 def time_to(left: Expression, speed: Expression) -> Expression:

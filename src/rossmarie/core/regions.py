@@ -179,9 +179,9 @@ def _bounds_of_distance(
         part for number, ends in zip(operands, (xs, ys), strict=False)
         for part in (min(ends) - number, number - max(ends))
     ]  # fmt: skip
-    way = abs(operands[0] - xs[0]) + abs(operands[1] - ys[0])
+    distance = abs(operands[0] - xs[0]) + abs(operands[1] - ys[0])
     least = [part * (1.0 - _SLACK) - 1e-9 < result for part in beyond]
-    return (*least, result < way * (1.0 + _SLACK) + 1e-9)
+    return (*least, result < distance * (1.0 + _SLACK) + 1e-9)
 
 
 def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy, ...]:

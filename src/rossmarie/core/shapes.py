@@ -199,12 +199,12 @@ def _square_from_centre(circle: Circle) -> Expression:
 
 def _from_rectangle(shape: Rectangle) -> Expression:
     """S81: the distance along each axis."""
-    ways = []
+    gaps = []
     for name, number, low, high in zip("xy", (_X, _Y), shape.low, shape.high, strict=True):
         nothing = number - number  # 0; unknown if the number is unknown
         beyond = choose(number > high, number - high, nothing)
-        ways.append(Local(f"d{name}", choose(number < low, low - number, beyond)))
-    dx, dy = ways
+        gaps.append(Local(f"d{name}", choose(number < low, low - number, beyond)))
+    dx, dy = gaps
     return dx * dx + dy * dy
 
 

@@ -35,16 +35,16 @@ class Braking:
         """The speed in m/s at which the brakes take hold, for a measured speed."""
         return min(abs(speed) + self.acceleration * self.reaction_s, self.fastest)
 
-    def way_until_brakes(self, speed: float) -> float:
+    def distance_until_brakes(self, speed: float) -> float:
         """The distance in m until the brakes take hold, for a measured speed."""
         travelling = self.reached(speed) if self.is_of_one_message else self.fastest
         return travelling * self.reaction_s
 
-    def way(self, speed: float, wanted: float) -> float:
+    def distance(self, speed: float, wanted: float) -> float:
         """The distance in m in which a measured speed falls to the wanted speed, by rule S65."""
         reached = self.reached(speed)
         braking = (reached * reached - wanted * wanted) / (2.0 * self.brake)
-        return self.way_until_brakes(speed) + braking if reached > wanted else 0.0
+        return self.distance_until_brakes(speed) + braking if reached > wanted else 0.0
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ _SPEED, _BRAKE, _TIME = parse_unit("m/s"), parse_unit("m/s^2"), parse_unit("s")
 _SQUARE = parse_unit("m^2/s^2")
 
 
-def way_to_stop(
+def stopping_distance(
     measured: int, motion: CheckedMotion, wanted: float, shown: Shown, nodes: Nodes
 ) -> int:
     """The greatest distance in m from the position in the last message to the place where the
@@ -40,10 +40,10 @@ def way_to_stop(
     # A separate speed message may be older or newer than the position, so the motion may be faster.
     travelling = reached if motion.is_of_one_message else fastest
     reaction = number(motion.reaction_s, _TIME)
-    way = metres("way until the brakes", ir.Function.MULTIPLY, travelling, reaction)
+    until_brakes = metres("distance until the brakes", ir.Function.MULTIPLY, travelling, reaction)
     square = speeds(ir.Function.MULTIPLY, reached, reached)
     lost = speeds(ir.Function.SUBTRACT, square, number(wanted * wanted, _SQUARE))
     twice = number(2.0 * motion.brake, _BRAKE)
-    braking = metres("way of braking", ir.Function.DIVIDE, lost, twice)
-    whole = metres("whole way", ir.Function.ADD, way, braking)
+    braking = metres("braking distance", ir.Function.DIVIDE, lost, twice)
+    whole = metres("whole distance", ir.Function.ADD, until_brakes, braking)
     return nodes.apply(ir.Function.ABOVE, (reached, number(wanted, _SPEED), whole), shown)

@@ -52,9 +52,9 @@ class FrameLowering:
         parts = self._in_source(place, arrived)
         if used.target is None or used.source is None:
             return parts
-        way = self._program.frames.way(used.source, used.target)
-        assert way is not None, "checked: there is a way"
-        for leg in way:
+        path = self._program.frames.path(used.source, used.target)
+        assert path is not None, "checked: there is a path"
+        for leg in path:
             parts = self._along(leg, parts, type_, shown)
         return parts
 

@@ -17,7 +17,7 @@ from rossmarie.check.operations.lists import counts_all
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.core import RegionFunction, RegionMeasure, sampling_row
 from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
-from rossmarie.lowering.braking import way_to_stop
+from rossmarie.lowering.braking import stopping_distance
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.frames import Axis, FrameLowering, is_in_frame
 from rossmarie.lowering.inputs import InputPart, Inputs
@@ -377,11 +377,11 @@ class NumberLowering:
         type_ = self.type_of(named)
         assert isinstance(type_, Motion), "checked: it is a motion"
         wanted = self._program.values[speeds[0]].numbers[0] if speeds else 0.0
-        return self.way_to_stop(self._program.motions[type_.name], wanted, shown)
+        return self.stopping_distance(self._program.motions[type_.name], wanted, shown)
 
-    def way_to_stop(self, motion: CheckedMotion, wanted: float, shown: Shown) -> int:
+    def stopping_distance(self, motion: CheckedMotion, wanted: float, shown: Shown) -> int:
         """The greatest distance in m in which a motion slows down to a speed (S65)."""
-        return way_to_stop(self.scalar(motion.speed), motion, wanted, shown, self._nodes)
+        return stopping_distance(self.scalar(motion.speed), motion, wanted, shown, self._nodes)
 
     # --- how it is shown ---------------------------------------------------------------------
 

@@ -33,7 +33,7 @@ _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
 """Nodes that fail if one of their children fails."""
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
 """Nodes that succeed if one of their children succeeds."""
-_MOST_WAYS = 64
+_MOST_ALTERNATIVES = 64
 """The most combinations of things of one skill that are reported. For other combinations, the rule
 stops the skill during the run.
 """
@@ -53,8 +53,8 @@ def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.M
 
 def prohibitions(machine: ir.Machine, skills: CheckedSkills) -> Iterator[str]:
     """The skills that the rules always stop: `Drive(Target=hall.SchoolCorridor)`, or `Drive`."""
-    for name, ways in sorted(_stopped(machine, skills).items()):
-        for things in sorted(map(sorted, _without_special_cases(ways))):
+    for name, alternatives in sorted(_stopped(machine, skills).items()):
+        for things in sorted(map(sorted, _without_special_cases(alternatives))):
             limits = ", ".join(f"{parameter}={kind}" for parameter, kind in things)
             yield f"{name}({limits})" if limits else name
 
@@ -74,9 +74,9 @@ def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effe
     return replace(effect, assignments=(*effect.assignments, reported))
 
 
-def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:
+def _without_special_cases(alternatives: Collection[Things]) -> Iterator[Things]:
     """The combinations that no other combination covers."""
-    return (each for each in ways if not any(other < each for other in ways))
+    return (each for each in alternatives if not any(other < each for other in alternatives))
 
 
 # --- rules ---------------------------------------------------------------------------------------
@@ -184,7 +184,7 @@ def _with_compounds(
                 found[name] = _few(found[name] | _through(skill, before))
         if found == before:
             break
-    return {name: ways for name, ways in found.items() if ways}
+    return {name: alternatives for name, alternatives in found.items() if alternatives}
 
 
 def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozenset[Things]:
@@ -193,8 +193,10 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
     """
 
     def of_step(step: SkillNode) -> frozenset[Things]:
-        ways = (_passed(each, step, skill.parameters) for each in stopped.get(step.skill, ()))
-        return frozenset(each for each in ways if each is not None)
+        alternatives = (
+            _passed(each, step, skill.parameters) for each in stopped.get(step.skill, ())
+        )
+        return frozenset(each for each in alternatives if each is not None)
 
     def joined(node: Control, below: Sequence[frozenset[Things]]) -> frozenset[Things]:
         if node.kind in _RUNS_ONE:
@@ -204,22 +206,24 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
     return _all_of([folded_tree(each, of_step, joined) for each in skill.trees])
 
 
-def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
+def _all_of(alternatives: Sequence[frozenset[Things]]) -> frozenset[Things]:
     """The combinations of things that are stopped on every path; none if there is no path."""
-    if not ways:
+    if not alternatives:
         return frozenset()
-    found = ways[0]
-    for each in ways[1:]:
+    found = alternatives[0]
+    for each in alternatives[1:]:
         found = _few(frozenset(one | other for one, other in itertools.product(found, each)))
     return found
 
 
-def _few(ways: frozenset[Things]) -> frozenset[Things]:
+def _few(alternatives: frozenset[Things]) -> frozenset[Things]:
     """The first combinations in a fixed order, the most general combination first."""
-    general = frozenset(_without_special_cases(ways))
-    if len(general) <= _MOST_WAYS:
+    general = frozenset(_without_special_cases(alternatives))
+    if len(general) <= _MOST_ALTERNATIVES:
         return general
-    return frozenset(sorted(general, key=lambda each: (len(each), sorted(each)))[:_MOST_WAYS])
+    return frozenset(
+        sorted(general, key=lambda each: (len(each), sorted(each)))[:_MOST_ALTERNATIVES]
+    )
 
 
 def _passed(

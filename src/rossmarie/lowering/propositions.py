@@ -60,8 +60,10 @@ class Propositions:
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
         numbers, position = self._numbers, keeps.motion.position
         distance = numbers.of_region(function, position, wanted, metres)
-        way = Shown(f"distance in which {keeps.written.motion.text} slows down", shown.span, _METRE)
-        needed = numbers.way_to_stop(keeps.motion, keeps.speed, way)
+        slowing = Shown(
+            f"distance in which {keeps.written.motion.text} slows down", shown.span, _METRE
+        )
+        needed = numbers.stopping_distance(keeps.motion, keeps.speed, slowing)
         return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 
     def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:

@@ -30,26 +30,26 @@ class Json:
     """A value and its path: `skills[3].name`."""
 
     value: Any
-    way: str = ""
+    path: str = ""
 
     def fail(self, problem: str) -> NoReturn:
         """Raise `UnreadableJson` with the place of the value."""
-        raise UnreadableJson(f"`{self.way}` {problem}" if self.way else f"the file {problem}")
+        raise UnreadableJson(f"`{self.path}` {problem}" if self.path else f"the file {problem}")
 
     def get(self, key: str) -> Json:
         """The member of an object."""
         found = self.find(key)
         if found is None:
-            Json(None, self._way_to(key)).fail("is missing")
+            Json(None, self._path_to(key)).fail("is missing")
         return found
 
     def find(self, key: str) -> Json | None:
         """The member of an object, if it exists."""
         fields = self.fields()
-        return Json(fields[key], self._way_to(key)) if key in fields else None
+        return Json(fields[key], self._path_to(key)) if key in fields else None
 
-    def _way_to(self, key: str) -> str:
-        return f"{self.way}.{key}" if self.way else key
+    def _path_to(self, key: str) -> str:
+        return f"{self.path}.{key}" if self.path else key
 
     def fields(self) -> Mapping[str, Any]:
         """The members of an object, unchecked."""
@@ -62,13 +62,13 @@ class Json:
         if not isinstance(self.value, list):
             self._expected("a list")
         for place, element in enumerate(self.value):
-            yield Json(element, f"{self.way}[{place}]")
+            yield Json(element, f"{self.path}[{place}]")
 
     def members(self, make: Callable[[Json], Made]) -> dict[str, Made]:
         """The results for the members of an object."""
         if not isinstance(self.value, dict):
             self._expected("an object")
-        return {key: make(Json(each, self._way_to(key))) for key, each in self.value.items()}
+        return {key: make(Json(each, self._path_to(key))) for key, each in self.value.items()}
 
     def each(self, make: Callable[[Json], Made]) -> tuple[Made, ...]:
         """The results for the elements of a list."""

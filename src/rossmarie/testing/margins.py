@@ -165,8 +165,8 @@ def margin(
         return _changes(reported(value)) != _changes(usual)
 
     ends = []
-    for way in (-1.0, 1.0):
-        side = _Side(threshold, seen, way)
+    for direction in (-1.0, 1.0):
+        side = _Side(threshold, seen, direction)
         low = threshold.value if differs(side.next()) else side.first(differs)
         ends.append((low, side.first(differs_in_number)))
     (low, often_low), (high, often_high) = ends
@@ -184,18 +184,18 @@ def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
 class _Side:
     """The candidates on one side of a threshold, the nearest first."""
 
-    def __init__(self, threshold: Threshold, seen: Sequence[float], way: float) -> None:
+    def __init__(self, threshold: Threshold, seen: Sequence[float], direction: float) -> None:
         self._threshold = threshold
-        self._way = way
-        places = {each for each in seen if each * way >= threshold.value * way}
-        self._places = sorted(places, reverse=way < 0)
+        self._direction = direction
+        places = {each for each in seen if each * direction >= threshold.value * direction}
+        self._places = sorted(places, reverse=direction < 0)
 
     def next(self) -> float:
         """The next value. A duration becomes a nanosecond longer or shorter, which moves its end. A
         comparison is unchanged until its threshold passes a candidate.
         """
         step = 1e-9 if self._threshold.constant is None else 0.0
-        return self._threshold.value + self._way * step
+        return self._threshold.value + self._direction * step
 
     def first(self, differs: Callable[[float], bool]) -> float | None:
         """The first candidate beyond which the result differs. The nearest candidates are tried one
@@ -220,5 +220,5 @@ class _Side:
         here = self._places[index]
         if index + 1 < len(self._places):
             return here + (self._places[index + 1] - here) / 2
-        beyond = here + self._way * max(abs(here), 1.0) / 1000
+        beyond = here + self._direction * max(abs(here), 1.0) / 1000
         return max(beyond, 0.0) if self._threshold.constant is None else beyond

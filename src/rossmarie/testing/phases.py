@@ -282,8 +282,8 @@ def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
     if slot.limits is not None:
         step = abs(slot.scale)
         sizes = [math.ceil(size / step) * step for size in sizes] if swing else [step]
-    ways = [size * way for size in sizes for way in (1, -1)]
-    return next((each for each in ways if carries(slot, now + each)), ways[0])
+    shifts = [size * sign for size in sizes for sign in (1, -1)]
+    return next((each for each in shifts if carries(slot, now + each)), shifts[0])
 
 
 def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:

@@ -106,16 +106,16 @@ class _Proposer:
         activated.
         """
         roots = (*self._roots, *self._counted) if decision is None else (decision,)
-        ways = []
+        disjuncts = []
         for root in roots:
             true, false = (
                 self._world.formula(root, {proposition: value}) for value in (True, False)
             )
-            ways.append(true != false)
+            disjuncts.append(true != false)
         if decision is None and len(self._roots) > 1:
             # A release counts while the rule's condition is false.
-            ways[1] = z3.And(ways[1], z3.Not(self._condition))
-        return z3.Or(ways)
+            disjuncts[1] = z3.And(disjuncts[1], z3.Not(self._condition))
+        return z3.Or(disjuncts)
 
     # --- leaves ------------------------------------------------------------------------------
 
@@ -138,9 +138,9 @@ class _Proposer:
         is_array = isinstance(self._machine.propositions[leaf].node, ir.Quantified)
         term = self._world.signal(edge.signal, 0 if is_array else None)
         near, found = calm, []
-        for way in (-1, 0, 1):
-            ways = beside(self._machine, edge, term, way)
-            tried = (self._world.solve([hangs, one], near, leaf) for one in ways)
+        for side in (-1, 0, 1):
+            formulas = beside(self._machine, edge, term, side)
+            tried = (self._world.solve([hangs, one], near, leaf) for one in formulas)
             values = next((each for each in tried if each is not None), None)
             near = values or near
             found.append(values)

@@ -14,20 +14,20 @@ from rossmarie.units import parse_unit
 _BETWEEN = 1e-3  # of a step: a value nearer to a whole number is rounded to it
 
 
-def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iterator[z3.BoolRef]:
-    """Formulas that a term is at a threshold (`way` is 0), just under it (-1) or just over it (1).
+def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, side: int) -> Iterator[z3.BoolRef]:
+    """Formulas that a term is at a threshold (`side` is 0), just under it (-1) or just over it (1).
     The first satisfiable formula is the best.
     """
     threshold = constant(edge.threshold)
-    if way == 0:
+    if side == 0:
         yield term == threshold
         return
-    distance = (term - threshold) * way
+    distance = (term - threshold) * side
     if edge.is_whole:
         yield z3.And(is_apart(edge, distance), distance <= constant(edge.step * (1 + _BETWEEN)))
         yield is_apart(edge, distance)
     else:
-        yield term == constant(_point(machine, edge, way))
+        yield term == constant(_point(machine, edge, side))
         yield distance > 0
 
 

@@ -57,8 +57,10 @@ class Wishes:
         if z3.is_true(self.model.eval(wish, model_completion=True)):
             self._solver.add(wish)
             return True
-        ways: list[Sequence[z3.BoolRef]] = [()] if about is None else [self._others(about), ()]
-        for others in ways:
+        alternatives: list[Sequence[z3.BoolRef]] = (
+            [()] if about is None else [self._others(about), ()]
+        )
+        for others in alternatives:
             if self._patience.left > 0 and self._is_granted(wish, others):
                 self._solver.add(wish)
                 return True

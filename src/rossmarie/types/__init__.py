@@ -31,7 +31,13 @@ from rossmarie.types.ros_messages import (
     message_value,
     std_msgs_data,
 )
-from rossmarie.types.rules import Fault, OperatorType, faults_of_position, unit_faults, way_of
+from rossmarie.types.rules import (
+    Fault,
+    OperatorType,
+    distance_unit,
+    faults_of_position,
+    unit_faults,
+)
 
 __all__ = [
     "AXES",
@@ -64,9 +70,9 @@ __all__ = [
     "Unsupported",
     "Vector",
     "apply",
+    "distance_unit",
     "faults_of_position",
     "message_value",
     "std_msgs_data",
     "unit_faults",
-    "way_of",
 ]

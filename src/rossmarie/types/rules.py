@@ -275,25 +275,28 @@ def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Operator
         and isinstance(latency, Quantity)
     ):
         return _unfit(speed, deceleration, latency)
-    way = way_of(speed)
-    if way is None:
+    unit = distance_unit(speed)
+    if unit is None:
         return fault(Fault.UNITS)
     faults = (
-        *unit_faults(deceleration, Quantity(divide(way, _SQUARE_SECOND))),
+        *unit_faults(deceleration, Quantity(divide(unit, _SQUARE_SECOND))),
         *unit_faults(latency, _SECONDS),
     )
-    return OperatorType(Quantity(way), faults)
+    return OperatorType(Quantity(unit), faults)
 
 
-def way_of(speed: Quantity) -> Unit | None:
+def distance_unit(speed: Quantity) -> Unit | None:
     """The unit of the distance for a speed, m or rad; None if the number is not a speed."""
-    ways = (parse_unit("m"), parse_unit("rad"))
-    return next((way for way in ways if not unit_faults(speed, Quantity(speed_of(way)))), None)
+    units = (parse_unit("m"), parse_unit("rad"))
+    return next(
+        (distance for unit in units if not unit_faults(speed, Quantity(speed_of(unit)))),
+        None,
+    )
 
 
-def speed_of(way: Unit) -> Unit:
+def speed_of(unit: Unit) -> Unit:
     """The unit of a speed whose distance has this unit."""
-    return divide(way, parse_unit("s"))
+    return divide(unit, parse_unit("s"))
 
 
 def time_to(left: Type, closing_speed: Type) -> OperatorType:

@@ -139,7 +139,7 @@ static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
     suppose_looked(m, t_ns);
 }}
 
-/* What a restart leaves behind: the same wherever it is called, so ways that meet again agree. */
+/* What a restart leaves behind: the same wherever it is called, so paths that meet again agree. */
 static monitor anew;
 
 void suppose_anew(const monitor *m, int64_t t_ns)

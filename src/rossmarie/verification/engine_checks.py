@@ -163,7 +163,7 @@ class EngineChecks:
     (void){name}_input_state(m, which);
     (void){name}_has_all_inputs(m);
     __CPROVER_assert(!is_calm(m, t_ns) || (t_ns >= m->now_ns && t_ns < m->wake_ns),
-        "where the short way is taken, time goes forward and nothing is due");
+        "where the short path is taken, time goes forward and nothing is due");
     must_be_same(m, &old);"""
         about = "queries that change nothing"
         yield Written(Check("queries", about), f"{begin(self._layout)}\n{queries}")

@@ -314,7 +314,7 @@ static double number_of(const monitor *m, unsigned g)
 /* The guard that was asked for last. */
 static unsigned asked = GUARDS;
 
-/* To look at a number covers both: it has left its guard, or not. So no two ways meet again. */
+/* To look at a number covers both: it has left its guard, or not. So no two paths meet again. */
 bool always_outside(const monitor *m, unsigned g, double x)
 {{
     __CPROVER_assert(spec_same(x, number_of(m, g)), "a guard is asked for its number");
@@ -333,7 +333,7 @@ void contract_look(monitor *m, unsigned g, double x, int64_t t_ns)
     }}
 }}
 
-/* Guards that are asked for in the short way, and the first whose number is outside. */
+/* Guards that are asked for on the short path, and the first whose number is outside. */
 static bool is_here[GUARDS];
 static unsigned first_left = GUARDS;
 static bool is_left = false;

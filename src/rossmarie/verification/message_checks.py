@@ -114,7 +114,7 @@ class MessageChecks:
             yield Written(handed, self._handed(channel, lines, call))
             guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
             about = f"a message on {topic}"
-            yield from self._ways(f"update_{name}", about, lines, call, received, guards)
+            yield from self._paths(f"update_{name}", about, lines, call, received, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.places.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
@@ -126,9 +126,9 @@ class MessageChecks:
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
         about = "messages on several topics"
-        yield from self._ways("step", about, list(self._values()), call, self._idle)
+        yield from self._paths("step", about, list(self._values()), call, self._idle)
 
-    def _ways(
+    def _paths(
         self,
         name: str,
         about: str,
@@ -143,10 +143,10 @@ class MessageChecks:
         """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))
-        yield from stages(f"{name}_late", f"{about}, the long way", call, late, declared, idle)
+        yield from stages(f"{name}_late", f"{about}, the long path", call, late, declared, idle)
         calm = (*self._parts, ("is_calm", "assume_calm"), ("catch_up", "never_catch_up"))
         body = f"{ANY}\n{declared}\n{WAITS}\n    suppose_at_rest(m, t_ns);\n    (void){call};"
-        short = f"{about}, the short way"
+        short = f"{about}, the short path"
         if guards:
             yield from self._calm(f"{name}_calm", short, f"{body}\n{RESTS}", calm, guards)
         else:

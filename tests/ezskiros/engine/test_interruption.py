@@ -16,9 +16,9 @@ from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import (
     Afterwards,
     InterruptibleTask,
-    NoWayError,
+    NoPlanError,
+    PlannedCalls,
     Recovery,
-    Way,
 )
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.session import NOWHERE
@@ -125,7 +125,7 @@ Begin = Callable[..., Scene]
 
 @pytest.fixture
 def begin(tmp_path: Path) -> Begin:
-    def begun(skill: str, search: Future[Way] | None = None) -> Scene:
+    def begun(skill: str, search: Future[PlannedCalls] | None = None) -> Scene:
         search = search or Future()
         plain, events, _ = Skills(tmp_path, SOURCE).task(skill)
         return Scene(InterruptibleTask(plain.root.call, plain.execution, lambda *_: search), events)
@@ -134,7 +134,7 @@ def begin(tmp_path: Path) -> Begin:
 
 
 def test_each_tree_that_takes_the_place_of_another_is_reported_of(begin: Begin) -> None:
-    search: Future[Way] = Future()
+    search: Future[PlannedCalls] = Future()
     scene = begin("Both", search)
     trees: list[str] = []
     scene.task.begun = lambda tree: trees.append(tree.name)
@@ -170,7 +170,7 @@ def test_a_task_that_is_retried_begins_anew(begin: Begin) -> None:
 
 def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
     """Nothing moves until it is found; then its skills run one after the other."""
-    search: Future[Way] = Future()
+    search: Future[PlannedCalls] = Future()
     scene = begin("Both", search)
     scene.ticks(3)
     scene.ask("Clear", Afterwards.REPLAN)
@@ -199,7 +199,7 @@ def test_another_plan_is_for_the_goal_of_the_task_and_not_for_that_of_a_step(
     plain, events, _ = Skills(tmp_path, SOURCE).task("Both")
     asked: list[str] = []
 
-    def replan(call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
+    def replan(call: SkillCall, without: Sequence[Prohibition]) -> Future[PlannedCalls]:
         asked.append(call.skill.__name__)
         return Future()
 
@@ -212,7 +212,7 @@ def test_another_plan_is_for_the_goal_of_the_task_and_not_for_that_of_a_step(
 
 
 def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:
-    search: Future[Way] = Future()
+    search: Future[PlannedCalls] = Future()
     search.set_result([])
     scene = begin("Both", search)
     scene.ticks(3)
@@ -223,8 +223,8 @@ def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:
 
 
 def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
-    search: Future[Way] = Future()
-    search.set_exception(NoWayError("all ways are blocked"))
+    search: Future[PlannedCalls] = Future()
+    search.set_exception(NoPlanError("all ways are blocked"))
     scene = begin("Both", search)
     scene.ticks(3)
     scene.ask("Clear", Afterwards.REPLAN)
@@ -236,7 +236,7 @@ def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
 
 def test_a_rule_that_is_released_ends_no_search(begin: Begin) -> None:
     """The tree has found that the old way is none."""
-    search: Future[Way] = Future()
+    search: Future[PlannedCalls] = Future()
     scene = begin("Both", search)
     scene.ticks(3)
     recovery = scene.ask("Clear", Afterwards.REPLAN)
@@ -250,7 +250,7 @@ def test_a_rule_that_is_released_ends_no_search(begin: Begin) -> None:
 
 
 def test_a_task_is_retried_as_it_began_after_another_way(begin: Begin) -> None:
-    search: Future[Way] = Future()
+    search: Future[PlannedCalls] = Future()
     scene = begin("Both", search)
     search.set_result([scene.call("Patient"), scene.call("Clear")])
     scene.ticks(3)

@@ -24,7 +24,7 @@ from ezskiros.planning.actions import PlanningAction, actions
 from ezskiros.planning.facts import About, Fluent, Literal
 from ezskiros.planning.forbidden import permitted
 from ezskiros.planning.reach import ReachableFacts
-from ezskiros.planning.replanning import replanner, way
+from ezskiros.planning.replanning import planned_calls, replanner
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.depth import examples
@@ -109,7 +109,7 @@ class Robot:
             time.sleep(0.01)
         return status
 
-    def ways(self) -> list[str]:
+    def path(self) -> list[str]:
         """The ways that were driven, each with its speed."""
         return [
             "{From.label} to {To.label} at {Speed}".format(**each.values)
@@ -133,7 +133,7 @@ def test_a_way_around_what_a_tree_found_blocked(tmp_path: Path) -> None:
     robot.block("corridor", "hall")
     assert robot.to_the_end() is Status.SUCCESS
     assert robot.reported == [(True, "")]
-    assert robot.ways() == ["dock to yard at 0.3", "yard to hall at 0.3"]
+    assert robot.path() == ["dock to yard at 0.3", "yard to hall at 0.3"]
 
 
 def test_no_way_is_left(tmp_path: Path) -> None:
@@ -209,17 +209,17 @@ def delivering(folder: Path, *containers: str) -> Robot:
 
 
 @pytest.mark.parametrize(
-    ("container", "way"),
+    ("container", "path"),
     [
         (CORRIDOR, ["dock to yard at 0.3", "yard to hall at 0.3"]),
         (YARD, ["dock to corridor at 0.3", "corridor to hall at 0.3"]),
     ],
 )
-def test_a_way_without_what_rules_stop(tmp_path: Path, container: str, way: list[str]) -> None:
+def test_a_way_without_what_rules_stop(tmp_path: Path, container: str, path: list[str]) -> None:
     robot = delivering(tmp_path, container)
     robot.block("hall", "dock", TO_CONTAINERS)
     assert robot.to_the_end() is Status.SUCCESS
-    assert robot.ways() == way
+    assert robot.path() == path
 
 
 def test_all_things_of_a_prohibition_have_to_be_of_its_classes(tmp_path: Path) -> None:
@@ -227,7 +227,7 @@ def test_all_things_of_a_prohibition_have_to_be_of_its_classes(tmp_path: Path) -
     both = Prohibition("Drive", (("From", CONTAINER), ("To", CONTAINER)))
     robot.block("corridor", "hall", both)
     assert robot.to_the_end() is Status.SUCCESS
-    assert robot.ways() == ["dock to yard at 0.3", "yard to hall at 0.3"]
+    assert robot.path() == ["dock to yard at 0.3", "yard to hall at 0.3"]
 
 
 @pytest.mark.parametrize(
@@ -251,7 +251,7 @@ def test_no_way_is_left_without_what_rules_stop(
     robot = delivering(tmp_path, CORRIDOR, YARD)
     robot.block("hall", "dock", without)
     assert robot.to_the_end() is Status.FAILURE
-    assert robot.ways() == []
+    assert robot.path() == []
     ((is_done, why),) = robot.reported
     assert not is_done
     assert why.startswith("no plan leads to the goal of the task: no skill achieves ")
@@ -349,7 +349,9 @@ def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
     execution, task = robot.task.execution, robot.task.root.call
 
     def by(*costs: Cost) -> object:
-        found = way(execution.library, task, execution.world, execution.world.copy(), costs=costs)
+        found = planned_calls(
+            execution.library, task, execution.world, execution.world.copy(), costs=costs
+        )
         return found[0].arguments["To"].label  # type: ignore[attr-defined]
 
     def cost(start: str, target: str) -> Cost:

@@ -90,7 +90,7 @@ def _moving_frames(used: CheckedInput, context: Context) -> list[CheckedFrame]:
     """
     if used.source is None or used.target is None:
         return []
-    legs = context.frames.way(used.source, used.target) or ()
+    legs = context.frames.path(used.source, used.target) or ()
     return [leg.frame for leg in legs if leg.frame.timeout_ns is not None]
 
 

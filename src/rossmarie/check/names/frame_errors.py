@@ -126,7 +126,7 @@ class UnfitPlacement(Error, code="ROSS278", name="unfit-placement"):
     form: str
 
 
-class NoWay(Error, code="ROSS279", name="no-way-between-frames"):
+class NoPath(Error, code="ROSS279", name="no-path-between-frames"):
     """Two frames that no declarations connect."""
 
     title = "no declared frame connects `{source}` with `{target}`"
@@ -148,5 +148,5 @@ ALL: tuple[type[Template], ...] = (
     NothingToTransform,
     UnknownSource,
     UnfitPlacement,
-    NoWay,
+    NoPath,
 )

@@ -229,7 +229,7 @@ def _report_in(
     )
     place = Seen(text=text_of(other), frame=expected).at(other.span)
     name, source = found.used.declaration.name.text, found.used.source or found.frame
-    is_known = context.frames.way(source, expected) is not None
+    is_known = context.frames.path(source, expected) is not None
     help = (
         finding.Transform(name=name, expected=expected)
         if is_known

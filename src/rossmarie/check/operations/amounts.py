@@ -10,7 +10,7 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.check.units.quantities import SECOND, Operand
 from rossmarie.check.wording.describe import describe
 from rossmarie.syntax import ast
-from rossmarie.types import Operator, Quantity, Type, Unknown, apply, unit_faults, way_of
+from rossmarie.types import Operator, Quantity, Type, Unknown, apply, distance_unit, unit_faults
 from rossmarie.units import Unit, divide
 
 AMOUNTS: Mapping[Operator, str] = {
@@ -35,12 +35,12 @@ def type_of_amount(node: ast.Call, operator: Operator, context: Context) -> Type
 
 def _check_braking(node: ast.Call, operands: Sequence[Operand], context: Context) -> bool:
     speed, deceleration, latency = operands
-    way = way_of(speed.quantity)
-    if way is None:
+    unit = distance_unit(speed.quantity)
+    if unit is None:
         found = describe(speed.quantity)
         _report(node, speed, "the speed", "in m/s or rad/s", found, context)
         return False
-    braking = divide(divide(way, SECOND), SECOND)
+    braking = divide(divide(unit, SECOND), SECOND)
     has_units = (
         _has_unit(node, deceleration, "the deceleration", braking, context),
         _has_unit(node, latency, "the latency", SECOND, context),

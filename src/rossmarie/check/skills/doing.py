@@ -47,8 +47,10 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
         name = each.parameter.text
         if first.setdefault(name, each) is not each:
             skill_name = node.skill.text
-            way = f"join two queries instead: `doing {skill_name}(...) and doing {skill_name}(...)`"
-            report_repeated(each.parameter, first[name].parameter, way, context)
+            advice = (
+                f"join two queries instead: `doing {skill_name}(...) and doing {skill_name}(...)`"
+            )
+            report_repeated(each.parameter, first[name].parameter, advice, context)
             is_right = False
             continue
         class_name = _class_of(each, skill, skills, context)
@@ -198,7 +200,7 @@ def kind_of(type_: str) -> str:
     return words.get(type_, f"a thing of the class {type_}")
 
 
-def report_repeated(again: ast.Name, first: ast.Name, way: str, context: Context) -> None:
-    """Report a parameter that is named twice. `way` describes the fix."""
-    finding = RepeatedSkillParameter(identifier=again.text, way=way)
+def report_repeated(again: ast.Name, first: ast.Name, advice: str, context: Context) -> None:
+    """Report a parameter that is named twice. `advice` describes the fix."""
+    finding = RepeatedSkillParameter(identifier=again.text, advice=advice)
     context.collector.add(finding.at(again.span, finding.First().at(first.span)))

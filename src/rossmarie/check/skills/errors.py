@@ -139,9 +139,9 @@ class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-paramet
 
     title = "parameter `{identifier}` is named twice"
     label = "an earlier value names this parameter"
-    help = "{way}"
+    help = "{advice}"
     identifier: str
-    way: str
+    advice: str
 
     class First(Remark):
         says = "first named here"

@@ -7,7 +7,7 @@ import dataclasses
 from dslkit.diagnostics import Remark
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import members
-from rossmarie.check.names.frame_errors import NothingToTransform, NoWay, UnknownSource
+from rossmarie.check.names.frame_errors import NoPath, NothingToTransform, UnknownSource
 from rossmarie.check.names.frames import frame_field, has_frame, is_reported
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.system.frames import find_frame, report_second_frame
@@ -53,8 +53,8 @@ def framed(
         finding = UnknownSource(field=used.field, frame=written.text)
         context.collector.add(finding.at(written.span))
         return dataclasses.replace(used, type=Unknown())
-    if context.frames.way(source, target) is None:
-        _report_no_way(used, source, written, topic, context)
+    if context.frames.path(source, target) is None:
+        _report_no_path(used, source, written, topic, context)
         return dataclasses.replace(used, type=Unknown())
     return dataclasses.replace(used, source=source, target=target)
 
@@ -124,14 +124,14 @@ def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
     return None
 
 
-def _report_no_way(
+def _report_no_path(
     used: CheckedInput,
     source: str,
     written: ast.Name,
     topic: DeclaredTopic | None,
     context: Context,
 ) -> None:
-    finding = NoWay(source=source, target=context.frames.named(written.text))
+    finding = NoPath(source=source, target=context.frames.named(written.text))
     origin = used.declaration.source
     if origin is None and topic is not None:
         origin = topic.declaration.source

@@ -153,19 +153,21 @@ class Effects:
         if overruled.fails_at_once(task):
             stale = f"if it loses {self._needed(task)} to another rule, this starts:"
             return [Phrase(stale, followers)]
-        ways = self._ways_to_fail(task)
+        causes = self._causes_of_failure(task)
         if followers:
-            return [Phrase(f"if it {ways}, the rule goes no further, and this starts:", followers)]
-        return [Phrase(f"if it {ways}, the rule goes no further; nothing else is tried")]
+            return [
+                Phrase(f"if it {causes}, the rule goes no further, and this starts:", followers)
+            ]
+        return [Phrase(f"if it {causes}, the rule goes no further; nothing else is tried")]
 
-    def _ways_to_fail(self, task: reactions.Task) -> str:
+    def _causes_of_failure(self, task: reactions.Task) -> str:
         timeout_ns = reactions.timeout_ns(task.effect)
-        ways: list[str] = []
+        causes: list[str] = []
         if timeout_ns is not None:
-            ways += ["is refused", f"is not done within {duration_text(timeout_ns)}"]
+            causes += ["is refused", f"is not done within {duration_text(timeout_ns)}"]
         if task.resource is not None and not reactions.waits(task.effect):
-            ways.append(f"loses {self._needed(task)} to another rule")
-        return listed(tuple(ways), "or") or "fails"
+            causes.append(f"loses {self._needed(task)} to another rule")
+        return listed(tuple(causes), "or") or "fails"
 
     def _waits(self, index: int) -> list[Phrase]:
         """Describe the task while another rule has its resource, if it waits for the resource."""
@@ -210,17 +212,20 @@ def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:
 
 def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> list[str]:
     """Describe the lifting of each bound. Bounds that are lifted alike are described together."""
-    ways: dict[str, list[str]] = {}
+    fields_by_bound: dict[str, list[str]] = {}
     for bound in bounds:
         field = command.fields[bound.field]
         ramp = bound.ramp
         how = "lifted at once"
         if ramp is not None:
             how = f"moved apart by {quantity(ramp, field.unit)} per second"
-        ways.setdefault(how, []).append(path_words(field.path))
-    if len(ways) == 1:
-        return [f"on release the bounds are {how}" for how in ways]
-    return [f"on release the bounds of {listed(tuple(of))} are {how}" for how, of in ways.items()]
+        fields_by_bound.setdefault(how, []).append(path_words(field.path))
+    if len(fields_by_bound) == 1:
+        return [f"on release the bounds are {how}" for how in fields_by_bound]
+    return [
+        f"on release the bounds of {listed(tuple(of))} are {how}"
+        for how, of in fields_by_bound.items()
+    ]
 
 
 def _resent(interrupted: reactions.Interrupted) -> str:

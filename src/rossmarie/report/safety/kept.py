@@ -14,7 +14,7 @@ _SPEEDS = 4
 
 
 @dataclass(frozen=True)
-class Way:
+class SlowingDistance:
     """The distance in which a motion slows down from a measured speed, in words."""
 
     speed: str
@@ -31,14 +31,14 @@ class Kept:
     required: ir.Requirement
     outcome: str
     assumptions: tuple[str, ...]
-    ways: tuple[Way, ...]
+    distances: tuple[SlowingDistance, ...]
 
 
 def kept(required: ir.Requirement, content: SafetyFile) -> Kept:
     """A requirement in the form of a safety file."""
-    ways = tuple(_way(required, number) for number in range(1, _SPEEDS + 1))
+    distances = tuple(_slowing_distance(required, number) for number in range(1, _SPEEDS + 1))
     assumptions = tuple(_assumptions(required.braking))
-    return Kept(required, _outcome(required, content), assumptions, ways)
+    return Kept(required, _outcome(required, content), assumptions, distances)
 
 
 def _outcome(required: ir.Requirement, content: SafetyFile) -> str:
@@ -68,16 +68,16 @@ def _assumptions(braking: ir.Braking) -> Iterator[str]:
         )
 
 
-def _way(required: ir.Requirement, number: int) -> Way:
+def _slowing_distance(required: ir.Requirement, number: int) -> SlowingDistance:
     braking = required.braking
     speed = braking.fastest * number / _SPEEDS
     reached = braking.reached(speed)
-    way = braking.way(speed, required.speed)
-    until = braking.way_until_brakes(speed) if way else 0.0
-    return Way(
+    distance = braking.distance(speed, required.speed)
+    until = braking.distance_until_brakes(speed) if distance else 0.0
+    return SlowingDistance(
         f"{speed:.3g} m/s",
         f"{reached:.3g} m/s",
         f"{until:.3g} m",
-        f"{way - until:.3g} m",
-        f"{way:.3g} m",
+        f"{distance - until:.3g} m",
+        f"{distance:.3g} m",
     )

@@ -14,7 +14,7 @@ def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
     """The values for the placeholders of the template."""
     return {
         "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
-        "commands": "\n".join(_ways(machine, dialect)) or "- none",
+        "commands": "\n".join(_relayed(machine, dialect)) or "- none",
         "others": "\n".join(map(_other, needs.others(machine, dialect))) or "- none",
         "rules": "\n".join(_rule(machine, index) for index in range(len(machine.rules))),
     }
@@ -28,15 +28,15 @@ def _input(machine: ir.Machine, used: ir.Input) -> str:
     return f"- `{used.name}`: `{channel.topic}` ({channel.message_type}){timeout}"
 
 
-def _ways(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
+def _relayed(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
     """The topics and action servers that other nodes reach through this node."""
     for command in machine.reactions.commands:
-        yield _way(command.topic, command.message_type)
+        yield _relayed_line(command.topic, command.message_type)
     for server, action_type in (relayed_servers(machine) if dialect.relay else {}).items():
-        yield _way(server, f"goals of {action_type}")
+        yield _relayed_line(server, f"goals of {action_type}")
 
 
-def _way(name: str, content: str) -> str:
+def _relayed_line(name: str, content: str) -> str:
     return f"- `{unfiltered(name)}` -> this node -> `{name}` ({content})"
 
 

@@ -20,7 +20,7 @@ _BOX = mujoco.mjtGeom.mjGEOM_BOX
 
 
 @dataclass(frozen=True)
-class Way:
+class StraightPath:
     """A straight path between two places on the map (m)."""
 
     start: Point
@@ -50,7 +50,7 @@ class Way:
 
 
 @dataclass(frozen=True)
-class WaysParameters:
+class PathsParameters:
     """Lengths in m. The places are the places of `skills/blocked.turtle`. An obstacle is `across`
     wide, and `depth` long along the path. A rack stands between the paths.
     """
@@ -66,17 +66,17 @@ class WaysParameters:
     rack_half: float = 1.0
 
     @property
-    def first(self) -> Way:
+    def first(self) -> StraightPath:
         """The path straight on."""
-        return Way(self.junction, self.hall)
+        return StraightPath(self.junction, self.hall)
 
     @property
-    def second(self) -> Way:
+    def second(self) -> StraightPath:
         """The last part of the other path: from the yard to the hall."""
-        return Way(self.yard, self.hall)
+        return StraightPath(self.yard, self.hall)
 
 
-def build_ways(found: WaysParameters, base: BaseParameters, obstacles: Sequence[str]) -> Any:
+def build_paths(found: PathsParameters, base: BaseParameters, obstacles: Sequence[str]) -> Any:
     """The base at the start, and obstacles by their names, which are yet to be put somewhere."""
     spec = new_spec()
     contact = Contact()
