@@ -13,7 +13,7 @@ from heron.experiments import EXPERIMENTS, USUAL, Experiment
 from heron.guard import Guard
 from heron.robot.physics import Floats, Physics
 from heron.topics import InProcess
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 ROUNDS = 15
 BUDGET = 0.01
@@ -65,7 +65,7 @@ class Row:
         )
 
 
-def laps(experiment: Experiment, variant: str, arm: Arm) -> tuple[Floats, float]:
+def laps(experiment: Experiment, variant: str, arm: ExperimentArm) -> tuple[Floats, float]:
     """The CPU time of each tenth of a second of an episode, including its start and its end, and
     the duration of the episode (s).
     """
@@ -82,7 +82,7 @@ def row(experiment: Experiment, variant: str) -> Row:
     guarded_arm = experiment.arms[-1]  # the arm whose rules use the most inputs
     laps(experiment, variant, guarded_arm)  # compiles the rules
     rounds = [
-        (laps(experiment, variant, Arm.NONE), laps(experiment, variant, guarded_arm))
+        (laps(experiment, variant, ExperimentArm.NONE), laps(experiment, variant, guarded_arm))
         for _ in range(ROUNDS)
     ]
     lengths = {length for both in rounds for _, length in both}

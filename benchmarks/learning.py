@@ -11,9 +11,9 @@ import numpy as np
 from machine import processor
 from written_page import written_page
 
-from heron.learning.arm import Command
+from heron.learning.arm import ArmCommand
 from heron.learning.environment import PegInHole
-from heron.learning.episodes import Episode
+from heron.learning.episodes import TrainingEpisode
 from heron.learning.insertion import READINGS
 from heron.learning.runs import TrainingRun, environment
 from heron.learning.step_training import StepTraining
@@ -50,7 +50,7 @@ def costs() -> Iterator[tuple[str, float]]:
     def follow(action: Any) -> None:
         x, y, z, _ = action.tolist()
         for _ in range(READINGS):
-            arm.follow(Command((x, y, z), 0.0))
+            arm.follow(ArmCommand((x, y, z), 0.0))
 
     yield "physics", least(follow, lambda: plain.reset(seed=0))
     yield (
@@ -69,7 +69,7 @@ def learned(run: TrainingRun) -> tuple[int | None, float]:
     """The steps until nine of ten episodes end with an insertion, and their time (s)."""
     began = time.monotonic()
     kind = TreeTraining if run.formulation is Formulation.TREE else StepTraining
-    found: list[Episode] = []
+    found: list[TrainingEpisode] = []
     for episode in kind(run).episodes():
         is_whole = (
             bool(found) and episode.steps > found[-1].steps

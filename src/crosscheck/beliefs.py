@@ -14,7 +14,7 @@ from crosscheck.robot import Robot
 from crosscheck.situations import Situation
 from crosscheck.trees import TreeRun
 from dslkit.source import Span
-from ezskiros.contracts.knowledge import How, Name, Origin, WorldChange
+from ezskiros.contracts.knowledge import How, NameKnowledge, Origin, WorldChange
 from ezskiros.contracts.statements import conjuncts, renamed
 from ezskiros.export.statements import statement_of
 from ezskiros.ontology.statements import Statement
@@ -42,7 +42,7 @@ class Beliefs:
 
     def __init__(self, robot: Robot, iris: Mapping[str, str]) -> None:
         self._robot, self._iris = robot, iris
-        self.names: dict[str, Name] = {}
+        self.names: dict[str, NameKnowledge] = {}
         self.owners: dict[Span, str] = {}
         """The skills whose conditions were read, by the places of the conditions."""
 
@@ -54,7 +54,7 @@ class Beliefs:
         for name, parameter in skill.parameters.items():
             iri = self._iris.get(parameter.type)
             if iri is not None:
-                self.names[found[name]] = Name(frozenset({iri}), are_own)
+                self.names[found[name]] = NameKnowledge(frozenset({iri}), are_own)
         return found
 
     def names_of_running(self, situation: Situation) -> dict[str, Names]:

@@ -23,7 +23,7 @@ from dslkit.source import Span
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
 
 if TYPE_CHECKING:  # only for users with a scene
-    from crosscheck.scene import Scene
+    from crosscheck.scene import SceneModel
 
 _QUERIES = (
     find_wider,
@@ -58,7 +58,7 @@ def check_robot(
     return (*loaded.diagnostics, *world.diagnostics, *found)
 
 
-def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
+def findings(robot: Robot, scene: SceneModel | None = None) -> Iterator[Diagnostic]:
     """The findings that only rules and skills together show, in a given scene or in any."""
     yield from find_types_that_differ(robot)
     yield from find_unread(robot)

@@ -17,7 +17,7 @@ _MODULE = ".py"
 
 
 @dataclass(frozen=True)
-class Classes:
+class RobotOntology:
     """The ontology of a robot. `missing` is an unreadable file, or a class of the skills that is
     not in the ontology; None if nothing is missing.
     """
@@ -31,7 +31,7 @@ class Classes:
         return {name: iri for iri, name in self.ontology.spelled.items()}
 
 
-def ontology_of(robot: Robot) -> Classes:
+def ontology_of(robot: Robot) -> RobotOntology:
     """Read the ontology. No text of an unreadable file is quoted, because a skills file can name
     any file.
     """
@@ -39,11 +39,11 @@ def ontology_of(robot: Robot) -> Classes:
     for path in _files(robot):
         document, _ = read(path)
         if document is None:
-            return Classes(Ontology(()), str(path))
+            return RobotOntology(Ontology(()), str(path))
         documents.append(document)
-    found = Classes(Ontology([*documents, core_relations()]), None)
+    found = RobotOntology(Ontology([*documents, core_relations()]), None)
     missing = next((name for name in robot.skills.classes if name not in found.iris), None)
-    return Classes(found.ontology, missing)
+    return RobotOntology(found.ontology, missing)
 
 
 def _files(robot: Robot) -> Iterator[Path]:

@@ -24,7 +24,7 @@ from ezskiros.planning.scene import read_scene
 
 
 @dataclass(frozen=True)
-class Scene:
+class SceneModel:
     """A scene as a world model, with the IRIs of classes by the names in the rules."""
 
     document: Document
@@ -69,7 +69,7 @@ class Scene:
 class LoadedScene:
     """The scene, or None if it cannot be used; and its findings."""
 
-    scene: Scene | None
+    scene: SceneModel | None
     diagnostics: Sequence[Diagnostic]
 
 
@@ -83,4 +83,4 @@ def load_scene(path: Path, robot: Robot) -> LoadedScene:
     if found is None:
         return LoadedScene(None, wrong)
     snapshots = Snapshots(robot.skills.digest)
-    return LoadedScene(Scene(found.document, found.world(), known.iris, snapshots), wrong)
+    return LoadedScene(SceneModel(found.document, found.world(), known.iris, snapshots), wrong)

@@ -21,10 +21,10 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.skills import Skill, SkillParameter
 
 if TYPE_CHECKING:  # only for users with a scene
-    from crosscheck.scene import Scene
+    from crosscheck.scene import SceneModel
 
 
-def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
+def find_nothing_to_take(robot: Robot, scene: SceneModel) -> Iterator[Diagnostic]:
     """A warning for each class that skills need and that has no individual in the scene."""
     needed: dict[str, list[tuple[Skill, SkillParameter]]] = {}
     for skill in robot.skills.skills.values():
@@ -41,7 +41,7 @@ def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
         )
 
 
-def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
+def find_never_in_scene(robot: Robot, scene: SceneModel) -> Iterator[Diagnostic]:
     """A warning for each query that no individual of the scene can make true."""
     asked = dict(_asked(robot.machine))
     for span, step in asked.items():
@@ -55,7 +55,7 @@ def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
                 break
 
 
-def _possible(robot: Robot, scene: Scene, step: ir.Doing, parameter: str) -> tuple[str, ...]:
+def _possible(robot: Robot, scene: SceneModel, step: ir.Doing, parameter: str) -> tuple[str, ...]:
     """The individuals that a parameter of the queried skills can stand for; none if a skill may set
     the parameter while it runs.
     """
@@ -95,7 +95,7 @@ class _Reading:
     step: ir.Quantity
 
 
-def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Diagnostic]:
+def find_no_numbers(robot: Robot, scene: SceneModel, inquiry: Inquiry) -> Iterator[Diagnostic]:
     """A warning for each individual without a number that a rule needs while a skill uses the
     individual.
     """
@@ -128,7 +128,7 @@ def _readings(machine: ir.Machine, inquiry: Inquiry) -> Iterator[_Reading]:
                     yield _Reading(number, signal.node.slot, step)
 
 
-def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skill, str]]:
+def _taken(robot: Robot, scene: SceneModel, reading: _Reading) -> Iterator[tuple[Skill, str]]:
     """The skills whose number a rule reads, each with the individuals that it could use and that
     have no such number.
     """
@@ -143,7 +143,7 @@ def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skil
 
 
 def _answers(
-    machine: ir.Machine, scene: Scene, reading: _Reading, skill: Skill, thing: str
+    machine: ir.Machine, scene: SceneModel, reading: _Reading, skill: Skill, thing: str
 ) -> Mapping[int, bool | None]:
     """The answers to all queries while only this skill runs, with this individual. None for queries
     that depend on other individuals.
@@ -175,7 +175,7 @@ def _is_stale(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | 
 
 def _without_number(
     robot: Robot,
-    scene: Scene,
+    scene: SceneModel,
     thing: str,
     name: str,
     found: list[tuple[_Reading, Skill]],

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from crosscheck.beliefs import Beliefs, Names, Said, UnreadableConditionError
-from crosscheck.ontology import Classes, ontology_of
+from crosscheck.ontology import RobotOntology, ontology_of
 from crosscheck.recovery_errors import (
     ConditionsUnknown,
     EndedHere,
@@ -68,7 +68,7 @@ class _Tree:
     """A tree that a rule runs, in one situation."""
 
     robot: Robot
-    classes: Classes
+    classes: RobotOntology
     run: TreeRun
     situation: Situation
 

@@ -21,7 +21,7 @@ from ezskiros.check import check_implementations, check_skills
 from ezskiros.check.inference import chains
 from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
-from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
+from ezskiros.contracts import MissingCondition, check_contracts, missing_pre_conditions
 from ezskiros.engine.depth import deep
 from ezskiros.export import export_skills
 from ezskiros.hosts.owl_files import owl_files
@@ -97,7 +97,9 @@ def _launch_values(path: Path, interfaces: Sequence[SkillInterface]) -> LaunchVa
     return read_launch_values(path, interfaces)
 
 
-def missing_conditions(paths: Iterable[Path], collector: Collector | None = None) -> list[Missing]:
+def missing_conditions(
+    paths: Iterable[Path], collector: Collector | None = None
+) -> list[MissingCondition]:
     """The missing pre-conditions of compound skills, in files, folders and packages."""
     checked = check_paths(paths, collector=collector)
     return missing_pre_conditions(checked.trees, checked.library)

@@ -6,7 +6,7 @@ import enum
 from collections.abc import Mapping
 
 
-class Arm(str, enum.Enum):
+class ExperimentArm(str, enum.Enum):
     """The guard of the robot in an experiment."""
 
     NONE = "none"
@@ -103,15 +103,29 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
 }
 """The variants of each experiment, by its name. The first variant is the default."""
 
-_THESIS = (Arm.NONE, Arm.COLLISION_MONITOR, Arm.DEROS, Arm.ROSSMARIE)
-ARMS: Mapping[str, tuple[Arm, ...]] = {
+_THESIS = (
+    ExperimentArm.NONE,
+    ExperimentArm.COLLISION_MONITOR,
+    ExperimentArm.DEROS,
+    ExperimentArm.ROSSMARIE,
+)
+ARMS: Mapping[str, tuple[ExperimentArm, ...]] = {
     "nav": _THESIS,
-    "place": (Arm.NONE, Arm.DEROS, Arm.ROSSMARIE),  # no zone says anything of a table
+    "place": (
+        ExperimentArm.NONE,
+        ExperimentArm.DEROS,
+        ExperimentArm.ROSSMARIE,
+    ),  # no zone says anything of a table
     "human": _THESIS,
-    "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
-    "corridor": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE),
-    "blocked": (Arm.NONE, Arm.ROSSMARIE, Arm.TREES),
-    "second": (Arm.TREES, Arm.LEARNED),
+    "contact": (ExperimentArm.NONE, ExperimentArm.ROSSMARIE, ExperimentArm.SKILL_AWARE),
+    "corridor": (
+        ExperimentArm.NONE,
+        ExperimentArm.ROSSMARIE,
+        ExperimentArm.SKILL_AWARE,
+        ExperimentArm.PROACTIVE,
+    ),
+    "blocked": (ExperimentArm.NONE, ExperimentArm.ROSSMARIE, ExperimentArm.TREES),
+    "second": (ExperimentArm.TREES, ExperimentArm.LEARNED),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""
 

@@ -16,11 +16,11 @@ from heron import messages
 from heron.experiments import USUAL, HumanEpisode, NavigationEpisode, run_human, run_navigation
 from heron.guard import ArmCollisionMonitor, BaseCollisionMonitor
 from heron.guard.collision_monitor import BASE_SPEED
-from heron.guard.zones import MIN_POINTS, Circle, Rectangle
+from heron.guard.zones import MIN_POINTS, ScannerCircle, ScannerRectangle
 from heron.messages import Message
 from heron.robot.arm_controller import SPEED_SCALE
 from heron.topics import COMMAND, SCAN, InProcess, NodeParameter, Topic
-from heron.variants import Arm, Person, Terrain
+from heron.variants import ExperimentArm, Person, Terrain
 
 MS = 1_000_000
 UNFILTERED = Topic("/unfil_cmd_vel", COMMAND.type)
@@ -68,8 +68,14 @@ class Bench:
 
 def test_points_are_in_a_zone_or_not() -> None:
     x, y = np.array([0.0, 0.74, 0.76, 0.5, -0.1]), np.array([0.0, 0.34, 0.0, 0.36, 0.0])
-    assert Rectangle(0.0, 0.75, 0.35).covers(x, y).tolist() == [True, True, False, False, False]
-    assert Circle(0.8).covers(x, y).tolist() == [True, False, True, True, True]
+    assert ScannerRectangle(0.0, 0.75, 0.35).covers(x, y).tolist() == [
+        True,
+        True,
+        False,
+        False,
+        False,
+    ]
+    assert ScannerCircle(0.8).covers(x, y).tolist() == [True, False, True, True, True]
 
 
 def test_nothing_passes_before_the_first_scan() -> None:
@@ -147,19 +153,19 @@ def test_an_arm_gets_the_speed_of_the_strictest_zone() -> None:
 
 
 @cache
-def drive(arm: Arm, terrain: Terrain) -> NavigationEpisode:
+def drive(arm: ExperimentArm, terrain: Terrain) -> NavigationEpisode:
     return run_navigation(arm, terrain, 3)
 
 
 @cache
-def visit(arm: Arm) -> HumanEpisode:
+def visit(arm: ExperimentArm) -> HumanEpisode:
     return run_human(arm, Person.INSIDE, 3, (), USUAL)
 
 
 @pytest.mark.deep
 def test_a_range_scan_tells_nothing_of_bumps_and_torque() -> None:
-    found = drive(Arm.COLLISION_MONITOR, Terrain.GENTLE).measures
-    without = drive(Arm.NONE, Terrain.GENTLE).measures
+    found = drive(ExperimentArm.COLLISION_MONITOR, Terrain.GENTLE).measures
+    without = drive(ExperimentArm.NONE, Terrain.GENTLE).measures
     assert found.peaks["front"] < 0.7 * without.peaks["front"], "because it is slow everywhere"
     assert not found.is_completed
     assert found.time_over_torque > 30
@@ -168,14 +174,17 @@ def test_a_range_scan_tells_nothing_of_bumps_and_torque() -> None:
 
 @pytest.mark.deep
 def test_on_level_ground_it_is_slow_without_need() -> None:
-    found = drive(Arm.COLLISION_MONITOR, Terrain.FLAT).measures
+    found = drive(ExperimentArm.COLLISION_MONITOR, Terrain.FLAT).measures
     assert found.is_completed
-    assert found.duration > 1.4 * drive(Arm.NONE, Terrain.FLAT).measures.duration
+    assert found.duration > 1.4 * drive(ExperimentArm.NONE, Terrain.FLAT).measures.duration
     assert found.time_restricted_without_need > 30
 
 
 def test_an_arm_stands_still_beside_a_person_and_does_not_give_way() -> None:
-    found, ours = visit(Arm.COLLISION_MONITOR).measures, visit(Arm.ROSSMARIE).measures
+    found, ours = (
+        visit(ExperimentArm.COLLISION_MONITOR).measures,
+        visit(ExperimentArm.ROSSMARIE).measures,
+    )
     assert found.is_completed
     assert found.time_too_fast == 0.0
     assert found.fastest_near < 0.03

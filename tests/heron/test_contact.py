@@ -19,9 +19,9 @@ from heron.experiments.contact import varied_cell
 from heron.goals import ARM, Goal
 from heron.guard import InProcessGuard
 from heron.messages import Message
-from heron.tasks import SkillContext, SkillTask, Status
+from heron.tasks import SkillContextPublisher, SkillTask, Status
 from heron.topics import SKILL_CONTEXT, WRENCH, InProcess
-from heron.variants import Arm, Encounter
+from heron.variants import Encounter, ExperimentArm
 
 SEED = 3
 SECOND = 1_000_000_000
@@ -29,7 +29,7 @@ TIMEOUT = 0.5  # s, five periods of the context
 
 
 @cache
-def episode(arm: Arm, encounter: Encounter) -> ContactEpisode:
+def episode(arm: ExperimentArm, encounter: Encounter) -> ContactEpisode:
     """Each is run once for all tests."""
     return run_contact(arm, encounter, SEED)
 
@@ -38,7 +38,7 @@ def episode(arm: Arm, encounter: Encounter) -> ContactEpisode:
 
 
 def test_contact_that_is_meant_stops_nothing_where_rules_know_of_it() -> None:
-    found = episode(Arm.SKILL_AWARE, Encounter.MEANT).measures
+    found = episode(ExperimentArm.SKILL_AWARE, Encounter.MEANT).measures
     assert found.is_completed
     assert found.time_restricted == 0.0
     assert found.peak_force > 15.0, "harder than elsewhere"
@@ -46,7 +46,7 @@ def test_contact_that_is_meant_stops_nothing_where_rules_know_of_it() -> None:
 
 
 def test_where_rules_know_sensors_only_it_is_never_done() -> None:
-    found = episode(Arm.ROSSMARIE, Encounter.MEANT)
+    found = episode(ExperimentArm.ROSSMARIE, Encounter.MEANT)
     assert not found.measures.is_completed
     assert found.measures.pushed < 0.01
     assert found.measures.wiped < 0.5
@@ -57,12 +57,13 @@ def test_where_rules_know_sensors_only_it_is_never_done() -> None:
 
 @pytest.mark.deep
 def test_without_a_monitor_it_is_done() -> None:
-    assert episode(Arm.NONE, Encounter.MEANT).measures.is_completed
+    assert episode(ExperimentArm.NONE, Encounter.MEANT).measures.is_completed
 
 
 def test_contact_outside_of_a_skill_is_stopped_as_soon_whoever_knows_what() -> None:
     aware, unaware = (
-        episode(arm, Encounter.COLLISION).measures for arm in (Arm.SKILL_AWARE, Arm.ROSSMARIE)
+        episode(arm, Encounter.COLLISION).measures
+        for arm in (ExperimentArm.SKILL_AWARE, ExperimentArm.ROSSMARIE)
     )
     for found in (aware, unaware):
         assert found.reactions["collision"] < 0.1
@@ -76,7 +77,8 @@ def test_contact_outside_of_a_skill_is_stopped_as_soon_whoever_knows_what() -> N
 @pytest.mark.deep
 def test_without_a_monitor_a_forearm_is_pressed_until_it_is_drawn_back() -> None:
     found, guarded = (
-        episode(arm, Encounter.COLLISION).measures for arm in (Arm.NONE, Arm.SKILL_AWARE)
+        episode(arm, Encounter.COLLISION).measures
+        for arm in (ExperimentArm.NONE, ExperimentArm.SKILL_AWARE)
     )
     assert found.time_on_person is not None
     assert guarded.time_on_person is not None
@@ -84,7 +86,7 @@ def test_without_a_monitor_a_forearm_is_pressed_until_it_is_drawn_back() -> None
 
 
 def test_a_skill_may_not_press_harder_than_it_permits() -> None:
-    found = episode(Arm.SKILL_AWARE, Encounter.JAMMED)
+    found = episode(ExperimentArm.SKILL_AWARE, Encounter.JAMMED)
     assert found.measures.reactions["jam"] < 0.3
     assert found.measures.peak_in_jam is not None
     assert 30.0 < found.measures.peak_in_jam < 60.0
@@ -95,14 +97,14 @@ def test_a_skill_may_not_press_harder_than_it_permits() -> None:
 
 @pytest.mark.deep
 def test_without_a_monitor_it_presses_as_hard_as_its_motion_is_made_to() -> None:
-    found = episode(Arm.NONE, Encounter.JAMMED).measures
+    found = episode(ExperimentArm.NONE, Encounter.JAMMED).measures
     assert found.peak_in_jam == pytest.approx(120.0, abs=5.0)
 
 
 @pytest.mark.deep
 def test_the_same_seed_is_the_same_episode() -> None:
-    first = episode(Arm.SKILL_AWARE, Encounter.COLLISION)
-    again = run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, SEED)
+    first = episode(ExperimentArm.SKILL_AWARE, Encounter.COLLISION)
+    again = run_contact(ExperimentArm.SKILL_AWARE, Encounter.COLLISION, SEED)
     assert (first.measures, first.reported, first.cell) == (
         again.measures,
         again.reported,
@@ -143,14 +145,14 @@ def contexts(goals: int) -> list[Message]:
     carrier.subscribe(SKILL_CONTEXT, heard.append)
     arguments = ["Box=box", "Mark=mark", "Board=board"]
     task = SkillTask(carrier, "TidyUp", "contact.turtle", arguments)
-    context = SkillContext(carrier, task)
+    context = SkillContextPublisher(carrier, task)
     for now_ns in range(0, 4 * SECOND + 1, 20_000_000):
         if now_ns % SkillTask.period_ns == 0:
             task.tick(now_ns)
             if goals and now_ns > SECOND:
                 goals -= 1
                 server.done(True)
-        if now_ns % SkillContext.period_ns == 0:
+        if now_ns % SkillContextPublisher.period_ns == 0:
             context.tick(now_ns)
     return heard
 
@@ -212,7 +214,7 @@ class Watch:
         self.now_ns = 0
         self.carrier = InProcess()
         self.carrier.serve(ARM, Server())
-        machine = machine_of(CONTACT_RULES[Arm.SKILL_AWARE])
+        machine = machine_of(CONTACT_RULES[ExperimentArm.SKILL_AWARE])
         self.guard = InProcessGuard(machine, self.carrier, lambda: self.now_ns)
         self.digest = contexts(0)[0].digest
 

@@ -30,9 +30,9 @@ from heron.demo.lanes import rules_of, tree_of
 from heron.evaluation import Folder
 from heron.experiments import EXPERIMENTS, run_placing
 from heron.experiments.experiment import COMPLETED, INTERVENTIONS
-from heron.tasks import Span, Status, TreeSkill
+from heron.tasks import SkillSpan, Status, TreeSkill
 from heron.tasks.tree import running_of
-from heron.variants import Arm, Table
+from heron.variants import ExperimentArm, Table
 from support.browser import document_of, needs_browser
 
 # The least WebP that there is.
@@ -45,7 +45,7 @@ def shot_in_a_process(
     """An episode. Only a new process looks at how to draw."""
     monkeypatch.setenv("MUJOCO_GL", renderer)
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        return pool.submit(shoot, name, variant, Arm.ROSSMARIE, 3).result()
+        return pool.submit(shoot, name, variant, ExperimentArm.ROSSMARIE, 3).result()
 
 
 def browns(picture: bytes) -> int:
@@ -60,7 +60,7 @@ def browns(picture: bytes) -> int:
 @needs(EGL)
 def test_a_film_shows_the_episode_and_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     shot = shot_in_a_process("egl", monkeypatch)
-    plain = run_placing(Arm.ROSSMARIE, Table.HIGH, 3)
+    plain = run_placing(ExperimentArm.ROSSMARIE, Table.HIGH, 3)
     assert (shot.reported, shot.duration) == (plain.reported, plain.measures.duration)
     assert shot.measures["above 30 N"] == f"{plain.measures.time_above_30_n:.2f} s"
     assert shot.frames.trouble == ""
@@ -122,19 +122,23 @@ def test_the_demo_shows_episodes_as_most_are() -> None:
 # --- the page --------------------------------------------------------------------------------
 
 TREE = (
-    TreeSkill("place", 0, (Span(0.5, 2.0, Status.FAILED),)),
-    TreeSkill("Reach(above)", 1, (Span(0.5, 1.0, Status.SUCCEEDED), Span(1.5, 2.0, Status.FAILED))),
+    TreeSkill("place", 0, (SkillSpan(0.5, 2.0, Status.FAILED),)),
+    TreeSkill(
+        "Reach(above)",
+        1,
+        (SkillSpan(0.5, 1.0, Status.SUCCEEDED), SkillSpan(1.5, 2.0, Status.FAILED)),
+    ),
     TreeSkill("Reach(down)", 1, ()),
 )
 
 
-def made_up(arm: Arm, rules: dict[str, list[tuple[float, float]]]) -> Shot:
+def made_up(arm: ExperimentArm, rules: dict[str, list[tuple[float, float]]]) -> Shot:
     return Shot(
         experiment="place",
         arm=arm,
         title="a <table>",
-        is_completed=arm is Arm.ROSSMARIE,
-        duration=8.0 if arm is Arm.DEROS else 2.0,
+        is_completed=arm is ExperimentArm.ROSSMARIE,
+        duration=8.0 if arm is ExperimentArm.DEROS else 2.0,
         measures={"task": "completed", "peak force": f"{len(rules)}17 N"},
         reported=((0.5, "</script><b>said</b>"),),
         onsets={"hammering": 0.25},
@@ -149,7 +153,12 @@ def made_up(arm: Arm, rules: dict[str, list[tuple[float, float]]]) -> Shot:
 
 
 def test_the_page_needs_nothing_else_and_names_stay_names() -> None:
-    page = page_of([made_up(Arm.NONE, {}), made_up(Arm.ROSSMARIE, {"</script>": [(0.0, 1.0)]})])
+    page = page_of(
+        [
+            made_up(ExperimentArm.NONE, {}),
+            made_up(ExperimentArm.ROSSMARIE, {"</script>": [(0.0, 1.0)]}),
+        ]
+    )
     assert not re.findall(r"(?:src|href)=|url\(|https?://|@import", page.replace("image.src", ""))
     assert page.count("</script>") == 2, "that of the data, and that of the code"
     assert "a &lt;table&gt;" in page
@@ -158,7 +167,7 @@ def test_the_page_needs_nothing_else_and_names_stay_names() -> None:
 
 def test_a_chart_has_a_grid_and_its_limit() -> None:
     signal = next(one for one in EXPERIMENTS["place"].signals if one.limit == 30.0)
-    chart = chart_of(signal, [made_up(Arm.NONE, {})], 4.0)
+    chart = chart_of(signal, [made_up(ExperimentArm.NONE, {})], 4.0)
     assert chart.low < 0.0 < 42.0 < chart.high
     assert [tick.text for tick in chart.ticks] == ["0", "20", "40"]
     zero, twenty, forty = (tick.at for tick in chart.ticks)
@@ -171,7 +180,9 @@ def test_a_chart_has_a_grid_and_its_limit() -> None:
 
 
 def test_rules_are_shown_in_the_order_in_which_they_became_active() -> None:
-    shot = made_up(Arm.ROSSMARIE, {"late": [(1.5, 2.0)], "early": [(0.5, 1.0), (1.2, 1.3)]})
+    shot = made_up(
+        ExperimentArm.ROSSMARIE, {"late": [(1.5, 2.0)], "early": [(0.5, 1.0), (1.2, 1.3)]}
+    )
     first, second = rules_of(shot, 4.0).rows
     assert (first.name, second.name) == ("early", "late")
     assert [(bar.kind, bar.left, bar.width) for bar in first.bars] == [
@@ -182,7 +193,7 @@ def test_rules_are_shown_in_the_order_in_which_they_became_active() -> None:
 
 
 def test_a_skill_is_shown_while_it_runs_and_with_what_came_of_it() -> None:
-    root, reach, never = tree_of(made_up(Arm.ROSSMARIE, {}), 4.0).rows
+    root, reach, never = tree_of(made_up(ExperimentArm.ROSSMARIE, {}), 4.0).rows
     assert [bar.kind for bar in root.bars] == ["running", "failed"]
     assert [bar.kind for bar in reach.bars] == ["running", "succeeded", "running", "failed"]
     assert [bar.left for bar in reach.bars] == [12.5, 25.0, 37.5, 50.0]
@@ -191,8 +202,8 @@ def test_a_skill_is_shown_while_it_runs_and_with_what_came_of_it() -> None:
 
 
 def test_what_still_runs_in_the_end_has_no_result() -> None:
-    tree = (TreeSkill("place", 0, (Span(1.0, None, Status.RUNNING),)),)
-    shot = replace(made_up(Arm.NONE, {}), tree=tree)
+    tree = (TreeSkill("place", 0, (SkillSpan(1.0, None, Status.RUNNING),)),)
+    shot = replace(made_up(ExperimentArm.NONE, {}), tree=tree)
     (row,) = tree_of(shot, 4.0).rows
     (bar,) = row.bars
     assert (bar.kind, bar.left, bar.width) == ("running", 25.0, 25.0)
@@ -204,9 +215,9 @@ def test_of_a_tree_the_leaves_are_reported_while_they_run() -> None:
 
 
 SHOTS = [
-    made_up(Arm.NONE, {}),
-    made_up(Arm.DEROS, {"stop": [(0.5, 2.0)]}),
-    made_up(Arm.ROSSMARIE, {"slow_down": [(0.0, 2.0)]}),
+    made_up(ExperimentArm.NONE, {}),
+    made_up(ExperimentArm.DEROS, {"stop": [(0.5, 2.0)]}),
+    made_up(ExperimentArm.ROSSMARIE, {"slow_down": [(0.0, 2.0)]}),
 ]
 
 
@@ -289,7 +300,7 @@ def test_the_comparison_is_printed_and_the_page_is_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("MUJOCO_GL", "disable")  # set by the command otherwise
-    shots = [made_up(Arm.NONE, {}), made_up(Arm.ROSSMARIE, {})]
+    shots = [made_up(ExperimentArm.NONE, {}), made_up(ExperimentArm.ROSSMARIE, {})]
     shots += [
         replace(
             shot,
@@ -313,8 +324,8 @@ def test_the_comparison_is_printed_and_the_page_is_written(
     assert "cannot write" in found.output
 
 
-@pytest.mark.parametrize("arm", Arm)
-def test_each_arm_has_a_color_in_light_and_in_dark(arm: Arm) -> None:
+@pytest.mark.parametrize("arm", ExperimentArm)
+def test_each_arm_has_a_color_in_light_and_in_dark(arm: ExperimentArm) -> None:
     style = (Path(demo.__file__).parent / "assets" / "demo.css").read_text(encoding="utf-8")
     assert len(re.findall(rf"--{arm.value}: #", style)) == 2
     assert f".{arm.value} {{ --arm: var(--{arm.value}); }}" in style

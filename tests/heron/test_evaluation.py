@@ -35,7 +35,7 @@ from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
 from heron.evaluation.study_section import slope_torque
 from heron.experiments import EXPERIMENTS, STUDIES
-from heron.variants import Arm, Person
+from heron.variants import ExperimentArm, Person
 from support.depth import deep
 
 DOCS = Folder(Path(__file__).parents[2] / "docs")
@@ -43,7 +43,7 @@ PLACING = EXPERIMENTS["place"]
 COMMON = {"duration": 10.0, "completed": 1.0, "interventions": 0.0, "peak_force": 50.0}
 
 
-def row(arm: Arm, seed: int, variant: str = "high", **numbers: float) -> EpisodeRow:
+def row(arm: ExperimentArm, seed: int, variant: str = "high", **numbers: float) -> EpisodeRow:
     every = {measure.name: 0.0 for measure in PLACING.measures}
     return EpisodeRow(variant, arm.value, seed, every | COMMON | numbers)
 
@@ -53,9 +53,11 @@ def as_expected(seeds: Iterable[int]) -> list[EpisodeRow]:
     found = []
     for seed in seeds:
         found += [
-            row(Arm.NONE, seed, duration=8.0, peak_force=100.0 + seed, time_above_30_n=1.0),
-            row(Arm.DEROS, seed, duration=40.0 + seed, interventions=1.0),
-            row(Arm.ROSSMARIE, seed, duration=11.0, reaction_hammering=0.3),
+            row(
+                ExperimentArm.NONE, seed, duration=8.0, peak_force=100.0 + seed, time_above_30_n=1.0
+            ),
+            row(ExperimentArm.DEROS, seed, duration=40.0 + seed, interventions=1.0),
+            row(ExperimentArm.ROSSMARIE, seed, duration=11.0, reaction_hammering=0.3),
             *(row(arm, seed, "expected") for arm in PLACING.arms),
         ]
     return found
@@ -76,22 +78,22 @@ def test_what_the_thesis_says_is_as_expected() -> None:
 @pytest.mark.parametrize(
     ("key", "variant", "arm", "numbers"),
     [
-        ("harm deros time_above_30_n", "high", Arm.DEROS, {"time_above_30_n": 30.0}),
-        ("safe deros peak_force", "high", Arm.ROSSMARIE, {"peak_force": 56.0}),
-        ("in time hammering", "high", Arm.ROSSMARIE, {"reaction_hammering": 0.6}),
-        ("fastest", "high", Arm.NONE, {"completed": 0.0}),
-        ("fastest", "high", Arm.NONE, {"duration": 12.0}),
-        ("operator", "high", Arm.DEROS, {"interventions": 0.0}),
-        ("operator", "high", Arm.DEROS, {"completed": 0.0}),
-        ("alone", "high", Arm.ROSSMARIE, {"completed": 0.0}),
-        ("alone", "high", Arm.ROSSMARIE, {"interventions": 1.0}),
-        ("sooner", "high", Arm.ROSSMARIE, {"duration": 60.0}),
-        ("all finish", "expected", Arm.NONE, {"completed": 0.0}),
-        ("no interference", "expected", Arm.DEROS, {"restricted_without_need": 0.1}),
+        ("harm deros time_above_30_n", "high", ExperimentArm.DEROS, {"time_above_30_n": 30.0}),
+        ("safe deros peak_force", "high", ExperimentArm.ROSSMARIE, {"peak_force": 56.0}),
+        ("in time hammering", "high", ExperimentArm.ROSSMARIE, {"reaction_hammering": 0.6}),
+        ("fastest", "high", ExperimentArm.NONE, {"completed": 0.0}),
+        ("fastest", "high", ExperimentArm.NONE, {"duration": 12.0}),
+        ("operator", "high", ExperimentArm.DEROS, {"interventions": 0.0}),
+        ("operator", "high", ExperimentArm.DEROS, {"completed": 0.0}),
+        ("alone", "high", ExperimentArm.ROSSMARIE, {"completed": 0.0}),
+        ("alone", "high", ExperimentArm.ROSSMARIE, {"interventions": 1.0}),
+        ("sooner", "high", ExperimentArm.ROSSMARIE, {"duration": 60.0}),
+        ("all finish", "expected", ExperimentArm.NONE, {"completed": 0.0}),
+        ("no interference", "expected", ExperimentArm.DEROS, {"restricted_without_need": 0.1}),
     ],
 )
 def test_what_is_otherwise_is_not(
-    key: str, variant: str, arm: Arm, numbers: dict[str, float]
+    key: str, variant: str, arm: ExperimentArm, numbers: dict[str, float]
 ) -> None:
     rows = [
         replace(one, numbers=one.numbers | numbers)
@@ -114,7 +116,7 @@ def test_few_episodes_tell_nothing() -> None:
 HUMAN = EXPERIMENTS["human"]
 
 
-def visit(arm: Arm, seed: int, **numbers: float) -> EpisodeRow:
+def visit(arm: ExperimentArm, seed: int, **numbers: float) -> EpisodeRow:
     """An episode with somebody in the room, as safe as can be, and 40 s long."""
     every = {measure.name: 0.0 for measure in HUMAN.measures}
     usual = {"completed": 1.0, "duration": 40.0, "gives_way": 0.1 + 0.001 * seed}
@@ -183,7 +185,7 @@ def test_the_page_tells_what_failed_and_what_is_missing() -> None:
     assert "Not met" not in page
     assert "| task completed | 10 of 10 [72, 100 %] |" in page
     assert "Not finished" not in page
-    rows[2] = row(Arm.ROSSMARIE, 0, completed=0.0)
+    rows[2] = row(ExperimentArm.ROSSMARIE, 0, completed=0.0)
     page = page_of(Results({"place": rows[:-1]}, {}), "experiments")
     assert "- not met: 1" in page
     assert (
@@ -230,7 +232,7 @@ def test_more_torque_takes_the_hazard_away() -> None:
 def test_the_page_shows_what_depends_on_a_choice() -> None:
     study = STUDIES["operator"]
     rows = [
-        StudyRow(value, "place", row(Arm.DEROS, seed, duration=10.0 + value + seed))
+        StudyRow(value, "place", row(ExperimentArm.DEROS, seed, duration=10.0 + value + seed))
         for value in study.values
         for seed in range(3)
     ]
@@ -302,7 +304,7 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
     with Journal(Folder(tmp_path).journal, sources()) as journal:
         for key in keys:
             *study, _, variant, arm, seed = key.split("/")
-            numbers = row(Arm(arm), int(seed), variant, duration=12.3456789).numbers
+            numbers = row(ExperimentArm(arm), int(seed), variant, duration=12.3456789).numbers
             place: Value = {
                 "experiment": "place",
                 "variant": variant,
@@ -328,7 +330,7 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
 
 def test_an_evaluation_of_one_experiment_keeps_the_studies_of_the_others(tmp_path: Path) -> None:
     def of(experiment: str, variant: str, duration: float) -> Value:
-        numbers = row(Arm.DEROS, 0, variant, duration=duration).numbers
+        numbers = row(ExperimentArm.DEROS, 0, variant, duration=duration).numbers
         return {
             **numbers,
             "study": "operator",

@@ -20,7 +20,7 @@ from heron.guard import InProcessGuard
 from heron.messages import Message
 from heron.robot import (
     Base,
-    Drive,
+    DifferentialDrive,
     DriveParameters,
     Imu,
     ImuParameters,
@@ -86,7 +86,7 @@ def test_verdicts_are_those_of_the_interpreter(rules: str) -> None:
     nodes: list[SimulatedNode] = [
         Imu(physics, carrier, generator, ImuParameters()),
         WheelOdometry(physics, carrier, generator, base, WheelOdometryParameters()),
-        Drive(physics, carrier, base, DriveParameters()),
+        DifferentialDrive(physics, carrier, base, DriveParameters()),
         guard,
         Hand(carrier),
     ]

@@ -20,13 +20,13 @@ from heron.robot.arm_controller import SPEED_SCALE
 from heron.scene import RoomParameters
 from heron.tasks import Status
 from heron.topics import SCAN, InProcess, NodeParameter
-from heron.variants import Arm, Person
+from heron.variants import ExperimentArm, Person
 
 SEED = 3
 
 
 @cache
-def episode(arm: Arm, person: Person) -> HumanEpisode:
+def episode(arm: ExperimentArm, person: Person) -> HumanEpisode:
     """Each is run once for all tests."""
     return run_human(arm, person, SEED)
 
@@ -40,8 +40,8 @@ def during(found: HumanEpisode, begin: str, end: str, column: str) -> np.ndarray
 
 @pytest.mark.deep
 def test_the_same_seed_is_the_same_episode() -> None:
-    first = episode(Arm.ROSSMARIE, Person.INSIDE)
-    again = run_human(Arm.ROSSMARIE, Person.INSIDE, SEED)
+    first = episode(ExperimentArm.ROSSMARIE, Person.INSIDE)
+    again = run_human(ExperimentArm.ROSSMARIE, Person.INSIDE, SEED)
     assert (first.measures, first.reported, first.walk) == (
         again.measures,
         again.reported,
@@ -57,7 +57,7 @@ def test_another_seed_is_another_walk() -> None:
 
 
 def test_whoever_passes_the_open_door_restricts_nothing() -> None:
-    found = episode(Arm.ROSSMARIE, Person.OUTSIDE)
+    found = episode(ExperimentArm.ROSSMARIE, Person.OUTSIDE)
     assert found.measures.is_completed
     assert found.reported == ()
     assert found.measures.time_restricted == 0.0
@@ -65,15 +65,15 @@ def test_whoever_passes_the_open_door_restricts_nothing() -> None:
 
 
 def test_without_a_monitor_it_goes_on_at_full_speed_beside_a_person() -> None:
-    found = episode(Arm.NONE, Person.INSIDE).measures
+    found = episode(ExperimentArm.NONE, Person.INSIDE).measures
     assert found.is_completed
     assert found.fastest_near > 0.45
     assert found.time_too_fast > 2.0
 
 
 def test_with_rules_that_recover_it_slows_gives_way_and_goes_on() -> None:
-    found = episode(Arm.ROSSMARIE, Person.INSIDE)
-    without = episode(Arm.NONE, Person.INSIDE).measures
+    found = episode(ExperimentArm.ROSSMARIE, Person.INSIDE)
+    without = episode(ExperimentArm.NONE, Person.INSIDE).measures
     assert found.measures.is_completed
     assert found.measures.interventions == 0
     assert found.measures.risk < 0.1 * without.risk
@@ -90,7 +90,7 @@ def test_with_rules_that_recover_it_slows_gives_way_and_goes_on() -> None:
 
 
 def test_its_task_is_a_tree_of_skills_and_what_became_of_them_is_known() -> None:
-    root, *skills = episode(Arm.ROSSMARIE, Person.INSIDE).tree
+    root, *skills = episode(ExperimentArm.ROSSMARIE, Person.INSIDE).tree
     assert (root.label, root.depth) == ("carry_to_and_fro", 0)
     assert [skill.label for skill in skills[:2]] == ["Reach(here)", "Reach(above_here)"]
     spans = [skill.spans[0] for skill in skills]
@@ -103,7 +103,7 @@ def test_its_task_is_a_tree_of_skills_and_what_became_of_them_is_known() -> None
 
 def test_a_gravity_free_arm_gives_way_to_who_leads_it() -> None:
     instants = ("yield_when_beside activated", "yield_when_beside cleared")
-    free = during(episode(Arm.ROSSMARIE, Person.INSIDE), *instants, "y")
+    free = during(episode(ExperimentArm.ROSSMARIE, Person.INSIDE), *instants, "y")
     assert np.ptp(free) > 0.05
     assert free[-1] == pytest.approx(free[-500], abs=0.01), "it stays where it was led to"
 
@@ -114,7 +114,7 @@ def test_close_is_as_near_as_the_rules_say(beyond: float, is_close: bool) -> Non
     ranges[:10] = RoomParameters().close + beyond
     carrier = InProcess()
     carrier.declare(SPEED_SCALE, NodeParameter(lambda: 1.0, lambda _: None))
-    guard = InProcessGuard(machine_of(HUMAN_RULES[Arm.ROSSMARIE]), carrier, lambda: 0)
+    guard = InProcessGuard(machine_of(HUMAN_RULES[ExperimentArm.ROSSMARIE]), carrier, lambda: 0)
     scan = messages.laser_scan(0, (-np.pi, np.pi, np.radians(0.5)), (0.1, 30.0), ranges)
     carrier.publisher(SCAN)(scan)
     assert ("stop_when_close" in guard.active) == is_close
@@ -123,16 +123,19 @@ def test_close_is_as_near_as_the_rules_say(beyond: float, is_close: bool) -> Non
 
 @pytest.mark.deep
 def test_it_reacts_as_soon_as_a_scan_shows_it() -> None:
-    for arm in (Arm.DEROS, Arm.ROSSMARIE):
+    for arm in (ExperimentArm.DEROS, ExperimentArm.ROSSMARIE):
         found = episode(arm, Person.INSIDE).measures.reactions
         assert 0.1 < found["entered"] < 0.8, "the door lies 0.2 m before what counts as the room"
-    assert 0.1 < episode(Arm.ROSSMARIE, Person.INSIDE).measures.reactions["close"] < 0.3
+    assert 0.1 < episode(ExperimentArm.ROSSMARIE, Person.INSIDE).measures.reactions["close"] < 0.3
 
 
 def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
-    found = episode(Arm.DEROS, Person.INSIDE)
+    found = episode(ExperimentArm.DEROS, Person.INSIDE)
     assert found.measures.is_completed
     assert found.measures.interventions == 1
-    assert found.measures.duration > episode(Arm.ROSSMARIE, Person.INSIDE).measures.duration + 10
+    assert (
+        found.measures.duration
+        > episode(ExperimentArm.ROSSMARIE, Person.INSIDE).measures.duration + 10
+    )
     assert found.measures.time_too_fast == 0.0
     assert found.measures.time_restricted_without_need > 10, "nobody is there any more"

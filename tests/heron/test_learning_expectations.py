@@ -15,17 +15,17 @@ from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
-from heron.variants import Arm, Trouble
+from heron.variants import ExperimentArm, Trouble
 
 SECOND = EXPERIMENTS["second"]
 IN_THE_WAY = {Trouble.LASTING: 103.0, Trouble.PASSING: 45.0}
 FREE, ALWAYS = 39.0, 62.0
 
 
-def delivered(arm: Arm, trouble: Trouble, seed: int) -> EpisodeRow:
+def delivered(arm: ExperimentArm, trouble: Trouble, seed: int) -> EpisodeRow:
     """An episode as it is expected; in every fifth, nothing stands in the way."""
     is_blocked = trouble is not Trouble.NONE and seed % 5 > 0
-    goes_straight_on = trouble is Trouble.NONE or arm is Arm.TREES
+    goes_straight_on = trouble is Trouble.NONE or arm is ExperimentArm.TREES
     is_met = is_blocked and goes_straight_on
     straight_on = IN_THE_WAY[trouble] if is_met else FREE
     numbers = {
@@ -39,7 +39,7 @@ def delivered(arm: Arm, trouble: Trouble, seed: int) -> EpisodeRow:
 
 
 def of_trouble(
-    trouble: Trouble, changed: Arm | None = None, **numbers: float
+    trouble: Trouble, changed: ExperimentArm | None = None, **numbers: float
 ) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [delivered(arm, trouble, seed) for seed in range(10) for arm in SECOND.arms]
@@ -61,18 +61,18 @@ def test_what_is_expected_of_learning_is_as_expected() -> None:
 @pytest.mark.parametrize(
     ("key", "trouble", "arm", "numbers"),
     [
-        ("alone learned", Trouble.LASTING, Arm.LEARNED, {"interventions": 1.0}),
-        ("alone trees", Trouble.NONE, Arm.TREES, {"completed": 0.0}),
-        ("touches nothing", Trouble.PASSING, Arm.LEARNED, {"touched": 0.1}),
-        ("fewer activations", Trouble.LASTING, Arm.TREES, {"activations": 0.0}),
-        ("no activation", Trouble.PASSING, Arm.LEARNED, {"activations": 1.0}),
-        ("sooner", Trouble.LASTING, Arm.LEARNED, {"duration": 104.0}),
-        ("later", Trouble.PASSING, Arm.LEARNED, {"duration": 38.0}),
-        ("later where free", Trouble.PASSING, Arm.LEARNED, {"duration": 38.0}),
-        ("the same", Trouble.NONE, Arm.LEARNED, {"duration": 39.0}),
+        ("alone learned", Trouble.LASTING, ExperimentArm.LEARNED, {"interventions": 1.0}),
+        ("alone trees", Trouble.NONE, ExperimentArm.TREES, {"completed": 0.0}),
+        ("touches nothing", Trouble.PASSING, ExperimentArm.LEARNED, {"touched": 0.1}),
+        ("fewer activations", Trouble.LASTING, ExperimentArm.TREES, {"activations": 0.0}),
+        ("no activation", Trouble.PASSING, ExperimentArm.LEARNED, {"activations": 1.0}),
+        ("sooner", Trouble.LASTING, ExperimentArm.LEARNED, {"duration": 104.0}),
+        ("later", Trouble.PASSING, ExperimentArm.LEARNED, {"duration": 38.0}),
+        ("later where free", Trouble.PASSING, ExperimentArm.LEARNED, {"duration": 38.0}),
+        ("the same", Trouble.NONE, ExperimentArm.LEARNED, {"duration": 39.0}),
     ],
 )
 def test_what_is_otherwise_is_not_as_expected(
-    key: str, trouble: Trouble, arm: Arm, numbers: dict[str, float]
+    key: str, trouble: Trouble, arm: ExperimentArm, numbers: dict[str, float]
 ) -> None:
     assert of_trouble(trouble, arm, **numbers)[key] is ExpectationVerdict.FAILS

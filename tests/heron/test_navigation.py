@@ -19,21 +19,21 @@ from heron.robot import Base
 from heron.scene import BaseParameters, CourseParameters, build_navigation, course
 from heron.tasks import SkillTask, Status, TaskStatus
 from heron.topics import InProcess
-from heron.variants import Arm, Terrain
+from heron.variants import ExperimentArm, Terrain
 
 SEED = 3
 
 
 @cache
-def episode(arm: Arm, terrain: Terrain) -> NavigationEpisode:
+def episode(arm: ExperimentArm, terrain: Terrain) -> NavigationEpisode:
     """Each is run once for all tests."""
     return run_navigation(arm, terrain, SEED)
 
 
 @pytest.mark.deep
 def test_the_same_seed_is_the_same_episode() -> None:
-    first = episode(Arm.ROSSMARIE, Terrain.FLAT)
-    again = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED)
+    first = episode(ExperimentArm.ROSSMARIE, Terrain.FLAT)
+    again = run_navigation(ExperimentArm.ROSSMARIE, Terrain.FLAT, SEED)
     assert (first.measures, first.reported) == (again.measures, again.reported)
     assert all(
         np.array_equal(first.trace.columns[name], again.trace.columns[name])
@@ -43,8 +43,8 @@ def test_the_same_seed_is_the_same_episode() -> None:
 
 @pytest.mark.deep
 def test_another_seed_is_another_episode() -> None:
-    one = episode(Arm.ROSSMARIE, Terrain.FLAT)
-    other = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED + 1)
+    one = episode(ExperimentArm.ROSSMARIE, Terrain.FLAT)
+    other = run_navigation(ExperimentArm.ROSSMARIE, Terrain.FLAT, SEED + 1)
     assert one.course != other.course
     assert not np.array_equal(one.trace.columns["y"][:5000], other.trace.columns["y"][:5000])
 
@@ -80,7 +80,7 @@ def test_the_block_is_picked_up_from_where_the_base_stands(aside: float, is_held
 
 
 def test_on_level_ground_nothing_is_restricted() -> None:
-    found = episode(Arm.ROSSMARIE, Terrain.FLAT)
+    found = episode(ExperimentArm.ROSSMARIE, Terrain.FLAT)
     assert found.measures.is_completed
     assert found.reported == ()
     assert found.measures.time_restricted == 0.0
@@ -88,21 +88,21 @@ def test_on_level_ground_nothing_is_restricted() -> None:
 
 @pytest.mark.deep
 def test_the_first_axle_hits_the_bump_and_the_others_are_spared() -> None:
-    without = episode(Arm.NONE, Terrain.GENTLE).measures.peaks
-    guarded = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures.peaks
+    without = episode(ExperimentArm.NONE, Terrain.GENTLE).measures.peaks
+    guarded = episode(ExperimentArm.ROSSMARIE, Terrain.GENTLE).measures.peaks
     assert guarded["front"] > 0.7 * without["front"], "the rule reacts, it does not foresee"
     assert guarded["drive"] < 0.6 * without["drive"]
     assert guarded["rear"] < 0.6 * without["rear"]
 
 
 def test_without_a_monitor_the_base_stalls_on_the_gentle_ramp() -> None:
-    found = episode(Arm.NONE, Terrain.GENTLE)
+    found = episode(ExperimentArm.NONE, Terrain.GENTLE)
     assert found.outcome is TaskStatus.GIVEN_UP
     assert found.measures.time_over_torque > 30
 
 
 def test_with_rules_that_recover_it_arrives_by_itself() -> None:
-    found = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures
+    found = episode(ExperimentArm.ROSSMARIE, Terrain.GENTLE).measures
     assert found.is_completed
     assert found.interventions == 0
     assert found.reactions["bump"] < 0.1
@@ -111,8 +111,8 @@ def test_with_rules_that_recover_it_arrives_by_itself() -> None:
 
 @pytest.mark.deep
 def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
-    found = episode(Arm.DEROS, Terrain.GENTLE).measures
-    recovered = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures
+    found = episode(ExperimentArm.DEROS, Terrain.GENTLE).measures
+    recovered = episode(ExperimentArm.ROSSMARIE, Terrain.GENTLE).measures
     assert found.is_completed
     assert found.interventions == 2
     assert found.duration > recovered.duration + 60
@@ -120,7 +120,7 @@ def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
 
 @pytest.mark.deep
 def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
-    found = episode(Arm.ROSSMARIE, Terrain.STEEP)
+    found = episode(ExperimentArm.ROSSMARIE, Terrain.STEEP)
     assert found.measures.is_completed
     assert found.measures.replanned == 1
     assert found.measures.reactions["steep"] < 2.5

@@ -12,7 +12,7 @@ from support.parts import MUJOCO, require
 require(MUJOCO)
 
 from heron.robot.physics import Floats
-from heron.robot.pressing import Pressing, Push, PushParameters, Wipe, WipeParameters
+from heron.robot.pressing import Pressing, PushMotion, PushParameters, WipeMotion, WipeParameters
 
 STEP = 0.008
 ALONG = np.array([0.0, -1.0, 0.0])
@@ -46,7 +46,7 @@ def against(face: float) -> Callable[[Floats], Floats]:
 
 
 def test_a_push_ends_at_its_end_and_leaves_what_it_has_pushed() -> None:
-    motion = Push(END, PushParameters())
+    motion = PushMotion(END, PushParameters())
     way = played(motion, np.zeros(3), lambda _: -ALONG * 20.0)
     assert motion.is_over
     furthest = max(float(place @ ALONG) for place, _ in way)
@@ -57,15 +57,15 @@ def test_a_push_ends_at_its_end_and_leaves_what_it_has_pushed() -> None:
 
 def test_a_push_is_slow_until_it_touches_something_and_then_as_fast_as_it_is_said_to_be() -> None:
     parameters = PushParameters(speed=0.04, approach=0.02)
-    gently = played(Push(END, parameters), np.zeros(3), in_the_air, 2.0)
+    gently = played(PushMotion(END, parameters), np.zeros(3), in_the_air, 2.0)
     assert float(gently[-1][0] @ ALONG) == pytest.approx(0.04, abs=0.003)
-    touching = played(Push(END, parameters), np.zeros(3), lambda _: -ALONG * 4.0, 5.0)
+    touching = played(PushMotion(END, parameters), np.zeros(3), lambda _: -ALONG * 4.0, 5.0)
     speeds = np.diff([float(place @ ALONG) for place, _ in touching]) / STEP
     assert speeds[-1] == pytest.approx(0.04, abs=0.003)
 
 
 def test_a_push_against_what_does_not_give_way_is_never_harder_than_it_may_be() -> None:
-    motion = Push(END, PushParameters(most=50.0))
+    motion = PushMotion(END, PushParameters(most=50.0))
     way = played(motion, np.zeros(3), against(0.1))
     assert not motion.is_over
     forces = [float(np.linalg.norm(force)) for _, force in way]
@@ -74,7 +74,7 @@ def test_a_push_against_what_does_not_give_way_is_never_harder_than_it_may_be() 
 
 
 def test_a_push_begins_anew_from_where_the_hand_is() -> None:
-    motion = Push(END, PushParameters())
+    motion = PushMotion(END, PushParameters())
     played(motion, np.zeros(3), in_the_air, 1.0)
     way = played(motion, np.array([0.01, -0.05, 0.0]), in_the_air)
     assert motion.is_over
@@ -82,7 +82,7 @@ def test_a_push_begins_anew_from_where_the_hand_is() -> None:
 
 
 def test_a_wipe_presses_as_hard_as_it_is_said_to_and_goes_all_the_way() -> None:
-    motion = Wipe(ROWS, ALONG, WipeParameters(press=19.0))
+    motion = WipeMotion(ROWS, ALONG, WipeParameters(press=19.0))
     way = played(motion, np.array([0.0, -0.09, 0.9]), against(FACE))
     assert motion.is_over
     stroking = [force for place, force in way if 0.05 < place[0] < 0.15]
@@ -93,7 +93,7 @@ def test_a_wipe_presses_as_hard_as_it_is_said_to_and_goes_all_the_way() -> None:
 
 
 def test_a_wipe_that_touches_nothing_strokes_nothing() -> None:
-    motion = Wipe(ROWS, ALONG, WipeParameters())
+    motion = WipeMotion(ROWS, ALONG, WipeParameters())
     way = played(motion, np.array([0.0, -0.09, 0.9]), in_the_air, 5.0)
     assert not motion.is_over
     assert np.ptp([place[0] for place, _ in way]) == 0.0
@@ -101,7 +101,7 @@ def test_a_wipe_that_touches_nothing_strokes_nothing() -> None:
 
 @pytest.mark.parametrize("pace", [0.0, 0.5])
 def test_its_pace_can_be_scaled(pace: float) -> None:
-    motion = Push(END, PushParameters())
+    motion = PushMotion(END, PushParameters())
     motion.begin(np.zeros(3))
     place = np.zeros(3)
     for _ in range(125):

@@ -13,7 +13,7 @@ require(MUJOCO)
 
 from rosbags.typesys import Stores, get_typestore
 
-from heron.experiments.visitor import Leg, Visitor, Walk
+from heron.experiments.visitor import Leg, Visitor, VisitorWalk
 from heron.messages import Message
 from heron.robot import Arm, RangeScan, RangeScanParameters
 from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
@@ -27,7 +27,7 @@ def scans(parameters: RangeScanParameters, place: tuple[float, float], count: in
     """The scans while a person stands at a place."""
     built, person = ArmParameters(), PersonParameters()
     arm = Arm(build_room(RoomParameters(), built, person), built)
-    Visitor(arm, Walk((Leg(0.0, 1.0, place, place),), None), person)
+    Visitor(arm, VisitorWalk((Leg(0.0, 1.0, place, place),), None), person)
     arm.settle(1)
     carrier = InProcess()
     heard: list[Message] = []

@@ -16,9 +16,9 @@ from rosbags.highlevel import AnyReader
 from typer.testing import CliRunner
 
 from heron.cli.main import app
-from heron.experiments import Episode, run_contact, run_human, run_navigation
+from heron.experiments import EpisodeFacts, run_contact, run_human, run_navigation
 from heron.rules import FOLDER
-from heron.variants import Arm, Encounter, Person, Terrain
+from heron.variants import Encounter, ExperimentArm, Person, Terrain
 from rossmarie.cli.main import app as rossmarie
 
 PLACING = ["record", "place", "--seed", "3", "--out"]
@@ -42,7 +42,7 @@ def replayed(rules: str, path: Path, report: Path) -> list[tuple[float, str]]:
     ]
 
 
-def changes(episode: Episode) -> list[tuple[float, str]]:
+def changes(episode: EpisodeFacts) -> list[tuple[float, str]]:
     return [(at_s, words.partition(":")[0]) for at_s, words in episode.reported]
 
 
@@ -51,7 +51,7 @@ def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path
     path = tmp_path / "new" / "room.mcap"
     recorded("human", path)
     assert [entry.name for entry in path.parent.iterdir()] == ["room.mcap"]
-    reported = changes(run_human(Arm.ROSSMARIE, Person.INSIDE, 3))
+    reported = changes(run_human(ExperimentArm.ROSSMARIE, Person.INSIDE, 3))
     assert len(reported) > 2
     assert replayed("human.ross", path, tmp_path / "report") == reported
 
@@ -60,7 +60,7 @@ def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path
 def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> None:
     path = tmp_path / "drive.mcap"
     recorded("nav", path)
-    episode = run_navigation(Arm.ROSSMARIE, Terrain.GENTLE, 3)
+    episode = run_navigation(ExperimentArm.ROSSMARIE, Terrain.GENTLE, 3)
     arrived_s = next(one.spans[0].end for one in episode.tree if one.label == "Drive(Target)")
     assert arrived_s is not None
     instants: dict[str, list[float]] = {}
@@ -84,7 +84,7 @@ def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> Non
 def test_exemptions_are_replayed_as_they_were_used(tmp_path: Path) -> None:
     path = tmp_path / "contact.mcap"
     recorded("contact", path, "--arm", "skill_aware")
-    reported = changes(run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, 3))
+    reported = changes(run_contact(ExperimentArm.SKILL_AWARE, Encounter.COLLISION, 3))
     assert {words for _, words in reported} >= {
         "back_off_on_contact activated",
         "back_off_on_contact_doing_Push activated",

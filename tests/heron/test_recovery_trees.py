@@ -10,7 +10,7 @@ import pytest
 from heron.goals import LOOK_OUT, NAVIGATE, RECOVERY, Goal
 from heron.messages import Message
 from heron.skills.exported import digest
-from heron.tasks import SkillContext, SkillTask, Status, TaskStatus
+from heron.tasks import SkillContextPublisher, SkillTask, Status, TaskStatus
 from heron.topics import SKILL_CONTEXT, InProcess
 
 JUNCTION, HALL, YARD = "heron:Place-3", "heron:Place-4", "heron:Place-5"
@@ -55,7 +55,7 @@ class Delivery:
         self.contexts: list[set[str]] = []
         self.carrier.subscribe(SKILL_CONTEXT, self.hear)
         self.task = SkillTask(self.carrier, "Deliver", "blocked.turtle", ["Place=hall"])
-        SkillContext(self.carrier, self.task)
+        SkillContextPublisher(self.carrier, self.task)
         self.now_ns = 1_000_000_000
         self.ended: list[bool] = []
         self.tick()

@@ -25,7 +25,7 @@ from heron.rules import FOLDER as RULES
 from heron.scene import PathsParameters
 from heron.skills import FOLDER as SKILLS
 from heron.tasks import TaskStatus
-from heron.variants import Arm, Trouble
+from heron.variants import ExperimentArm, Trouble
 from rossmarie.cli.main import app as rossmarie
 
 FREE_SEED = 1001
@@ -34,7 +34,7 @@ ONTOLOGY, SCENE = SKILLS / "heron.ttl", SKILLS / "blocked.turtle"
 
 
 @cache
-def episode(arm: Arm) -> BlockedEpisode:
+def episode(arm: ExperimentArm) -> BlockedEpisode:
     """Each is run once for all tests."""
     return run_second(arm, Trouble.LASTING, FREE_SEED)
 
@@ -50,7 +50,7 @@ def knowledge(trouble: Trouble) -> Knowledge:
 
 
 def test_without_knowledge_the_fewest_skills_lead_straight_on() -> None:
-    found = episode(Arm.TREES)
+    found = episode(ExperimentArm.TREES)
     assert found.obstacles == ()
     assert found.outcome is TaskStatus.COMPLETED
     assert not goes_by_the_yard(found)
@@ -58,7 +58,7 @@ def test_without_knowledge_the_fewest_skills_lead_straight_on() -> None:
 
 
 def test_with_knowledge_another_way_leads_to_the_goal() -> None:
-    found, first = episode(Arm.LEARNED), episode(Arm.TREES)
+    found, first = episode(ExperimentArm.LEARNED), episode(ExperimentArm.TREES)
     assert found.outcome is TaskStatus.COMPLETED
     assert goes_by_the_yard(found)
     assert found.measures.replanned == found.measures.activations == 0

@@ -15,19 +15,19 @@ from heron.evaluation.expectation import ExpectationVerdict
 from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
-from heron.variants import Arm, Blockage
+from heron.variants import Blockage, ExperimentArm
 
 BLOCKED = EXPERIMENTS["blocked"]
-TIMES = {Arm.NONE: 90.0, Arm.ROSSMARIE: 100.0, Arm.TREES: 107.0}
+TIMES = {ExperimentArm.NONE: 90.0, ExperimentArm.ROSSMARIE: 100.0, ExperimentArm.TREES: 107.0}
 
 
-def delivered(arm: Arm, blockage: Blockage, seed: int) -> EpisodeRow:
+def delivered(arm: ExperimentArm, blockage: Blockage, seed: int) -> EpisodeRow:
     """An episode as it is expected."""
-    is_short = blockage is Blockage.TROLLEY and arm is Arm.TREES
+    is_short = blockage is Blockage.TROLLEY and arm is ExperimentArm.TREES
     numbers = {
         "completed": 1.0,
         "duration": 45.0 if is_short else TIMES[arm] + 0.01 * seed,
-        "interventions": float(arm is Arm.NONE and blockage is not Blockage.TROLLEY),
+        "interventions": float(arm is ExperimentArm.NONE and blockage is not Blockage.TROLLEY),
         "replanned": 1.0,
         "nearest": 0.4,
         "touched": 0.0,
@@ -38,7 +38,7 @@ def delivered(arm: Arm, blockage: Blockage, seed: int) -> EpisodeRow:
 
 
 def of_obstacles(
-    blockage: Blockage, changed: Arm | None = None, **numbers: float
+    blockage: Blockage, changed: ExperimentArm | None = None, **numbers: float
 ) -> dict[str, ExpectationVerdict]:
     """The verdicts on ten episodes in each arm; numbers of an arm are changed."""
     rows = [delivered(arm, blockage, seed) for seed in range(10) for arm in BLOCKED.arms]
@@ -58,16 +58,16 @@ def test_what_is_expected_of_trees_is_as_expected() -> None:
 @pytest.mark.parametrize(
     ("key", "blockage", "arm", "numbers"),
     [
-        ("alone trees", Blockage.PALLET, Arm.TREES, {"interventions": 1.0}),
-        ("alone trees", Blockage.BOTH, Arm.TREES, {"completed": 0.0}),
-        ("alone rossmarie", Blockage.TROLLEY, Arm.ROSSMARIE, {"interventions": 1.0}),
-        ("operator", Blockage.PALLET, Arm.NONE, {"interventions": 0.0}),
-        ("little later", Blockage.PALLET, Arm.TREES, {"duration": 111.0}),
-        ("sooner", Blockage.TROLLEY, Arm.TREES, {"duration": 101.0}),
-        ("touches nothing", Blockage.BOTH, Arm.ROSSMARIE, {"touched": 0.1}),
+        ("alone trees", Blockage.PALLET, ExperimentArm.TREES, {"interventions": 1.0}),
+        ("alone trees", Blockage.BOTH, ExperimentArm.TREES, {"completed": 0.0}),
+        ("alone rossmarie", Blockage.TROLLEY, ExperimentArm.ROSSMARIE, {"interventions": 1.0}),
+        ("operator", Blockage.PALLET, ExperimentArm.NONE, {"interventions": 0.0}),
+        ("little later", Blockage.PALLET, ExperimentArm.TREES, {"duration": 111.0}),
+        ("sooner", Blockage.TROLLEY, ExperimentArm.TREES, {"duration": 101.0}),
+        ("touches nothing", Blockage.BOTH, ExperimentArm.ROSSMARIE, {"touched": 0.1}),
     ],
 )
 def test_what_is_otherwise_is_not_as_expected(
-    key: str, blockage: Blockage, arm: Arm, numbers: dict[str, float]
+    key: str, blockage: Blockage, arm: ExperimentArm, numbers: dict[str, float]
 ) -> None:
     assert of_obstacles(blockage, arm, **numbers)[key] is ExpectationVerdict.FAILS

@@ -21,7 +21,7 @@ from heron.experiments import EXPERIMENTS, run_placing
 from heron.robot.physics import Physics
 from heron.scene import ArmParameters, TableParameters, build_placing
 from heron.topics import InProcess
-from heron.variants import Arm, Table
+from heron.variants import ExperimentArm, Table
 from heron.viewing import Window
 
 
@@ -124,5 +124,7 @@ def test_another_scene_gets_another_window_if_somebody_still_looks(
 
 def test_an_episode_in_a_window_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("mujoco.viewer.launch_passive", lambda *_, **__: Handle(3))
-    seen = run_placing(Arm.ROSSMARIE, Table.EXPECTED, 0, [Window(EXPERIMENTS["place"].cameras * 2)])
-    assert seen.measures == run_placing(Arm.ROSSMARIE, Table.EXPECTED, 0).measures
+    seen = run_placing(
+        ExperimentArm.ROSSMARIE, Table.EXPECTED, 0, [Window(EXPERIMENTS["place"].cameras * 2)]
+    )
+    assert seen.measures == run_placing(ExperimentArm.ROSSMARIE, Table.EXPECTED, 0).measures

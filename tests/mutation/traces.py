@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import ChannelValues, TruthValue
 from rossmarie.ir.script import Script
 from rossmarie.testing.run import run
@@ -189,7 +189,7 @@ def random_events(machine: ir.Machine, events: int) -> ReactingCase:
     for _ in range(events):
         due_ns = reactor.next_wake()
         at_ns = due_ns if due_ns and random.random() < 0.1 else _later(random, at_ns)
-        running = [n for n, state in enumerate(reactor.states) if state is State.RUNNING]
+        running = [n for n, state in enumerate(reactor.states) if state is TaskState.RUNNING]
         report = None
         if running and random.random() < 0.4:
             report = (random.choice(running), random.random() < 0.7)

@@ -18,7 +18,7 @@ from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.native import NativeMonitor, build, fit
 from rossmarie.native.events import EventReader
-from rossmarie.native.library import Library
+from rossmarie.native.library import NativeLibrary
 from rossmarie.native.monitor import with_own
 from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
@@ -53,7 +53,7 @@ def quickly_built(machine: ir.Machine) -> Callable[[], NativeMonitor]:
     many monitors as are asked for.
     """
     content = build(with_own(generate_loadable(machine)), "batch.c", "-O1")
-    library = Library(content, declarations(fields_of(machine)) + _PACKED)
+    library = NativeLibrary(content, declarations(fields_of(machine)) + _PACKED)
     return lambda: NativeMonitor(machine, library, EventReader(machine))
 
 

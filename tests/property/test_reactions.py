@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from hypothesis import given, settings
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import TaskCommandKind, TruthValue, reactions
 from support.depth import examples
 from support.growing import TICK
@@ -19,10 +19,10 @@ MANY = settings(max_examples=examples(2))
 UNAWAITED = (reactions.Publish, reactions.Retrace)
 """Effects that may wait as long as another rule has what they need."""
 
-PASSED = (State.HOLDING, State.WAITING, State.OVERDUE, State.DONE)
-IN_FORCE = (State.RUNNING, State.HOLDING)
-LACKING = (State.WAITING, State.OVERDUE)
-HAS_FAILED = (State.FAILED, State.OVERDUE)
+PASSED = (TaskState.HOLDING, TaskState.WAITING, TaskState.OVERDUE, TaskState.DONE)
+IN_FORCE = (TaskState.RUNNING, TaskState.HOLDING)
+LACKING = (TaskState.WAITING, TaskState.OVERDUE)
+HAS_FAILED = (TaskState.FAILED, TaskState.OVERDUE)
 
 
 @dataclass(frozen=True)
@@ -30,9 +30,9 @@ class Scene:
     """The observations around one event."""
 
     event: Look
-    before: tuple[State, ...]
+    before: tuple[TaskState, ...]
     task_commands: Sequence[ir.TaskCommand]
-    after: tuple[State, ...]
+    after: tuple[TaskState, ...]
     reactor: Reactor
 
 
@@ -74,7 +74,7 @@ def test_task_commands_fit_what_is_in_force(case: ReactingCase) -> None:
     """Only what was started is stopped or overruled, unless an overruling takes a start's place."""
     for scene in scenes(case):
         in_force = {task for task, state in enumerate(scene.before) if state in IN_FORCE}
-        begun = {task for task, state in enumerate(scene.before) if state is not State.IDLE}
+        begun = {task for task, state in enumerate(scene.before) if state is not TaskState.IDLE}
         for command in scene.task_commands:
             match command.kind:
                 case TaskCommandKind.START:
@@ -90,7 +90,7 @@ def test_task_commands_fit_what_is_in_force(case: ReactingCase) -> None:
                     assert scene.after[command.task] in HAS_FAILED
                     in_force.discard(command.task)
                 case TaskCommandKind.RETRACE:
-                    assert scene.after[command.task] is State.HOLDING
+                    assert scene.after[command.task] is TaskState.HOLDING
                     assert command.task in in_force
             assert (command.by is not None) == (command.kind is TaskCommandKind.OVERRULED)
         left = {task for task, state in enumerate(scene.after) if state in IN_FORCE}
@@ -98,7 +98,7 @@ def test_task_commands_fit_what_is_in_force(case: ReactingCase) -> None:
 
 
 def _done(scene: Scene) -> set[int]:
-    return {task for task, state in enumerate(scene.after) if state is State.DONE}
+    return {task for task, state in enumerate(scene.after) if state is TaskState.DONE}
 
 
 @MANY
@@ -119,7 +119,7 @@ def test_nothing_is_left_of_rules_that_are_released(case: ReactingCase) -> None:
     assert {command.kind for command in task_commands} <= {TaskCommandKind.STOP}
     in_force = [task for task, state in enumerate(last.after) if state in IN_FORCE]
     assert sorted(command.task for command in task_commands) == in_force
-    assert set(last.reactor.states) == {State.IDLE}
+    assert set(last.reactor.states) == {TaskState.IDLE}
     assert last.reactor.next_wake() is None
 
 
@@ -131,11 +131,12 @@ def test_a_stage_starts_when_all_before_it_has_passed(case: ReactingCase) -> Non
     for scene in scenes(case):
         for plan in found.plans:
             has_begun = [
-                any(scene.after[task] is not State.IDLE for task in stage) for stage in plan.stages
+                any(scene.after[task] is not TaskState.IDLE for task in stage)
+                for stage in plan.stages
             ]
             for number, stage in enumerate(plan.stages):
                 starts = any(command.task in stage and command.kind is TaskCommandKind.START
-                             and scene.before[command.task] is State.IDLE
+                             and scene.before[command.task] is TaskState.IDLE
                              for command in scene.task_commands)  # fmt: skip
                 if starts:
                     before = [task for part in plan.stages[:number] for task in part]
@@ -149,7 +150,7 @@ def test_a_stage_starts_when_all_before_it_has_passed(case: ReactingCase) -> Non
 # --- bounds ----------------------------------------------------------------------------------
 
 
-def limits_in_force(found: ir.Reactions, states: Sequence[State]) -> Iterator[reactions.Limit]:
+def limits_in_force(found: ir.Reactions, states: Sequence[TaskState]) -> Iterator[reactions.Limit]:
     for task, state in zip(found.tasks, states, strict=True):
         if isinstance(task.effect, reactions.Limit) and state in IN_FORCE:
             yield task.effect
@@ -230,11 +231,11 @@ def test_a_wake_lies_ahead_and_is_the_end_of_a_task_or_a_pose(case: ReactingCase
     effects = [task.effect for task in case.machine.reactions.tasks]
     for scene in scenes(case):
         wake_ns = scene.reactor.next_wake()
-        assert wake_ns is not None or State.RUNNING not in scene.after
+        assert wake_ns is not None or TaskState.RUNNING not in scene.after
         assert wake_ns is None or wake_ns > scene.event.at_ns
-        has_end = {State.RUNNING, State.WAITING} & set(scene.after)
+        has_end = {TaskState.RUNNING, TaskState.WAITING} & set(scene.after)
         retraces = any(
-            isinstance(effect, reactions.Retrace) and state is State.HOLDING
+            isinstance(effect, reactions.Retrace) and state is TaskState.HOLDING
             for effect, state in zip(effects, scene.after, strict=True)
         )
         assert wake_ns is None or has_end or retraces
@@ -258,16 +259,16 @@ def test_nothing_waits_in_vain(case: ReactingCase) -> None:
             break
         last.reactor.react(wake_ns, engaged, unknown, nowhere)
     states = last.reactor.states
-    assert State.RUNNING not in states
+    assert TaskState.RUNNING not in states
     for task, state in zip(found.tasks, states, strict=True):
         if state in HAS_FAILED:
-            assert State.IDLE not in [states[other] for other in task.otherwise]
-        if state is not State.WAITING or isinstance(task.effect, UNAWAITED):
-            assert state is not State.WAITING or not task.otherwise
+            assert TaskState.IDLE not in [states[other] for other in task.otherwise]
+        if state is not TaskState.WAITING or isinstance(task.effect, UNAWAITED):
+            assert state is not TaskState.WAITING or not task.otherwise
             continue
         assert not isinstance(task.effect, reactions.CancelGoal) or task.effect.confirmation is None
         assert any(
             type(other.effect) is type(task.effect) and other.resource == task.resource
             for other, held in zip(found.tasks, states, strict=True)
-            if held is State.HOLDING
+            if held is TaskState.HOLDING
         )

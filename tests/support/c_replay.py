@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
-from rossmarie.native import Columns
+from rossmarie.native import MachineColumns
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import lay_out
 from support.machines import Advance, Observation, Reset, Step, Update
@@ -253,7 +253,7 @@ def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[in
     return b"".join(parts)
 
 
-def table_bytes(columns: Columns) -> bytes:
+def table_bytes(columns: MachineColumns) -> bytes:
     """The input of the program after the trace."""
     fields = [column.tobytes() for column in (*columns.slots, *columns.arrays)]
     return b"".join(

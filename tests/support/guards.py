@@ -102,7 +102,7 @@ class GuardObservation:
     events: tuple[object, ...]
     task_commands: tuple[ir.TaskCommand, ...]
     active: tuple[bool, ...]
-    states: tuple[ir.State, ...]
+    states: tuple[ir.TaskState, ...]
     next_wake: int | None
     has_all_inputs: bool
     bounds: tuple[str, ...]

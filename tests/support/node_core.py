@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from rossmarie import ir
 from rossmarie.native import build
-from rossmarie.native.library import Library
+from rossmarie.native.library import NativeLibrary
 from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
 from rossmarie.targets.c99.monitor import own_files
@@ -124,7 +124,7 @@ class NodeCore:
         files = {**generate_loadable(machine), **own_files(machine), "node.c": driver}
         content = build(files, "node.c", "-O1", beside=[f"{name}_reactor.c"])
         self._machine = machine
-        self._library = Library(content, declarations(fields_of(machine)) + _DECLARED)
+        self._library = NativeLibrary(content, declarations(fields_of(machine)) + _DECLARED)
         self.restart()
 
     def restart(self) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import TruthValue, reactions, verify
 from support.bench import ns
 from support.drafts import NOWHERE, SECOND, Draft
@@ -186,7 +186,7 @@ class ReactorBench:
     def fail(self, seconds: float, task: int) -> list[str]:
         return reported(self.reactor.report(ns(seconds), task, False, self.watches))
 
-    def state(self, task: int) -> State:
+    def state(self, task: int) -> TaskState:
         return self.reactor.states[task]
 
     def wake(self) -> float | None:

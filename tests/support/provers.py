@@ -12,7 +12,7 @@ from pathlib import Path
 
 from dslkit.writing import write_texts
 from rossmarie import ir
-from rossmarie.driver.verifying import Queries, prove
+from rossmarie.driver.verifying import VerificationQueries, prove
 from rossmarie.report.proofs import Proofs
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
@@ -38,7 +38,9 @@ def real_prover() -> Prover:
     return Prover()
 
 
-def proofs_of_reactor(prover: Prover, queries: Queries, old: str, new: str, *names: str) -> Proofs:
+def proofs_of_reactor(
+    prover: Prover, queries: VerificationQueries, old: str, new: str, *names: str
+) -> Proofs:
     """Ask the queries about a reactor whose names begin so, after a change of its C."""
     files = queries.files if not old else damaged(queries.files, "reactor", old, new)
     program = queries.programs[1]

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import TruthValue, reactions
 from support.drafts import NOWHERE
 from support.growing import TICK
@@ -240,7 +240,7 @@ def reacting_cases(
 
 def _reports(reactor: Reactor) -> st.SearchStrategy[tuple[int, bool]]:
     tasks = range(len(reactor.states))
-    running = [task for task in tasks if reactor.states[task] is State.RUNNING]
+    running = [task for task in tasks if reactor.states[task] is TaskState.RUNNING]
     which = st.sampled_from(running) if running else st.sampled_from(tasks)
     return st.tuples(st.one_of(which, which, st.sampled_from(tasks)), st.sampled_from(_SUCCESSES))
 

@@ -14,7 +14,7 @@ from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
 from crosscheck.live.facts import facts_of
 from crosscheck.live.model import LiveChange
-from crosscheck.live.ros import Ears, NoRosError, listen
+from crosscheck.live.ros import Ears, NotObservedError, listen
 from crosscheck.live.watch import Reported, Watch
 from dslkit import signals
 from dslkit.diagnostics import Diagnostic
@@ -43,7 +43,7 @@ def run_live(
     has_to_end = signals.ask_to_end()
     try:
         ears = listen(facts)
-    except NoRosError as problem:
+    except NotObservedError as problem:
         output.fail(str(problem), exit_code=2)
     watch = Watch(facts, time.monotonic())
     is_json = form is ReportFormat.JSON

@@ -29,7 +29,7 @@ Read = Callable[[Any], Message | None]
 Take = Callable[[Any], None]
 
 
-class NoRosError(Exception):
+class NotObservedError(Exception):
     """The robot cannot be observed. The text gives the reason."""
 
 
@@ -59,7 +59,7 @@ class Ears:
 
 
 def listen(facts: Facts) -> Ears:
-    """Subscribe to a robot. Raises `NoRosError`."""
+    """Subscribe to a robot. Raises `NotObservedError`."""
     library, topics = _found(facts)
     ears = Ears(queue.Queue(_MOST_WAITING), lambda: None)
 
@@ -79,7 +79,7 @@ def listen(facts: Facts) -> Ears:
 
 def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     """The library of this ROS generation, and the topics with their message types. Raises
-    `NoRosError`, which names everything that is missing.
+    `NotObservedError`, which names everything that is missing.
     """
     missing = []
     libraries = ros_libraries()
@@ -91,7 +91,7 @@ def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     missing += [name for name, found in messages.items() if found is None]
     if library is None or missing:
         lacking = ", ".join(missing)
-        raise NoRosError(
+        raise NotObservedError(
             f"ROS packages are missing for this Python: {lacking}; source their workspace"
         )
     context, state, diagnostics = messages.values()
@@ -116,7 +116,7 @@ def _imported(name: str) -> Any:
 
 def _ros1(rospy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
     if not importlib.import_module("rosgraph").is_master_online():
-        raise NoRosError("no ROS master answers")
+        raise NotObservedError("no ROS master answers")
     # Times are from the monotonic clock of this machine, so /use_sim_time has no effect.
     rospy.init_node(_NODE, argv=[_NODE], anonymous=True, disable_signals=True)
     for topic, take in topics:

@@ -10,7 +10,7 @@ Name = TypeVar("Name", bound=Hashable)
 
 
 @dataclass
-class Count:
+class StateCount:
     """The number of times that a state was entered, and the total seconds."""
 
     times: int = 0
@@ -23,12 +23,12 @@ class Tally(Generic[Name]):
     key.
     """
 
-    counts: dict[str, Count] = field(default_factory=dict)
+    counts: dict[str, StateCount] = field(default_factory=dict)
     since: dict[Name, tuple[str, float]] = field(default_factory=dict)
 
     def begin(self, key: Name, name: str, at: float) -> None:
         """A state begins."""
-        self.counts.setdefault(name, Count()).times += 1
+        self.counts.setdefault(name, StateCount()).times += 1
         self.since[key] = name, at
 
     def end(self, key: Name, at: float) -> float:

@@ -20,7 +20,7 @@ from crosscheck.live.model import (
     RunningContext,
 )
 from crosscheck.live.sources import LiveSource
-from crosscheck.live.tally import Count, Tally
+from crosscheck.live.tally import StateCount, Tally
 from dslkit.diagnostics import Diagnostic, Severity, Template, listed
 from dslkit.source import Span
 
@@ -97,9 +97,9 @@ class Watch:
             self.rules.end(rule, self.now)
         return found
 
-    def count(self, rule: str) -> Count:
+    def count(self, rule: str) -> StateCount:
         """Count how often a rule was active, and for how long."""
-        return self.rules.counts.get(rule, Count())
+        return self.rules.counts.get(rule, StateCount())
 
     # --- skills -----------------------------------------------------------------------------------
 

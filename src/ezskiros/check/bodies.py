@@ -25,7 +25,7 @@ from dslkit.source import SourceFile, Span
 from dslkit.source.call_site import node_span, source_file
 from ezskiros.check import body_errors as errors
 from ezskiros.skills.implementation import ImplementationClass, SkillImplementation
-from ezskiros.skills.methods import Written, written
+from ezskiros.skills.methods import WrittenMethod, written
 from ezskiros.skills.own_conditions import METHOD
 from ezskiros.skills.syntax import file_of
 
@@ -148,7 +148,7 @@ def _is_guarded(node: ast.If | ast.IfExp | ast.While | ast.BoolOp) -> bool:
 class _Body:
     """The body of a method, node by node."""
 
-    def __init__(self, method: FunctionType, found: Written) -> None:
+    def __init__(self, method: FunctionType, found: WrittenMethod) -> None:
         self._method, self._written = method, found
         self._globals = method.__globals__
         self._local = _local_names(method.__code__, found.node)

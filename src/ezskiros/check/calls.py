@@ -23,7 +23,7 @@ from ezskiros.ontology.statements import (
     Statement,
     ValueComparison,
 )
-from ezskiros.ontology.things import Unknown, described
+from ezskiros.ontology.things import UnknownValue, described
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import ParameterKind
@@ -130,7 +130,7 @@ class _Checker:
 
     def _argument(self, parameter: Parameter, value: object, span: Span) -> Iterator[Diagnostic]:
         match value:
-            case Unknown():
+            case UnknownValue():
                 return
             case ThingReference(parameter=given) | ValueReference(parameter=given):
                 yield from self._passed(parameter, given, span)

@@ -23,7 +23,7 @@ class Axiom(NamedTuple):
         return self.text.format(*(spelled_iri(iri, model) for iri in self.iris))
 
 
-class Reason(NamedTuple):
+class FactReason(NamedTuple):
     """The reason for a fact: the conditions that imply it, and the axioms of the ontology."""
 
     said: frozenset[Statement] = frozenset()
@@ -57,14 +57,14 @@ class Clash:
         return dict.fromkeys([*found, *self.iris])
 
 
-def joined(*reasons: Reason, axiom: Axiom | None = None) -> Reason:
+def joined(*reasons: FactReason, axiom: Axiom | None = None) -> FactReason:
     """Several reasons joined, with one more axiom if given."""
     said = frozenset[Statement]().union(*(each.said for each in reasons))
     axioms = tuple(axiom for each in reasons for axiom in each.axioms)
-    return Reason(said, (*axioms, axiom) if axiom else axioms)
+    return FactReason(said, (*axioms, axiom) if axiom else axioms)
 
 
-KnownClasses: TypeAlias = Mapping[str, Mapping[str, Reason]]
+KnownClasses: TypeAlias = Mapping[str, Mapping[str, FactReason]]
 """The known classes of each individual, with a reason for each. The class of a parameter needs no
 reason.
 """

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from dslkit.diagnostics import DeclaredHere, Diagnostic, Label, Severity
 from ezskiros.check import errors, world_errors
-from ezskiros.check.clash import Clash, Reason
+from ezskiros.check.clash import Clash, FactReason
 from ezskiros.check.clash_findings import ClashFindings, ClashMoment, Places, places_of
 from ezskiros.check.entailed import Fact
 from ezskiros.check.relations import misfit, simple, wanted
@@ -48,9 +48,11 @@ class _Consistency:
 
     def __init__(self, skill: SkillInterface, ontology: Ontology) -> None:
         self._skill, self._ontology, self._model = skill, ontology, ontology.model
-        self._declared = {each.name: {each.iri: Reason()} for each in skill.parameters if each.iri}
+        self._declared = {
+            each.name: {each.iri: FactReason()} for each in skill.parameters if each.iri
+        }
         self._findings = ClashFindings(skill, ontology)
-        self._facts: dict[Fact, Reason] = {}
+        self._facts: dict[Fact, FactReason] = {}
         """The facts that hold at any time: the classes of individuals never change."""
         name = skill.name
         self._before = ClashMoment("pre", f"before `{name}`", "the skill can never start")

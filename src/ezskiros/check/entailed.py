@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias
 
 from ezskiros.check import errors, world_errors
-from ezskiros.check.clash import Axiom, Clash, KnownClasses, Reason, joined
+from ezskiros.check.clash import Axiom, Clash, FactReason, KnownClasses, joined
 from ezskiros.check.limits import limit_of_subjects, limits
 from ezskiros.check.spelled import spelled
 from ezskiros.ontology.model import Model
@@ -28,7 +28,7 @@ class Fact(NamedTuple):
     object: str
 
 
-Facts: TypeAlias = Mapping[Fact, Reason]
+Facts: TypeAlias = Mapping[Fact, FactReason]
 """Relations that hold, each with a reason."""
 
 
@@ -39,7 +39,7 @@ def fact_of(said: Relation) -> Fact:
 
 def entailed(stated: Iterable[Relation], model: Model) -> Facts:
     """Some relations, and all relations that follow from them."""
-    found = {fact_of(each): Reason(frozenset({each})) for each in stated}
+    found = {fact_of(each): FactReason(frozenset({each})) for each in stated}
     work = list(found)
     for fact in work:
         for other, sources, axiom in _following(fact, found, model):
@@ -90,7 +90,7 @@ def relation_clashes(
     yield from _too_many(facts, classes, model)
 
 
-def _opposite(denied: Relation, reason: Reason, model: Model) -> Clash:
+def _opposite(denied: Relation, reason: FactReason, model: Model) -> Clash:
     said = reason.said | {denied}
     if not reason.axioms:
         return Clash(said, errors.Contradiction)
@@ -100,7 +100,7 @@ def _opposite(denied: Relation, reason: Reason, model: Model) -> Clash:
 
 
 def _wrong_direction(
-    fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool
+    fact: Fact, reason: FactReason, facts: Facts, *, is_asymmetric: bool
 ) -> Iterator[Clash]:
     """A relation of an individual to itself, or in both directions."""
     back = Fact(fact.object, fact.relation, fact.subject)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ezskiros.check import errors, world_errors
-from ezskiros.check.clash import Axiom, Clash, Reason, joined
+from ezskiros.check.clash import Axiom, Clash, FactReason, joined
 from ezskiros.ontology.model import Model
 
 
@@ -15,17 +15,17 @@ class Limit(NamedTuple):
 
     most: int
     axiom: Axiom
-    reason: Reason = Reason()
+    reason: FactReason = FactReason()
     is_of_class: bool = False
 
-    def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
+    def exceeded(self, reasons: Iterable[FactReason], thing: str) -> Clash:
         """The clash of an individual that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
         return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
 
 
-def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Limit]:
+def limits(iri: str, classes: Mapping[str, FactReason], model: Model) -> Iterator[Limit]:
     """The limits of a property, for an individual of some classes."""
     declared = model.property(iri)
     if declared is not None and declared.is_functional:

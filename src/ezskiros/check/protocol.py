@@ -18,7 +18,7 @@ from dslkit.source import Span
 from dslkit.source.call_site import node_span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.implementation import SkillImplementation
-from ezskiros.skills.methods import Written, own_method, reported_state, written
+from ezskiros.skills.methods import WrittenMethod, own_method, reported_state, written
 from ezskiros.skills.own_conditions import METHOD
 from ezskiros.skills.syntax import attributes_in, class_span, definition
 
@@ -96,7 +96,7 @@ def _never_called(implementation: type[SkillImplementation]) -> Iterator[Diagnos
             yield found.at(definition(method).whole, help=help)
 
 
-def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator[Diagnostic]:
+def _wrong_returns(implementation: str, method: str, found: WrittenMethod) -> Iterator[Diagnostic]:
     wrong = errors.NoState if method == STATE else errors.NoTruth
     for each in found.returns():
         if each.value is None:
@@ -114,7 +114,7 @@ def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator
         yield problem.at(Span(found.file, start, start + len(found.node.name)))
 
 
-def _wrong_progress(found: Written, value: ast.expr) -> Iterator[Diagnostic]:
+def _wrong_progress(found: WrittenMethod, value: ast.expr) -> Iterator[Diagnostic]:
     """Report an argument in a call such as `self.success(5)` that is not a text, or not a number
     where a number is expected.
     """
@@ -135,5 +135,5 @@ def _is_wrong(method: str, value: ast.expr) -> bool:
     return isinstance(value, ast.Constant) and value.value is None
 
 
-def _spelled(found: Written, value: ast.expr) -> str:
+def _spelled(found: WrittenMethod, value: ast.expr) -> str:
     return f"`{node_span(found.file, value).text}`"

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
-from ezskiros.check.clash import Clash, KnownClasses, Reason, joined
+from ezskiros.check.clash import Clash, FactReason, KnownClasses, joined
 from ezskiros.check.entailed import Facts
 from ezskiros.check.spelled import spelled_iri
 from ezskiros.check.world_errors import ImpossibleThing
@@ -21,7 +21,7 @@ class Need(NamedTuple):
     of a relation.
     """
 
-    reasons: tuple[Reason, ...]
+    reasons: tuple[FactReason, ...]
     relation: tuple[str, ...] = ()
 
 

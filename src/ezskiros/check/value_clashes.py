@@ -15,7 +15,7 @@ from math import ceil, floor, inf
 from typing import TypeAlias
 
 from ezskiros.check import errors, world_errors
-from ezskiros.check.clash import Clash, KnownClasses, Reason
+from ezskiros.check.clash import Clash, FactReason, KnownClasses
 from ezskiros.check.limits import limits
 from ezskiros.check.spelled import spelled_iri
 from ezskiros.check.values import WHOLE, spelled_types
@@ -71,13 +71,13 @@ class _Values:
         if not asked.some:
             return None
         if self._limit and self._limit.most == 0:
-            return self._limit.exceeded([Reason(together)], self._thing)
+            return self._limit.exceeded([FactReason(together)], self._thing)
         if asked.none:
             return self._none(together, f"without a {self._name} there is no value to compare")
         if not self._has_first(asked):
             return self._none(together, f"there is no such value of {self._name}")
         if asked.needs_several() and self._limit and self._limit.most == 1:
-            found = self._limit.exceeded([Reason(together)], self._thing)
+            found = self._limit.exceeded([FactReason(together)], self._thing)
             return replace(found, kind=world_errors.NoCommonValue)
         return None
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from itertools import product
 
 from ezskiros.check import errors
-from ezskiros.check.clash import Clash, KnownClasses, Reason
+from ezskiros.check.clash import Clash, FactReason, KnownClasses
 from ezskiros.check.entailed import entailed, relation_clashes
 from ezskiros.check.inference import names
 from ezskiros.check.value_clashes import value_clashes
@@ -57,7 +57,7 @@ def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownCla
         if isinstance(each, OfType):
             known = found.get(each.subject, {})
             if each.owl_class not in known:
-                found[each.subject] = {**known, each.owl_class: Reason(frozenset({each}))}
+                found[each.subject] = {**known, each.owl_class: FactReason(frozenset({each}))}
     return found
 
 

@@ -14,7 +14,7 @@ from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # the modules of the check are loaded when needed
-    from ezskiros.contracts import Missing
+    from ezskiros.contracts import MissingCondition
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ def fix(paths: Sequence[Path]) -> None:
         _write(repair)
 
 
-def _repairs(missing: Sequence[Missing]) -> list[tuple[str, str, list[str]]]:
+def _repairs(missing: Sequence[MissingCondition]) -> list[tuple[str, str, list[str]]]:
     """Group repairs by skill: the file, the name, and the conditions."""
     found: dict[tuple[str, str], dict[str, None]] = {}
     for each in missing:

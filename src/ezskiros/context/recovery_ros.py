@@ -12,7 +12,7 @@ from typing import Any
 
 from ezskiros.context.ros import NoRosError, ros2_node, ros_library
 from ezskiros.engine.interruption import Recovery
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedGoalError
 
 NAME = "recovery"
 _NODE = "ezskiros_recovery"
@@ -95,7 +95,7 @@ def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -
     given = list(goal.arguments), goal.afterwards, list(goal.without)
     try:
         return goals.begin(goal.digest, goal.skill, *given, done)
-    except RefusedError as problem:
+    except RefusedGoalError as problem:
         done(False, str(problem))
         return None
 

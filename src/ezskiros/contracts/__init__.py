@@ -2,6 +2,6 @@
 
 from ezskiros.contracts.completion import missing_pre_conditions
 from ezskiros.contracts.contracts import Contracts, check_contracts
-from ezskiros.contracts.findings import Missing
+from ezskiros.contracts.findings import MissingCondition
 
-__all__ = ["Contracts", "Missing", "check_contracts", "missing_pre_conditions"]
+__all__ = ["Contracts", "MissingCondition", "check_contracts", "missing_pre_conditions"]

@@ -7,8 +7,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ezskiros.check.inference import names as names_of
-from ezskiros.contracts.knowledge import How, KnownFacts, Made, Name, Origin, Renewed, WorldChange
-from ezskiros.contracts.statements import Asked, asked
+from ezskiros.contracts.knowledge import (
+    How,
+    KnownFacts,
+    Made,
+    NameKnowledge,
+    Origin,
+    Renewed,
+    WorldChange,
+)
+from ezskiros.contracts.statements import TreeCondition, asked
 from ezskiros.ontology.statements import Generated, Specified
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
@@ -32,14 +40,14 @@ class BoundChild:
         """The name of the child in messages."""
         return self.skill.name
 
-    def asked(self, known: KnownFacts) -> list[Asked]:
+    def asked(self, known: KnownFacts) -> list[TreeCondition]:
         """The conditions that must hold at the start, about names that have a value."""
         optional = (self.names[each.name] for each in self._of_kind(ParameterKind.OPTIONAL))
         absent = {name for name in optional if known.is_free(name)}
         return [each for each in self._conditions if absent.isdisjoint(names_of(each.statement))]
 
     @cached_property
-    def _conditions(self) -> list[Asked]:
+    def _conditions(self) -> list[TreeCondition]:
         return [
             *asked(self.skill.pre, "pre", self.names),
             *asked(self.skill.hold, "hold", self.names),
@@ -90,7 +98,7 @@ class BoundChild:
         return (each for each in self.skill.parameters if each.is_thing and each.name in self.names)
 
 
-class Children:
+class TreeChildren:
     """The children of one tree. Each child is kept for the names that stand for the individuals of
     other names, because each tick needs it.
     """
@@ -112,10 +120,10 @@ class Children:
 
 def names_of_tree(
     compound: SkillInterface, calls: Iterable[SkillCall], skill_of: SkillOf
-) -> dict[str, Name]:
+) -> dict[str, NameKnowledge]:
     """All names of individuals in a tree."""
     found = {
-        each.name: Name(frozenset({each.iri}), is_own=True)
+        each.name: NameKnowledge(frozenset({each.iri}), is_own=True)
         for each in compound.parameters
         if each.iri
     }
@@ -125,5 +133,5 @@ def names_of_tree(
             if iri is None or (known and known.is_own):
                 continue
             classes = known.classes if known else frozenset()
-            found[shared.shared] = Name(classes | {iri}, is_own=False)
+            found[shared.shared] = NameKnowledge(classes | {iri}, is_own=False)
     return found

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from ezskiros.contracts.children import names_of_tree
 from ezskiros.contracts.contracts import check_contracts
-from ezskiros.contracts.findings import Missing
+from ezskiros.contracts.findings import MissingCondition
 from ezskiros.contracts.judge import Judge
 from ezskiros.ontology.statements import Statement
 from ezskiros.skills.interface import Clause, SkillInterface
@@ -17,12 +17,12 @@ from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 
 
-def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[Missing]:
+def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[MissingCondition]:
     """All missing pre-conditions, in the order of discovery. A pre-condition that contradicts the
     other conditions of the skill is left out.
     """
     added: dict[str, Sequence[Clause]] = {}
-    found: dict[tuple[str, Statement], Missing] = {}
+    found: dict[tuple[str, Statement], MissingCondition] = {}
     seen: set[tuple[str, Statement]] = set()
     while True:
         missing = check_contracts(trees, library, added).missing

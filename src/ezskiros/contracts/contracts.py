@@ -10,15 +10,15 @@ from dslkit.diagnostics import Diagnostic, Severity, listed
 from ezskiros import session
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
-from ezskiros.contracts.children import Children, SkillOf, names_of_tree
-from ezskiros.contracts.findings import Findings, Missing
+from ezskiros.contracts.children import SkillOf, TreeChildren, names_of_tree
+from ezskiros.contracts.findings import MissingCondition, TreeFindings
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import KnownFacts, Origin
 from ezskiros.contracts.remarks import Branch
 from ezskiros.contracts.repairs import Repairs, in_order
-from ezskiros.contracts.statements import Asked, asked
-from ezskiros.contracts.walk import Walk
-from ezskiros.ontology.things import Unknown
+from ezskiros.contracts.statements import TreeCondition, asked
+from ezskiros.contracts.walk import TreeWalk
+from ezskiros.ontology.things import UnknownValue
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.nodes import calls
@@ -34,7 +34,7 @@ class Contracts:
     """The findings, and the pre-conditions that would repair some of them."""
 
     diagnostics: Sequence[Diagnostic]
-    missing: Sequence[Missing]
+    missing: Sequence[MissingCondition]
 
 
 def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTHING) -> Contracts:
@@ -44,7 +44,7 @@ def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTH
     by the names of their skills.
     """
     found: dict[tuple[object, ...], Diagnostic] = {}
-    missing: dict[tuple[str, object], Missing] = {}
+    missing: dict[tuple[str, object], MissingCondition] = {}
     trees = list(trees)
     for tree in trees:
         session.come_to(tree.span.file.path)
@@ -61,7 +61,7 @@ def is_sound(tree: Tree, library: Library) -> bool:
     """Say whether all calls of a tree are valid and have their values."""
     skills = [library.called(call) for call in calls(tree.root)]
     given = (value for call in calls(tree.root) for value in call.arguments.values())
-    if any(isinstance(each, Unknown) for each in given):
+    if any(isinstance(each, UnknownValue) for each in given):
         return False
     if not all(skill and library.is_whole(skill) for skill in (tree.skill, *skills)):
         return False
@@ -71,7 +71,7 @@ def is_sound(tree: Tree, library: Library) -> bool:
 
 def check_tree(
     tree: Tree, library: Library, added: Added = NOTHING, *, branch: Branch | None = None
-) -> Findings | None:
+) -> TreeFindings | None:
     """Check one tree; None if the tree cannot be checked. `branch` says which of several trees it
     is.
     """
@@ -88,9 +88,9 @@ def check_tree(
         return None
     others = in_order(library.skills())
     repairs = Repairs(skill, judge, others, tuple(below), ontology.ambiguous())
-    findings = Findings(tree, skill, judge, repairs, branch)
+    findings = TreeFindings(tree, skill, judge, repairs, branch)
     held = list(asked(skill.hold, "hold", {}))
-    outcome = Walk(judge, findings, Children(skill_of), held).through(tree.root, start)
+    outcome = TreeWalk(judge, findings, TreeChildren(skill_of), held).through(tree.root, start)
     alive = [each for each in outcome.endings if not each.is_dead]
     for each in asked(skill.post, "post", {}) if alive else ():
         _check_end(each, alive, judge, findings)
@@ -106,7 +106,7 @@ def _branch(tree: Tree, trees: Sequence[Tree]) -> Branch | None:
 
 
 def _check_end(
-    said: Asked, endings: Sequence[KnownFacts], judge: Judge, findings: Findings
+    said: TreeCondition, endings: Sequence[KnownFacts], judge: Judge, findings: TreeFindings
 ) -> None:
     """Check a post-condition of the compound at the points where its tree may have succeeded."""
     clashes = {

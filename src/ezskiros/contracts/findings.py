@@ -28,7 +28,7 @@ from ezskiros.contracts.remarks import (
     Why,
 )
 from ezskiros.contracts.repairs import Repairs
-from ezskiros.contracts.statements import Asked
+from ezskiros.contracts.statements import TreeCondition
 from ezskiros.ontology.statements import Statement
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
@@ -43,7 +43,7 @@ _MOST_KNOWN = 4
 
 
 @dataclass(frozen=True)
-class Missing:
+class MissingCondition:
     """A missing pre-condition of a compound skill, which would repair a finding."""
 
     skill: SkillInterface
@@ -52,7 +52,7 @@ class Missing:
 
 
 @dataclass
-class Findings:
+class TreeFindings:
     """The findings of one tree. `missing` are the conditions that `--fix` adds; `branch` identifies
     the tree if an implementation has several.
     """
@@ -63,12 +63,18 @@ class Findings:
     repairs: Repairs
     branch: Branch | None = None
     found: dict[tuple[object, ...], Diagnostic] = field(default_factory=dict)
-    missing: dict[Statement, Missing] = field(default_factory=dict)
+    missing: dict[Statement, MissingCondition] = field(default_factory=dict)
 
     # --- children that start ----------------------------------------------------------------------
 
     def false_at_start(
-        self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash, *, is_fatal: bool
+        self,
+        call: SkillCall,
+        asked: TreeCondition,
+        known: KnownFacts,
+        clash: Clash,
+        *,
+        is_fatal: bool,
     ) -> None:
         """Report a condition of a child that is false."""
         kind = errors.CannotStart if is_fatal else errors.NeverStarts
@@ -80,7 +86,7 @@ class Findings:
         self._add(found, call, asked, labels, known, help, *notes)
 
     def unknown_at_start(
-        self, call: SkillCall, asked: Asked, known: KnownFacts, *, is_fatal: bool
+        self, call: SkillCall, asked: TreeCondition, known: KnownFacts, *, is_fatal: bool
     ) -> None:
         """Report a condition of a child that no known fact implies."""
         change = self.last_touching(known, asked.statement)
@@ -101,12 +107,12 @@ class Findings:
             self._add(vain, call, asked, labels, known, help)
             return
         if text := self.repairs.pre_condition(asked.statement):
-            self.missing[asked.statement] = Missing(self.skill, asked.statement, text)
+            self.missing[asked.statement] = MissingCondition(self.skill, asked.statement, text)
         found = errors.NotShown(child=child, condition=condition)
         self._add(found, call, asked, labels, known, help)
 
     def _beside(
-        self, call: SkillCall, asked: Asked, known: KnownFacts, change: WorldChange
+        self, call: SkillCall, asked: TreeCondition, known: KnownFacts, change: WorldChange
     ) -> None:
         assert change.origin.call is not None
         found = errors.EndsBeside(
@@ -119,7 +125,9 @@ class Findings:
 
     # --- the compound itself ----------------------------------------------------------------------
 
-    def hold(self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash | None) -> None:
+    def hold(
+        self, call: SkillCall, asked: TreeCondition, known: KnownFacts, clash: Clash | None
+    ) -> None:
         """Report that a hold-condition of the compound has ended, or may have ended, when a child
         starts.
         """
@@ -140,7 +148,7 @@ class Findings:
             self._add(may_end, call, asked, labels, known, None, key=key)
 
     def at_end(
-        self, asked: Asked, known: KnownFacts, clash: Clash | None, *, is_false: bool
+        self, asked: TreeCondition, known: KnownFacts, clash: Clash | None, *, is_false: bool
     ) -> None:
         """Report a post-condition of the compound that does not follow after its tree has
         succeeded. With `is_false`, it is false on every path.
@@ -162,7 +170,12 @@ class Findings:
         self._keep(found.at(asked.clause.span, *written, notes=notes, help=help), key)
 
     def restart(
-        self, call: SkillCall, asked: Asked, known: KnownFacts, clash: Clash | None, again: str
+        self,
+        call: SkillCall,
+        asked: TreeCondition,
+        known: KnownFacts,
+        clash: Clash | None,
+        again: str,
     ) -> None:
         """Report a condition that has ended when the child restarts."""
         found = errors.CannotRestart(
@@ -183,14 +196,14 @@ class Findings:
         touching = (each for each in known.changes if self.judge.touches(each.made, said))
         return next(iter([*touching][::-1]), None)
 
-    def _excludes(self, change: WorldChange, asked: Asked) -> bool:
+    def _excludes(self, change: WorldChange, asked: TreeCondition) -> bool:
         """Say whether a change certainly ends a condition."""
         if isinstance(change.made, Renewed):
             return False
         after = KnownFacts({change.made: change.origin}, frozenset())
         return self.judge.clash(after, asked.statement) is not None
 
-    def _notes(self, asked: Asked, known: KnownFacts) -> Sequence[Remark]:
+    def _notes(self, asked: TreeCondition, known: KnownFacts) -> Sequence[Remark]:
         """The notes with the known facts, and with the path to this point."""
         about = set(names_of(asked.statement))
         related = [each for each in known.facts if about & set(names_of(each))]
@@ -200,7 +213,7 @@ class Findings:
         path = OnThePath(path=", and ".join(known.trail)) if known.trail else None
         return [each for each in (held, path, self.branch) if each is not None]
 
-    def _declared(self, call: SkillCall, asked: Asked) -> Iterator[Label]:
+    def _declared(self, call: SkillCall, asked: TreeCondition) -> Iterator[Label]:
         condition = ConditionOf(kind=asked.kind, skill=call.skill.__name__)
         yield condition.at(asked.clause.span)
 
@@ -235,7 +248,7 @@ class Findings:
         self,
         template: Template,
         call: SkillCall,
-        asked: Asked,
+        asked: TreeCondition,
         labels: list[Label],
         known: KnownFacts,
         help: Remark | None,

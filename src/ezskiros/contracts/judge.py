@@ -10,12 +10,19 @@ from typing import TypeAlias
 
 from dslkit.diagnostics import Severity
 from ezskiros.check import errors
-from ezskiros.check.clash import Clash, Reason
+from ezskiros.check.clash import Clash, FactReason
 from ezskiros.check.entailed import fact_of
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.thing_classes import class_clashes
 from ezskiros.check.worlds import PossibleWorld, alternatives
-from ezskiros.contracts.knowledge import KnownFacts, Made, Name, Origin, Renewed, WorldChange
+from ezskiros.contracts.knowledge import (
+    KnownFacts,
+    Made,
+    NameKnowledge,
+    Origin,
+    Renewed,
+    WorldChange,
+)
 from ezskiros.contracts.statements import renamed
 from ezskiros.contracts.touching import Touching
 from ezskiros.ontology.model import Model
@@ -34,7 +41,7 @@ from ezskiros.ontology.statements import (
 Said: TypeAlias = tuple[Statement, ...]
 """Facts in order. The order decides which of several reasons is reported."""
 
-_ANYTHING = Name(frozenset(), is_own=False)
+_ANYTHING = NameKnowledge(frozenset(), is_own=False)
 MOST_CHOICES = 1000
 """The most individuals that are tried for inferred parameters."""
 
@@ -46,10 +53,10 @@ class Judge:
     queries about the same facts.
     """
 
-    def __init__(self, model: Model, names: Mapping[str, Name]) -> None:
+    def __init__(self, model: Model, names: Mapping[str, NameKnowledge]) -> None:
         self.model, self._names = model, names
         self._declared = {
-            name: {iri: Reason() for iri in known.classes} if len(known.classes) == 1 else {}
+            name: {iri: FactReason() for iri in known.classes} if len(known.classes) == 1 else {}
             for name, known in names.items()
         }
         touching = Touching(model, self.may_be_same, lambda name: self._known(name).classes)
@@ -75,7 +82,7 @@ class Judge:
             for another in there.classes
         )  # fmt: skip
 
-    def _known(self, name: str) -> Name:
+    def _known(self, name: str) -> NameKnowledge:
         return self._names.get(name, _ANYTHING)
 
     # --- consequences -----------------------------------------------------------------------------

@@ -57,7 +57,7 @@ class WorldChange:
 
 
 @dataclass(frozen=True)
-class Name:
+class NameKnowledge:
     """The knowledge of a name of the tree: the possible classes of its individual.
 
     The compound's own parameters stand for different individuals.

@@ -11,7 +11,7 @@ from ezskiros.skills.interface import Clause
 
 
 @dataclass(frozen=True)
-class Asked:
+class TreeCondition:
     """A statement of a condition with the names of a tree. `kind` is pre, hold or post."""
 
     statement: Statement
@@ -19,11 +19,13 @@ class Asked:
     kind: str
 
 
-def asked(clauses: Iterable[Clause], kind: str, names: Mapping[str, str]) -> Iterator[Asked]:
+def asked(
+    clauses: Iterable[Clause], kind: str, names: Mapping[str, str]
+) -> Iterator[TreeCondition]:
     """The statements of conditions. A conjunction is split into its parts."""
     for clause in clauses:
         for each in conjuncts(clause.statement):
-            yield Asked(renamed(each, names), clause, kind)
+            yield TreeCondition(renamed(each, names), clause, kind)
 
 
 def conjuncts(statement: Statement) -> tuple[Statement, ...]:

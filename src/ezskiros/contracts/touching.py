@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from ezskiros.check.clash import Reason
+from ezskiros.check.clash import FactReason
 from ezskiros.check.entailed import Fact, Facts, entailed
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.limits import limit_of_subjects, limits
@@ -162,5 +162,5 @@ class Touching:
         return is_one_way and same(new.subject, old.object) and same(new.object, old.subject)
 
     def _is_limited(self, name: str, iri: str) -> bool:
-        classes = dict.fromkeys(self._classes(name), Reason())
+        classes = dict.fromkeys(self._classes(name), FactReason())
         return next(limits(iri, classes, self._model), None) is not None

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from ezskiros.check.inference import names as names_of
 from ezskiros.contracts.changing import changed, failed, join
-from ezskiros.contracts.children import BoundChild, Children
-from ezskiros.contracts.findings import Findings
+from ezskiros.contracts.children import BoundChild, TreeChildren
+from ezskiros.contracts.findings import TreeFindings
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import How, KnownFacts, Origin, WorldChange
-from ezskiros.contracts.statements import Asked, renamed
+from ezskiros.contracts.statements import TreeCondition, renamed
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls, children
 from ezskiros.skills.values import Symbol
@@ -58,14 +58,14 @@ class Place:
 
 
 @dataclass
-class Walk:
+class TreeWalk:
     """The walk through one tree. `held` are the hold-conditions of the compound skill."""
 
     judge: Judge
-    findings: Findings
-    children: Children
-    held: Sequence[Asked]
-    _started: dict[int, list[Asked]] = field(default_factory=dict)
+    findings: TreeFindings
+    children: TreeChildren
+    held: Sequence[TreeCondition]
+    _started: dict[int, list[TreeCondition]] = field(default_factory=dict)
     """The conditions that were known at the first start of each call."""
     _steps: dict[tuple[object, ...], NodeOutcome] = field(default_factory=dict)
     """The results by calls and known conditions. Most later ticks repeat the results of earlier
@@ -114,7 +114,7 @@ class Walk:
         return NodeOutcome(success, (success,), tuple(each.after(known) for each in step.failures))
 
     def _step(
-        self, child: BoundChild, known: KnownFacts, wrong: Mapping[Asked, bool], place: Place
+        self, child: BoundChild, known: KnownFacts, wrong: dict[TreeCondition, bool], place: Place
     ) -> NodeOutcome:
         """Follow the knowledge through a child with some conditions that may be false."""
         asked, free = child.asked(known), child.inferred(known)
@@ -138,14 +138,16 @@ class Walk:
         failure = failed(before, again.changes(How.FAILED), self.judge)
         return NodeOutcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
-    def _judged(self, child: BoundChild, known: KnownFacts, place: Place) -> dict[Asked, bool]:
+    def _judged(
+        self, child: BoundChild, known: KnownFacts, place: Place
+    ) -> dict[TreeCondition, bool]:
         """The conditions of a child that may be false, each with whether it is certainly false."""
         asked, free = child.asked(known), child.inferred(known)
         about = [
             each.statement for each in asked if not set(free).isdisjoint(names_of(each.statement))
         ]
         chosen = self.judge.choice(known, about, free) if about else {}
-        wrong: dict[Asked, bool] = {}
+        wrong: dict[TreeCondition, bool] = {}
         for each in asked:
             if self.judge.entails(known, renamed(each.statement, chosen)):
                 continue
@@ -164,7 +166,9 @@ class Walk:
                 self.findings.unknown_at_start(child.call, each, known, is_fatal=place.is_fatal)
         return wrong
 
-    def _assuming(self, known: KnownFacts, asked: Iterable[Asked], child: BoundChild) -> KnownFacts:
+    def _assuming(
+        self, known: KnownFacts, asked: Iterable[TreeCondition], child: BoundChild
+    ) -> KnownFacts:
         """The knowledge after the start of a child: its conditions hold, and facts that they
         exclude do not.
         """

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from ezskiros.check.spelled import spelled
 from ezskiros.drawing.nested import Nested
 from ezskiros.ontology.statements import Statement
-from ezskiros.ontology.things import Unknown
+from ezskiros.ontology.things import UnknownValue
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
@@ -54,20 +54,20 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Box:
+class NodeBox:
     """A node of a tree. `token` is the symbol of a processor or decorator; a skill has none."""
 
     title: str
     token: str
     lines: tuple[Line, ...]
-    children: tuple[Box, ...]
+    children: tuple[NodeBox, ...]
 
 
 @dataclass(frozen=True)
 class Outline:
     """A tree, and the answers in `expandBT` that lead to it, as texts."""
 
-    root: Box
+    root: NodeBox
     branch: tuple[str, ...]
 
 
@@ -78,7 +78,7 @@ def outline(
     `depth` levels.
     """
     writer = _Writer(Nested(trees, library), library, has_conditions)
-    root = Box(
+    root = NodeBox(
         f"{tree.skill.name}.{tree.implementation}",
         "",
         tuple(writer.conditions(tree.skill)),
@@ -104,19 +104,19 @@ class _Writer:
     library: Library
     has_conditions: bool
 
-    def box(self, node: Node, depth: int, above: tuple[str, ...]) -> Box:
+    def box(self, node: Node, depth: int, above: tuple[str, ...]) -> NodeBox:
         """A node with all nodes below it. `above` are the implementations around it."""
         match node:
             case SkillCall():
                 return self._skill(node, depth, above)
             case Processor(flow=flow, children=below):
                 inside = tuple(self.box(child, depth, above) for child in below)
-                return Box(flow.value.lower(), TOKENS[flow], (), inside)
+                return NodeBox(flow.value.lower(), TOKENS[flow], (), inside)
             case Decorator(decoration=decoration, child=child):
                 inside = (self.box(child, depth, above),)
-                return Box(f"{decoration.value.lower()}{_limit(node)}", "<>", (), inside)
+                return NodeBox(f"{decoration.value.lower()}{_limit(node)}", "<>", (), inside)
 
-    def _skill(self, call: SkillCall, depth: int, above: tuple[str, ...]) -> Box:
+    def _skill(self, call: SkillCall, depth: int, above: tuple[str, ...]) -> NodeBox:
         lines = [*_arguments(call)]
         skill = self.library.skill(call.skill)
         if skill is not None:
@@ -126,12 +126,12 @@ class _Writer:
         inside = [self.box(tree.root, depth - 1, (*above, tree.implementation)) for tree in found]
         if len(inside) > 1:
             inside = [
-                Box(" and ".join(branch_texts(tree)) or "always", "if", (), (box,))
+                NodeBox(" and ".join(branch_texts(tree)) or "always", "if", (), (box,))
                 for tree, box in zip(found, inside, strict=True)
             ]
         name = call.skill.__name__
         title = name if call.implementation is None else f"{name}.{call.implementation}"
-        return Box(title, "", tuple(lines), tuple(inside))
+        return NodeBox(title, "", tuple(lines), tuple(inside))
 
     def conditions(self, skill: SkillInterface) -> Iterator[Line]:
         """The conditions of a skill as written in the description, if they are requested."""
@@ -169,7 +169,7 @@ def _arguments(call: SkillCall) -> Iterator[Line]:
         match given:
             case ThingReference(parameter=parameter) | ValueReference(parameter=parameter):
                 yield Line(Role.PASSED, f"{name} <- {parameter.name}")
-            case Unknown():
+            case UnknownValue():
                 yield Line(Role.VALUE, f"{name} = ?")
             case SymbolicValue():
                 yield Line(Role.PASSED, f"{name} <- {written(call, name)}")

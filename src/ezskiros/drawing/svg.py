@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
-from ezskiros.drawing.outline import Box, Line, Outline
+from ezskiros.drawing.outline import Line, NodeBox, Outline
 from ezskiros.drawing.window import framed
 
 FONT, LINE, PADDING = 13, 18, 10
@@ -47,7 +47,7 @@ rect.flow { fill: #352a12; stroke: #d6a23c; }
 class _Placed:
     """A box with its position, in pixels."""
 
-    box: Box
+    box: NodeBox
     texts: list[tuple[str, str]]
     children: list[_Placed] = field(default_factory=list)
     x: float = 0.0
@@ -102,7 +102,7 @@ def svg(outlines: Sequence[Outline]) -> str:
     )
 
 
-def _measured(box: Box) -> _Placed:
+def _measured(box: NodeBox) -> _Placed:
     title = f"{box.token} {box.title}" if box.token else box.title
     texts = [("title", title), *((line.role.value, _line(line)) for line in box.lines)]
     return _Placed(box, texts, [_measured(child) for child in box.children])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.text import Text
 from rich.tree import Tree as RichTree
 
-from ezskiros.drawing.outline import Box, Line, Outline, Role
+from ezskiros.drawing.outline import Line, NodeBox, Outline, Role
 
 _BESIDE = 70
 """The most characters of arguments beside the title. Longer arguments are below the title, one on
@@ -32,13 +32,13 @@ def terminal_tree(found: Outline) -> RichTree:
     return above
 
 
-def _hang(box: Box, above: RichTree) -> None:
+def _hang(box: NodeBox, above: RichTree) -> None:
     here = above.add(_text(box))
     for child in box.children:
         _hang(child, here)
 
 
-def _text(box: Box) -> Text:
+def _text(box: NodeBox) -> Text:
     """The text of a box: the title, the arguments beside or below it, and the conditions."""
     found = Text()
     if box.token:

@@ -10,7 +10,7 @@ from ezskiros.engine.events import Event, Reason
 from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.inference import Solution
 from ezskiros.engine.options import Locks
-from ezskiros.engine.plans import Plans
+from ezskiros.engine.plans import ChildPlans
 from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.world import World
 from ezskiros.engine.world_model import WorldModel
@@ -48,7 +48,7 @@ class ExecutionContext:
     """Checked before each start of a primitive."""
 
     def __post_init__(self) -> None:
-        self.plans = Plans(self.library)
+        self.plans = ChildPlans(self.library)
         self.locks = Locks()
         self.running = RunningSkills()
         self.world_model = WorldModel(self.world)

@@ -79,7 +79,7 @@ class _Known:
     locked: tuple[str, ...]
 
 
-class Plans:
+class ChildPlans:
     """The plans of all children."""
 
     def __init__(self, library: Library) -> None:

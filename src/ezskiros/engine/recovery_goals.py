@@ -29,12 +29,14 @@ _PASSED = "@"
 """The prefix of a value that is the parameter of a running skill: `Target=@Drive.Target`."""
 
 
-class RefusedError(ValueError):
+class RefusedGoalError(ValueError):
     """A goal that cannot be run. The text gives the reason."""
 
 
 class Host(Protocol):
-    """Runs skills, and trees instead of them. Raises `RefusedError` while it cannot run a tree."""
+    """Runs skills, and trees instead of them. Raises `RefusedGoalError` while it cannot run a
+    tree.
+    """
 
     @property
     def known(self) -> dict[str, tuple[SkillClass, SkillInterface]]:
@@ -43,7 +45,7 @@ class Host(Protocol):
 
     @property
     def world(self) -> World:
-        """The world with the names of individuals. Raises `RefusedError`."""
+        """The world with the names of individuals. Raises `RefusedGoalError`."""
         ...
 
     @property
@@ -54,7 +56,7 @@ class Host(Protocol):
         ...
 
     def recover(self, recovery: Recovery) -> None:
-        """Run a tree at the next tick. Raises `RefusedError` if the tree can never run."""
+        """Run a tree at the next tick. Raises `RefusedGoalError` if the tree can never run."""
         ...
 
 
@@ -90,15 +92,15 @@ class RecoveryGoals:
         done: Callable[[bool, str], None],
     ) -> Recovery:
         """Run a tree at the next tick, and pass its result to `done`. `without` are the skills that
-        rules always stop. Raises `RefusedError`.
+        rules always stop. Raises `RefusedGoalError`.
         """
         if digest != self._digest:
-            raise RefusedError("the rules were checked with another export of the skills")
+            raise RefusedGoalError("the rules were checked with another export of the skills")
         call = self._call(skill, arguments)
         try:
             going_on = Afterwards(afterwards)
         except ValueError:
-            raise RefusedError(f"a task cannot continue with `{afterwards}`") from None
+            raise RefusedGoalError(f"a task cannot continue with `{afterwards}`") from None
         recovery = Recovery(call, going_on, done, self._prohibitions(without))
         self._host.recover(recovery)
         return recovery
@@ -106,13 +108,13 @@ class RecoveryGoals:
     def _call(self, name: str, arguments: Sequence[str]) -> SkillCall:
         found = self._host.known.get(name)
         if found is None:
-            raise RefusedError(f"there is no skill `{name}`")
+            raise RefusedGoalError(f"there is no skill `{name}`")
         description, interface = found
         try:
             texts = [self._resolved(text) for text in arguments]
             values = read_arguments(interface, texts, self._host.world)
         except WrongArgumentError as problem:
-            raise RefusedError(str(problem)) from None
+            raise RefusedGoalError(str(problem)) from None
         return SkillCall(description, None, MappingProxyType(values), NOWHERE)
 
     def _prohibitions(self, texts: Sequence[str]) -> tuple[Prohibition, ...]:
@@ -121,7 +123,7 @@ class RecoveryGoals:
             ontology = self._host.world.ontology
             return tuple(read_prohibition(each, skills, ontology) for each in texts)
         except UnknownProhibitionError as problem:
-            raise RefusedError(f"the list of forbidden skills is wrong: {problem}") from None
+            raise RefusedGoalError(f"the list of forbidden skills is wrong: {problem}") from None
 
     def _resolved(self, text: str) -> str:
         """An argument with the current value of a running skill's parameter."""
@@ -137,7 +139,7 @@ class RecoveryGoals:
         }
         if len(found) != 1:
             reason = "does not run" if not found else "runs several times with different values"
-            raise RefusedError(f"`{name}` takes its value from `{skill}`, which {reason}")
+            raise RefusedGoalError(f"`{name}` takes its value from `{skill}`, which {reason}")
         return f"{name}={found.pop()}"
 
 

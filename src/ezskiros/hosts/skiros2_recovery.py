@@ -14,7 +14,7 @@ from typing import Any
 from ezskiros.context.recovery_ros import serve
 from ezskiros.context.ros import NoRosError
 from ezskiros.engine.interruption import Afterwards, Recovery, newly_asked
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedGoalError
 from ezskiros.engine.running import Running, with_values_of_now
 from ezskiros.engine.world import World
 from ezskiros.hosts.skiros2_api import api, ticker
@@ -62,10 +62,10 @@ class HostedRecoveries:
 
     @property
     def world(self) -> World:
-        """The world model of the tasks. Raises `RefusedError` while there is no task."""
+        """The world model of the tasks. Raises `RefusedGoalError` while there is no task."""
         visitor = ticker()._visitor  # noqa: SLF001 - SkiROS2 hands it to nobody
         if visitor is None or not ticker()._tasks:  # noqa: SLF001
-            raise RefusedError("no task runs")
+            raise RefusedGoalError("no task runs")
         ontologies = [each.ontology for each in self._trees.values()]
         return HostedWorld(visitor._wm, ontologies[0])  # noqa: SLF001
 
@@ -79,7 +79,7 @@ class HostedRecoveries:
     def recover(self, recovery: Recovery) -> None:
         """Request a tree, from any thread. A running tree is replaced."""
         if recovery.afterwards is Afterwards.REPLAN:
-            raise RefusedError("SkiROS2 cannot replan: use `then retry`")
+            raise RefusedGoalError("SkiROS2 cannot replan: use `then retry`")
         self._asked.put(recovery)
 
     # --- for the ticker ---------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from dslkit.source import Span
 from ezskiros.export.sources import ExportedSource, path_from
 from ezskiros.learning.errors import NoKnowledge
 from ezskiros.learning.lessons import Cost, Lessons, Places, Share, SkillFailure, Stale, Trip
-from ezskiros.learning.records import Line, RecordError, parsed, read_text
+from ezskiros.learning.records import RecordError, RecordLine, parsed, read_text
 from ezskiros.learning.runs import TaskRun
 
 FORMAT = "ezskiros/knowledge"
@@ -127,12 +127,12 @@ def read_knowledge(path: Path) -> Knowledge | Diagnostic:
             return NoKnowledge(path=file.path, reason=why).at(Span(file, 0, 0))
         if not isinstance(found, dict):
             found = {}
-        return _read(Line(Span(file, 0, len(file.text)), found, NoKnowledge))
+        return _read(RecordLine(Span(file, 0, len(file.text)), found, NoKnowledge))
     except RecordError as problem:
         return problem.diagnostic
 
 
-def _read(head: Line) -> Knowledge:
+def _read(head: RecordLine) -> Knowledge:
     if head.values.get("format") != FORMAT:
         head.fail(f"its `format` is not `{FORMAT}`", "format")
     if head.get("version", int) != VERSION:
@@ -155,14 +155,14 @@ def _read(head: Line) -> Knowledge:
     return Knowledge(lessons, sources)
 
 
-def _source(found: Line) -> ExportedSource:
+def _source(found: RecordLine) -> ExportedSource:
     sha256 = found.get("sha256", str)
     if _HEXADECIMAL.fullmatch(sha256) is None:
         found.fail("`sha256` is not 64 hexadecimal digits", "sources")
     return ExportedSource(found.get("path", str), sha256)
 
 
-def _read_trip(found: Line) -> Trip:
+def _read_trip(found: RecordLine) -> Trip:
     within = found.below(found.get("within", dict))
     return Trip(
         found.get("rule", str),
@@ -176,7 +176,7 @@ def _read_trip(found: Line) -> Trip:
     )
 
 
-def _read_cost(found: Line) -> Cost:
+def _read_cost(found: RecordLine) -> Cost:
     return Cost(
         found.get("skill", str),
         _read_places(found),
@@ -186,13 +186,13 @@ def _read_cost(found: Line) -> Cost:
     )
 
 
-def _read_share(found: Line) -> Share:
+def _read_share(found: RecordLine) -> Share:
     runs, all_runs = found.count("runs"), found.count("all_runs")
     if runs > all_runs:
         found.fail("`runs` is more than `all_runs`", "all_runs")
     return Share(runs, all_runs)
 
 
-def _read_places(found: Line) -> Places:
+def _read_places(found: RecordLine) -> Places:
     places = found.below(found.get("places", dict))
     return tuple(sorted((name, places.get(name, str)) for name in places.values))

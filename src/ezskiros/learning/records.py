@@ -39,7 +39,7 @@ class RecordError(Exception):
 
 
 @dataclass(frozen=True)
-class Line:
+class RecordLine:
     """A JSON object: a line of a file, or an object in it. All methods raise `RecordError` with a
     `fault`.
     """
@@ -58,18 +58,18 @@ class Line:
         found = self.fault(path=self.span.file.path, reason=reason)
         raise RecordError(found.at(place, help=help))
 
-    def below(self, values: dict[str, Any]) -> Line:
+    def below(self, values: dict[str, Any]) -> RecordLine:
         """A nested object."""
         return replace(self, values=values)
 
-    def _located(self, values: dict[str, Any], after: int) -> Line:
+    def _located(self, values: dict[str, Any], after: int) -> RecordLine:
         """A nested object, with its place if the text is in the format of Python's `json`
         module.
         """
         text = json.dumps(values)
         start = self.span.file.text.find(text, after, self.span.end)
         span = Span(self.span.file, start, start + len(text)) if start >= 0 else self.span
-        return Line(span, values, self.fault)
+        return RecordLine(span, values, self.fault)
 
     def get(self, key: str, kind: type[_Kind]) -> _Kind:
         """The value of a key, which must exist and have this type."""
@@ -101,7 +101,7 @@ class Line:
             self.fail(f"`{key}` is not a duration in seconds", key)
         return float(found)  # type: ignore[arg-type]
 
-    def objects(self, key: str) -> Iterator[Line]:
+    def objects(self, key: str) -> Iterator[RecordLine]:
         """A list of objects. They have their own places, up to the first one that is not found in
         the text.
         """
@@ -126,7 +126,7 @@ def read_text(path: Path, fault: Fault = NoRecord) -> SourceFile:
     file = SourceFile(shown(str(path)), "")
     with path.open("rb") as opened:
         content = opened.read(LARGEST_RECORD + 1)
-    whole = Line(Span(file, 0, 0), {}, fault)
+    whole = RecordLine(Span(file, 0, 0), {}, fault)
     if len(content) > LARGEST_RECORD:
         whole.fail(f"it is larger than {LARGEST_RECORD >> 20} MiB")
     try:
@@ -135,14 +135,14 @@ def read_text(path: Path, fault: Fault = NoRecord) -> SourceFile:
         whole.fail(f"byte {problem.start + 1} is not UTF-8")
 
 
-def lines(file: SourceFile) -> Iterator[Line]:
+def lines(file: SourceFile) -> Iterator[RecordLine]:
     """The lines of a file, each a JSON object. Raises `RecordError`."""
     start = 0
     for text in file.text.split("\n"):
         span = Span(file, start, start + len(text))
         start += len(text) + 1
         if text.strip():
-            yield Line(span, _object(span))
+            yield RecordLine(span, _object(span))
 
 
 def parsed(text: str) -> Any:
@@ -160,11 +160,11 @@ def _object(span: Span) -> dict[str, Any]:
     except json.JSONDecodeError as problem:
         at = span.start + min(problem.pos, max(len(span.text) - 1, 0))
         where = Span(span.file, at, min(at + 1, span.end))
-        Line(where, {}).fail(f"this is not JSON ({problem.msg})")
+        RecordLine(where, {}).fail(f"this is not JSON ({problem.msg})")
     except (ValueError, RecursionError) as problem:
-        Line(span, {}).fail(
+        RecordLine(span, {}).fail(
             str(problem) if isinstance(problem, ValueError) else "its nesting is too deep"
         )
     if not isinstance(found, dict):
-        Line(span, {}).fail("this is not a JSON object")
+        RecordLine(span, {}).fail("this is not a JSON object")
     return found

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from dslkit.source import SourceFile
 from ezskiros.learning.errors import NoRecord
-from ezskiros.learning.records import Line
+from ezskiros.learning.records import RecordLine
 
 _ENDS = ("succeeded", "failed", "preempted")
 _EVENTS = ("started", "running", "chosen", "context", *_ENDS)
@@ -42,12 +42,12 @@ class TaskTrace:
     executions: Sequence[Execution]
 
 
-def is_event(line: Line) -> bool:
+def is_event(line: RecordLine) -> bool:
     """Say whether a first line belongs to a trace."""
     return line.values.get("event") in _EVENTS
 
 
-def read_trace(first: Line, rest: Iterable[Line]) -> TaskTrace:
+def read_trace(first: RecordLine, rest: Iterable[RecordLine]) -> TaskTrace:
     """A trace from its lines. Raises `RecordError`."""
     reader = _Reader(first)
     for line in (first, *rest):
@@ -58,7 +58,7 @@ def read_trace(first: Line, rest: Iterable[Line]) -> TaskTrace:
 class _Reader:
     """The executions up to the current line."""
 
-    def __init__(self, first: Line) -> None:
+    def __init__(self, first: RecordLine) -> None:
         self._first = self._last_line = first
         self._start = self._last = _stamp(first)
         self._running: dict[tuple[str, ...], Execution] = {}
@@ -72,7 +72,7 @@ class _Reader:
             self._first.fail("it contains no skill")
         return TaskTrace(self._first.span.file, self._start, self._last, self._found)
 
-    def take(self, line: Line) -> None:
+    def take(self, line: RecordLine) -> None:
         at, event = _stamp(line), line.get("event", str)
         if at < self._last:
             line.fail("this stamp is earlier than the one before", "at_ns")
@@ -106,13 +106,13 @@ class _Reader:
         yield from sorted(found, key=len, reverse=True)
 
 
-def _stamp(line: Line) -> int:
+def _stamp(line: RecordLine) -> int:
     if "at_ns" not in line.values:
         line.fail("`at_ns` is missing", "time", help=NoRecord.WithoutStamp())
     return line.stamp("at_ns")
 
 
-def _texts(line: Line) -> Mapping[str, str]:
+def _texts(line: RecordLine) -> Mapping[str, str]:
     """The values that are texts; empty for a skill without parameters."""
     if "parameters" not in line.values:
         return {}

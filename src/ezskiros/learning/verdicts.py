@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile
 from ezskiros.learning.errors import NoRecord
-from ezskiros.learning.records import Line
+from ezskiros.learning.records import RecordLine
 
 SCHEMA = 1
 _LONGEST_REASON = 300
@@ -39,12 +39,12 @@ class Verdicts:
     activations: Sequence[Activation]
 
 
-def is_header(line: Line) -> bool:
+def is_header(line: RecordLine) -> bool:
     """Say whether a first line is the header of verdicts."""
     return line.values.get("type") == "header"
 
 
-def read_verdicts(header: Line, rest: Iterable[Line]) -> Verdicts:
+def read_verdicts(header: RecordLine, rest: Iterable[RecordLine]) -> Verdicts:
     """Verdicts from their lines. Raises `RecordError`."""
     schema = header.get("schema", int)
     if schema != SCHEMA:
@@ -58,12 +58,12 @@ def read_verdicts(header: Line, rest: Iterable[Line]) -> Verdicts:
 
 
 def _activations(
-    rest: Iterable[Line], rules: Sequence[str], start: int, end: int
+    rest: Iterable[RecordLine], rules: Sequence[str], start: int, end: int
 ) -> Iterator[Activation]:
     """The activations of the rules, each when it is over. Exemptions are left out, because they are
     not rules.
     """
-    active: dict[str, tuple[int, Line]] = {}
+    active: dict[str, tuple[int, RecordLine]] = {}
     last = start
     for line in rest:
         kind = line.get("type", str)
@@ -83,14 +83,14 @@ def _activations(
         yield _activation(rule, since, line, end)
 
 
-def _change(line: Line, rules: Sequence[str]) -> tuple[str, int, bool]:
+def _change(line: RecordLine, rules: Sequence[str]) -> tuple[str, int, bool]:
     rule = line.get("rule", str)
     if rule not in rules:
         line.fail(f"the header has no rule `{rule}`", "rule")
     return rule, line.stamp("at_ns"), line.get("active", bool)
 
 
-def _activation(rule: str, since: int, line: Line, end: int) -> Activation:
+def _activation(rule: str, since: int, line: RecordLine, end: int) -> Activation:
     cause = line.below(line.get("cause", dict)).get("text", str)
     is_stale = line.get("change", str) == "activated_stale"
     return Activation(rule, since, end, is_stale, cause[:_LONGEST_REASON])

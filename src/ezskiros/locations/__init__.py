@@ -2,7 +2,7 @@
 ahead.
 """
 
-from ezskiros.locations.find import Found, find_locations
+from ezskiros.locations.find import FoundLocations, find_locations
 from ezskiros.locations.location import Location, Point
 
-__all__ = ["Found", "Location", "Point", "find_locations"]
+__all__ = ["FoundLocations", "Location", "Point", "find_locations"]

@@ -37,20 +37,20 @@ _Values = Mapping[str, Sequence[str]]
 
 
 @dataclass(frozen=True)
-class Found:
+class FoundLocations:
     """The locations of a scene in the order of the file, and the findings."""
 
     locations: Sequence[Location]
     diagnostics: Sequence[Diagnostic]
 
 
-def find_locations(document: Document, model: Model) -> Found:
+def find_locations(document: Document, model: Model) -> FoundLocations:
     """The individuals of a scene with a position, and those that should have one: individuals of
     the class `skiros:Location`, and individuals with an incomplete position. The latter have no
     corners.
     """
     finder = _Finder(document, model)
-    return Found([*finder.find()], finder.wrong)
+    return FoundLocations([*finder.find()], finder.wrong)
 
 
 class _WrongError(Exception):

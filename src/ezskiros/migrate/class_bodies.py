@@ -8,7 +8,7 @@ import libcst as cst
 
 from dslkit.diagnostics import Template
 from ezskiros.migrate.comments import marked
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 from ezskiros.migrate.docstrings import Text
 
 
@@ -57,7 +57,7 @@ class _Marks(cst.CSTTransformer):
         return updated_node.with_changes(leading_lines=new)
 
 
-def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
+def with_marks(node: cst.ClassDef, findings: Sequence[UntranslatedPart]) -> cst.ClassDef:
     """A class that stays unchanged, with a comment above each statement without a translation."""
     templates: dict[int, list[Template]] = {}
     for finding in findings:

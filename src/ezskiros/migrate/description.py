@@ -36,7 +36,7 @@ _CONDITIONS = {
 
 
 @dataclass(frozen=True)
-class Finding:
+class UntranslatedPart:
     """The untranslated part of a statement, and the reason. `statement` gets the mark."""
 
     template: Template
@@ -52,8 +52,8 @@ class Translation:
 
     lines: list[str] = field(default_factory=list)
     parameters: list[SourceParameter] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    warnings: list[Finding] = field(default_factory=list)
+    findings: list[UntranslatedPart] = field(default_factory=list)
+    warnings: list[UntranslatedPart] = field(default_factory=list)
 
 
 def translate(
@@ -127,7 +127,7 @@ class _Translator:
             self._leave(LeftError(template, self._function.name), self._function)
 
     def _leave(self, left: LeftError, statement: cst.CSTNode) -> None:
-        self._found.findings.append(Finding(left.template, left.node, statement))
+        self._found.findings.append(UntranslatedPart(left.template, left.node, statement))
 
     def _add(self, parameters: Iterable[SourceParameter]) -> None:
         """Add parameters that no statement declares."""
@@ -147,7 +147,7 @@ class _Translator:
             def warn(
                 template: Template, node: cst.CSTNode, step: DescriptionStatement = step
             ) -> None:
-                self._found.warnings.append(Finding(template, node, step.statement))
+                self._found.warnings.append(UntranslatedPart(template, node, step.statement))
 
             try:
                 found = reader.read(call, warn)

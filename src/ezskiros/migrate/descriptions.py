@@ -12,10 +12,10 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.classes import describing_method, self_calls
 from ezskiros.migrate.comments import marked, without_marks
-from ezskiros.migrate.description import Finding, Translation
+from ezskiros.migrate.description import Translation, UntranslatedPart
 from ezskiros.migrate.imports import imported
 from ezskiros.migrate.names import FileNames
-from ezskiros.migrate.skills import Skill, skill_of
+from ezskiros.migrate.skills import MigratedSkill, skill_of
 from ezskiros.migrate.steps import statements_of
 
 
@@ -34,20 +34,20 @@ class Description:
         return self.node.name.value
 
     @property
-    def findings(self) -> list[Finding]:
+    def findings(self) -> list[UntranslatedPart]:
         """The findings that prevent the translation; empty if there are none."""
         return self.translation.findings
 
-    def skill(self, path: str) -> Skill:
+    def skill(self, path: str) -> MigratedSkill:
         """The facts about the skill that implementations use."""
         if self.findings:
             codes = [each.template.code for each in self.findings]
-            return Skill(self.name, path, left_for=codes)
+            return MigratedSkill(self.name, path, left_for=codes)
         return skill_of(self.name, path, self.translation.parameters)
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:
         """Keep the whole class unchanged."""
-        self.translation.findings.append(Finding(template, node, self.node))
+        self.translation.findings.append(UntranslatedPart(template, node, self.node))
 
 
 class Descriptions:

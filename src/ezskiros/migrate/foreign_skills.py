@@ -8,7 +8,7 @@ import libcst as cst
 
 from ezskiros.migrate.imports import WantedNames, bound_names, imported_names, used_names
 from ezskiros.migrate.modules import import_of
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.tree_context import WantedSkills
 
 
@@ -22,7 +22,7 @@ class ForeignSkills:
         self._path, self._late = path, late
         self._imported = imported_names(module)
         self._taken = used_names(module) | bound_names(module, ())
-        self.found: dict[str, Skill] = {}
+        self.found: dict[str, MigratedSkill] = {}
 
     def wanted(self) -> WantedSkills:
         """The skills of one tree, which count only if the tree is translated."""
@@ -36,7 +36,7 @@ class ForeignSkills:
         """The other files with needed skills."""
         return {each.path for each in self.found.values()} - {self._path}
 
-    def _spell(self, skill: Skill) -> str:
+    def _spell(self, skill: MigratedSkill) -> str:
         """The name of a skill: the imported name, or its own name if it is free."""
         if skill.path == self._path:
             return skill.name
@@ -51,7 +51,7 @@ class ForeignSkills:
             name += "_"
         return name
 
-    def late_import(self, name: str, skill: Skill) -> str | None:
+    def late_import(self, name: str, skill: MigratedSkill) -> str | None:
         """The import of a skill inside the tree that needs it; None for other skills."""
         if skill.path not in self._late or skill.path == self._path:
             return None

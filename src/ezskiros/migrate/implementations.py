@@ -22,13 +22,13 @@ from ezskiros.migrate.class_bodies import (
 )
 from ezskiros.migrate.classes import OLD_DESCRIPTION
 from ezskiros.migrate.comments import inner_comments, texts, without_marks
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.methods import Methods, translated_part
 from ezskiros.migrate.parameter_uses import ParameterUses
 from ezskiros.migrate.shared_keys import SharingChild, SharingTree
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.tree_context import TreeContext
 from ezskiros.migrate.trees import OLD, TreeUses
 
@@ -42,9 +42,9 @@ class Implementation:
 
     node: cst.ClassDef
     new: cst.ClassDef
-    findings: list[Finding] = field(default_factory=list)
-    warnings: list[Finding] = field(default_factory=list)
-    skill: Skill | None = None
+    findings: list[UntranslatedPart] = field(default_factory=list)
+    warnings: list[UntranslatedPart] = field(default_factory=list)
+    skill: MigratedSkill | None = None
     children: Sequence[SharingChild] = ()
 
     def sharing(self) -> SharingTree | None:
@@ -59,7 +59,7 @@ class Implementation:
         and keep each key once.
         """
         others = [each for each in self.findings if not _is_open(each.template)]
-        reported: dict[object, Finding] = {}
+        reported: dict[object, UntranslatedPart] = {}
         for each in others or self.findings:
             is_shared = isinstance(each.template, _SHARED)
             reported.setdefault(getattr(each.template, "key", "") if is_shared else id(each), each)
@@ -143,7 +143,7 @@ class _Class:
         try:
             skill, base = self._skill()
         except LeftError as left:
-            found.findings.append(Finding(left.template, left.node, self._node))
+            found.findings.append(UntranslatedPart(left.template, left.node, self._node))
             return self._left()
         bases = self._bases(base)
         comments = self._description()
@@ -159,7 +159,7 @@ class _Class:
         return found
 
     def _leave(self, template: Template, node: cst.CSTNode, statement: cst.CSTNode) -> None:
-        self._found.findings.append(Finding(template, node, statement))
+        self._found.findings.append(UntranslatedPart(template, node, statement))
 
     def _left(self) -> Implementation:
         self._found.new = with_marks(self._node, self._found.findings)
@@ -167,7 +167,7 @@ class _Class:
 
     # --- its skill ----------------------------------------------------------------------------
 
-    def _skill(self) -> tuple[Skill, cst.BaseExpression]:
+    def _skill(self) -> tuple[MigratedSkill, cst.BaseExpression]:
         """The skill, and its local name. Raises `LeftError` if the skill is unknown."""
         call = described_by(self._node)
         assert call is not None
@@ -240,7 +240,7 @@ class _Class:
 
     # --- its methods --------------------------------------------------------------------------
 
-    def _methods(self, skill: Skill) -> tuple[dict[int, cst.CSTNode | None], set[str]]:
+    def _methods(self, skill: MigratedSkill) -> tuple[dict[int, cst.CSTNode | None], set[str]]:
         """The new parts of the class by the old parts, None for removed parts; and the methods that
         became part of the tree.
         """
@@ -267,7 +267,9 @@ class _Class:
         )
         return new, used
 
-    def _own_conditions(self, function: cst.FunctionDef, skill: Skill) -> cst.FunctionDef | None:
+    def _own_conditions(
+        self, function: cst.FunctionDef, skill: MigratedSkill
+    ) -> cst.FunctionDef | None:
         """The method `conditions`; None if it would be empty."""
         context = self._context
         found, left = own_conditions.translate_own(
@@ -276,7 +278,7 @@ class _Class:
         self._found.findings += left
         return found
 
-    def _uses(self, skill: Skill) -> Methods:
+    def _uses(self, skill: MigratedSkill) -> Methods:
         return Methods(skill, self._code, self._node, self._context.states)
 
     def _take(self, uses: ParameterUses) -> None:

@@ -8,7 +8,7 @@ import libcst as cst
 
 from ezskiros.migrate.aliases import without_aliases
 from ezskiros.migrate.parameter_uses import ParameterUses
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.states import MEMBERS, PLACEHOLDER
 
 
@@ -17,7 +17,7 @@ class Methods(ParameterUses):
 
     def __init__(
         self,
-        skill: Skill,
+        skill: MigratedSkill,
         code: Callable[[cst.CSTNode], str],
         node: cst.ClassDef,
         states: Collection[str] = (),

@@ -11,7 +11,7 @@ from ezskiros.migrate.bases import BuiltClass, ClassId
 from ezskiros.migrate.consequences import Follower, LeftSkill
 from ezskiros.migrate.robots import Robots
 from ezskiros.migrate.shared_keys import SharingTree
-from ezskiros.migrate.skills import Skill, SkillId
+from ezskiros.migrate.skills import MigratedSkill, SkillId
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Migrated:
     bases: Collection[str] = ()
     built: Sequence[BuiltClass] = ()
     obstacles: Mapping[ClassId, Sequence[str]] = field(default_factory=dict)
-    skills: Sequence[Skill] = ()
+    skills: Sequence[MigratedSkill] = ()
     robots: Robots = field(default_factory=Robots)
     labels: Mapping[str, str] = field(default_factory=dict)
     sources: Collection[str] = ()

@@ -12,12 +12,12 @@ from ezskiros.migrate.built_on import SKIROS2_BASES, left_with
 from ezskiros.migrate.calls import last_name, literal_text, method
 from ezskiros.migrate.class_bodies import with_marks, without_old_marks
 from ezskiros.migrate.comments import without_marks
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.implementations import Implementation
 from ezskiros.migrate.keys import parameter_names
 from ezskiros.migrate.methods import Methods, translated_part
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.tree_context import TreeContext
 from ezskiros.migrate.trees import OLD
 
@@ -39,7 +39,7 @@ def translate_mixin(
         found.findings += [*_no_mixin(part), *said.findings]
         found.warnings += said.warnings
     if (left := left_with(node, context)) is not None:
-        found.findings.append(Finding(left, node.name, node))
+        found.findings.append(UntranslatedPart(left, node.name, node))
     if found.findings:
         found.new = with_marks(node, found.findings)
         return found
@@ -49,7 +49,7 @@ def translate_mixin(
     return found
 
 
-def _skills_on_top(node: cst.ClassDef, context: TreeContext) -> list[Skill]:
+def _skills_on_top(node: cst.ClassDef, context: TreeContext) -> list[MigratedSkill]:
     """The translated skills whose implementations are derived from a class."""
     found = []
     for each in context.skills.bases.on_top((context.path, node.name.value)):
@@ -70,19 +70,21 @@ def _without_base(node: cst.ClassDef, names: Mapping[str, str]) -> cst.ClassDef:
     return node.with_changes(bases=[], **brackets)
 
 
-def _no_mixin(part: cst.CSTNode) -> list[Finding]:
+def _no_mixin(part: cst.CSTNode) -> list[UntranslatedPart]:
     """Findings for methods that only a class with one description can have."""
     if not isinstance(part, cst.FunctionDef):
         return []
     name = f"`def {part.name.value}`"
     if part.name.value == OLD:
-        return [Finding(implementation_errors.NoTree(found=name), part.name, part)]
+        return [UntranslatedPart(implementation_errors.NoTree(found=name), part.name, part)]
     if part.name.value == "modifyDescription":
-        return [Finding(implementation_errors.OtherDescription(found=name), part.name, part)]
+        return [
+            UntranslatedPart(implementation_errors.OtherDescription(found=name), part.name, part)
+        ]
     calls = _Children()
     part.visit(calls)
     template = implementation_errors.NoTree(found="a child in a class without a description")
-    return [Finding(template, call, part) for call in calls.found]
+    return [UntranslatedPart(template, call, part) for call in calls.found]
 
 
 class _Children(cst.CSTVisitor):
@@ -97,7 +99,7 @@ class _Children(cst.CSTVisitor):
 
 def _on_top(
     node: cst.ClassDef,
-    skills: Sequence[Skill],
+    skills: Sequence[MigratedSkill],
     code: Callable[[cst.CSTNode], str],
     context: TreeContext,
 ) -> Callable[[], _MixinMethods]:
@@ -105,16 +107,16 @@ def _on_top(
     things = [{key for key, name in each.names.items() if name in each.things} for each in skills]
     both = set.intersection(*things) if things else set()
     names = {key: skills[0].names[key] for key in both}
-    shared = Skill(node.name.value, context.path, names, {*names.values()})
+    shared = MigratedSkill(node.name.value, context.path, names, {*names.values()})
     return lambda: _MixinMethods(shared, code, node, context.states).of(skills)
 
 
 class _MixinMethods(Methods):
     """The methods of a class with the parameters of several skills."""
 
-    _skills: Sequence[Skill] = ()
+    _skills: Sequence[MigratedSkill] = ()
 
-    def of(self, skills: Sequence[Skill]) -> _MixinMethods:
+    def of(self, skills: Sequence[MigratedSkill]) -> _MixinMethods:
         """The same methods, for the skills derived from the class."""
         self._skills = skills
         return self

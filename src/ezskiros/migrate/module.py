@@ -24,7 +24,7 @@ from ezskiros.migrate.consequences import (
     is_about_base,
     is_about_skill,
 )
-from ezskiros.migrate.description import Finding, translate
+from ezskiros.migrate.description import UntranslatedPart, translate
 from ezskiros.migrate.descriptions import Description, Descriptions
 from ezskiros.migrate.foreign_skills import ForeignSkills
 from ezskiros.migrate.implementation_errors import OtherBase
@@ -234,7 +234,7 @@ class _File:
                 )
         return found
 
-    def _diagnostic(self, finding: Finding) -> Diagnostic:
+    def _diagnostic(self, finding: UntranslatedPart) -> Diagnostic:
         return finding.template.at(self._positions.span(finding.node))
 
     def _followers(self, each: Implementation) -> Iterator[Follower]:
@@ -308,7 +308,7 @@ class _File:
             template = implementation_errors.OtherBase(
                 implementation=name, found=f"is the base of {said}"
             )
-            each.findings.append(Finding(template, each.node.name, each.node))
+            each.findings.append(UntranslatedPart(template, each.node.name, each.node))
             each.new = with_marks(each.node, each.findings)
 
     def _translate(self, found: Sequence[Description], spelling: FileNames) -> FileNames:
@@ -341,7 +341,7 @@ class _File:
             template = implementation_errors.AddedParameter(
                 skill=each.name, key=key, value=value, sharing=listed(keys.sharing[skill][key])
             )
-            each.translation.warnings.append(Finding(template, each.node.name, each.node))
+            each.translation.warnings.append(UntranslatedPart(template, each.node.name, each.node))
 
     def _spelled(self, first: cst.Module, names: FileNames) -> FileNames:
         """Spell the names, after their other meanings are known."""
@@ -386,10 +386,10 @@ class _File:
         return self._module.code_for_node(node)
 
 
-def _all_findings(found: Sequence[Description]) -> list[Finding]:
+def _all_findings(found: Sequence[Description]) -> list[UntranslatedPart]:
     """The findings that prevent translations, and the warnings about the other descriptions."""
     return [finding for each in found for finding in (each.findings or each.translation.warnings)]
 
 
-def _implementation_findings(found: Sequence[Implementation]) -> list[Finding]:
+def _implementation_findings(found: Sequence[Implementation]) -> list[UntranslatedPart]:
     return [finding for each in found for finding in (each.findings or each.warnings)]

@@ -12,11 +12,11 @@ from ezskiros.migrate import implementation_errors
 from ezskiros.migrate.calls import Arguments, last_name, method
 from ezskiros.migrate.comments import inner_comments, texts, without_marks
 from ezskiros.migrate.conditions import ConditionReader
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.names import FileNames
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.steps import DescriptionStatement, statements_of, steps_of
 from ezskiros.migrate.values import KnownValues
 from ezskiros.skills.markers import ParameterKind
@@ -26,11 +26,11 @@ OLD, NEW = "modifyDescription", "conditions"
 
 def translate_own(
     function: cst.FunctionDef,
-    skill: Skill,
+    skill: MigratedSkill,
     names: FileNames,
     known: KnownValues,
     code: Callable[[cst.CSTNode], str],
-) -> tuple[cst.FunctionDef | None, list[Finding]]:
+) -> tuple[cst.FunctionDef | None, list[UntranslatedPart]]:
     """The new method, None if it would be empty, and the findings.
 
     The used names are added to `names`.
@@ -42,7 +42,7 @@ class _Method:
     def __init__(
         self,
         function: cst.FunctionDef,
-        skill: Skill,
+        skill: MigratedSkill,
         names: FileNames,
         known: KnownValues,
         code: Callable[[cst.CSTNode], str],
@@ -54,9 +54,9 @@ class _Method:
         self._reader = ConditionReader(names, known, code, things, others)
         self._argument = ""
         self._lines: list[str] = []
-        self._findings: list[Finding] = []
+        self._findings: list[UntranslatedPart] = []
 
-    def translated(self) -> tuple[cst.FunctionDef | None, list[Finding]]:
+    def translated(self) -> tuple[cst.FunctionDef | None, list[UntranslatedPart]]:
         plain = self._function.params.params
         if len(plain) != 2 or self._function.decorators:
             self._leave(self._function.name, self._function)
@@ -74,14 +74,14 @@ class _Method:
         try:
             self._read(step)
         except LeftError as left:
-            self._findings.append(Finding(left.template, left.node, step.statement))
+            self._findings.append(UntranslatedPart(left.template, left.node, step.statement))
 
     def _leave(self, node: cst.CSTNode, statement: cst.CSTNode) -> None:
         bare = node.with_changes(leading_lines=()) if hasattr(node, "leading_lines") else node
         first = self._code(bare).strip().partition("\n")[0]
         shown = f"`def {first}`" if node is self._function.name else f"`{first}`"
         found = implementation_errors.OtherDescription(found=shown)
-        self._findings.append(Finding(found, node, statement))
+        self._findings.append(UntranslatedPart(found, node, statement))
 
     def _read(self, step: DescriptionStatement) -> None:
         """Translate one statement. Raises `LeftError` if a condition has no translation."""

@@ -10,9 +10,9 @@ import libcst as cst
 from dslkit.diagnostics import Template
 from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import literal_text
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 from ezskiros.migrate.errors import LeftError
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 
 PARAMS = {"params", "_params"}
 _GET, _SET = {"getValue"}, {"setValue"}
@@ -114,10 +114,10 @@ class ParameterUses(cst.CSTTransformer):
     text of an expression.
     """
 
-    def __init__(self, skill: Skill, code: Callable[[cst.CSTNode], str]) -> None:
+    def __init__(self, skill: MigratedSkill, code: Callable[[cst.CSTNode], str]) -> None:
         self._skill, self._code = skill, code
-        self.findings: list[Finding] = []
-        self.warnings: list[Finding] = []
+        self.findings: list[UntranslatedPart] = []
+        self.warnings: list[UntranslatedPart] = []
         self._statements: list[cst.CSTNode] = []
         self._read: set[int] = set()
         self._reported: set[int] = set()
@@ -129,8 +129,8 @@ class ParameterUses(cst.CSTTransformer):
         """Report a part without a translation."""
         self.findings.append(self._finding(template, node))
 
-    def _finding(self, template: Template, node: cst.CSTNode) -> Finding:
-        return Finding(template, self._place or node, self._statements[-1])
+    def _finding(self, template: Template, node: cst.CSTNode) -> UntranslatedPart:
+        return UntranslatedPart(template, self._place or node, self._statements[-1])
 
     def on_visit(self, node: cst.CSTNode) -> bool:
         """Record the current statement."""

@@ -11,7 +11,7 @@ from ezskiros.migrate.calls import literal_text, method
 from ezskiros.migrate.implementations import described_by, description_name
 from ezskiros.migrate.keys import ROBOT
 from ezskiros.migrate.parameter_uses import PARAMS, own
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def robots_in(classes: Iterable[cst.ClassDef]) -> Robots:
     return Robots(spoken_of, children)
 
 
-def with_robots(said: Iterable[Robots], skills: Iterable[Skill]) -> set[str]:
+def with_robots(said: Iterable[Robots], skills: Iterable[MigratedSkill]) -> set[str]:
     """The skills that must declare their robot. Code uses the robot, or a child needs one, which
     SkiROS2 passes because all children have the parameters of their parents.
     """

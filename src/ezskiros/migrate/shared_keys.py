@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ezskiros.migrate.skills import SharedKeys, Skill, SkillId
+from ezskiros.migrate.skills import MigratedSkill, SharedKeys, SkillId
 
 GENERAL = "sumo:Object"
 """The class of all individuals. A parameter of this class accepts anything."""
@@ -23,7 +23,7 @@ class SharingChild:
     outside.
     """
 
-    skill: Skill
+    skill: MigratedSkill
     shared: Mapping[str, str]
     renamed: Collection[str]
     hidden: Collection[str]
@@ -36,12 +36,12 @@ class SharingTree:
     """
 
     name: str
-    skill: Skill
+    skill: MigratedSkill
     children: Sequence[SharingChild]
     can_be: bool
 
     @property
-    def skills(self) -> list[Skill]:
+    def skills(self) -> list[MigratedSkill]:
         """The skill of the tree, and the skills of its children."""
         return [self.skill, *(each.skill for each in self.children)]
 
@@ -130,7 +130,7 @@ class _Sharing:
                 for below in self._below(child.skill, key):
                     self._want(below, key, asking)
 
-    def _below(self, skill: Skill, key: str) -> Iterator[SharingTree]:
+    def _below(self, skill: MigratedSkill, key: str) -> Iterator[SharingTree]:
         """The trees of a skill with a child that has a key, on any level."""
         for tree in self._of.get(skill.id, ()):
             if self._has(tree, key, set()):

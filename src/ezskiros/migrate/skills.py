@@ -24,7 +24,7 @@ NEW = "description"
 
 
 @dataclass(frozen=True)
-class Skill:
+class MigratedSkill:
     """A skill: the names of its parameters by key, and the parameters for individuals.
 
     For an unchanged skill, only the codes of its findings are known. With `needs_robot`, the skill
@@ -56,7 +56,7 @@ class Skill:
         """The file and the name of the skill, because several skills may have the same name."""
         return self.path, self.name
 
-    def with_added(self, kinds: Mapping[str, str]) -> Skill:
+    def with_added(self, kinds: Mapping[str, str]) -> MigratedSkill:
         """A copy with more parameters, of the given classes and types."""
         if not kinds:
             return self
@@ -69,14 +69,16 @@ class Skill:
 
 def skill_of(
     name: str, path: str, parameters: Iterable[SourceParameter], *, is_new: bool = False
-) -> Skill:
+) -> MigratedSkill:
     """The skill of a translated description."""
     found = list(parameters)
     names = {each.key: each.name for each in found}
     things = {each.name for each in found if each.is_thing}
     needs_robot = any(each.key == ROBOT and each.is_required for each in found)
     kinds = {each.key: each.kind for each in found if each.kind}
-    return Skill(name, path, names, things, needs_robot=needs_robot, kinds=kinds, is_new=is_new)
+    return MigratedSkill(
+        name, path, names, things, needs_robot=needs_robot, kinds=kinds, is_new=is_new
+    )
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,7 @@ class KnownSkills:
 
     def __init__(
         self,
-        found: Iterable[Skill] = (),
+        found: Iterable[MigratedSkill] = (),
         robots: Collection[str] = (),
         labels: Mapping[str, str] = MappingProxyType({}),
         keys: SharedKeys | None = None,
@@ -121,7 +123,7 @@ class KnownSkills:
         self.robots, self.labels, self.keys = {*robots}, labels, keys or SharedKeys()
         self.bases = bases or Bases()
         self._before = [*found]
-        self._found: dict[str, list[Skill]] = {}
+        self._found: dict[str, list[MigratedSkill]] = {}
         for each in self._before:
             more = self.keys.added.get(each.id, {})
             self._found.setdefault(each.name, []).append(each.with_added(more))
@@ -134,7 +136,7 @@ class KnownSkills:
         """The skills and other classes with another state than before."""
         return self.keys.changed(before.keys) | self.bases.changed(before.bases)
 
-    def called(self, name: str, path: str) -> list[Skill]:
+    def called(self, name: str, path: str) -> list[MigratedSkill]:
         """The skills with a name: those of the same file first, then those of the same folder, then
         others.
         """
@@ -144,7 +146,7 @@ class KnownSkills:
         return same or near or found
 
 
-def new_skills(module: cst.Module, path: str) -> Iterator[Skill]:
+def new_skills(module: cst.Module, path: str) -> Iterator[MigratedSkill]:
     """The skills that a module already describes in EzSkiROS."""
     classes = [node for node in module.body if isinstance(node, cst.ClassDef)]
     for node in classes:

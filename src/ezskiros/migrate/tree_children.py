@@ -14,14 +14,14 @@ from ezskiros.migrate.description import LENGTH
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.names import is_name
 from ezskiros.migrate.shared_keys import SharingChild
-from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.skills import MigratedSkill
 from ezskiros.migrate.tree_context import PartPosition, TreeContext
 
 _Entry = tuple[cst.BaseExpression, cst.BaseExpression]
 
 
 @dataclass
-class Children:
+class ChildTranslation:
     """Translates the calls of skills in the tree of `skill`.
 
     `code` gives the text of an expression, `shown` the text of the current statement. `params` is
@@ -29,7 +29,7 @@ class Children:
     `sharing` the keys that children share.
     """
 
-    skill: Skill
+    skill: MigratedSkill
     code: Callable[[cst.CSTNode], str]
     shown: Callable[[], str]
     context: TreeContext
@@ -69,7 +69,7 @@ class Children:
         return _written(name, given, comments, place, self.context.step)
 
     def _share(
-        self, child: Skill, remaps: Sequence[_Entry], values: Sequence[cst.BaseExpression]
+        self, child: MigratedSkill, remaps: Sequence[_Entry], values: Sequence[cst.BaseExpression]
     ) -> None:
         """Record the keys that a child shares with others."""
         texts = [(literal_text(key), literal_text(target)) for key, target in remaps]
@@ -81,7 +81,7 @@ class Children:
         said = {target for key, target in renamed.items() if key != target}
         self.sharing.append(SharingChild(child, {**own, **shared}, said, hidden_texts))
 
-    def _called(self, name: str, node: cst.CSTNode) -> Skill:
+    def _called(self, name: str, node: cst.CSTNode) -> MigratedSkill:
         """The called skill. Raises `LeftError` if it is missing, unchanged or ambiguous."""
         found = self.context.skills.called(name, self.context.path)
         if len(found) != 1 or found[0].is_left:
@@ -93,7 +93,9 @@ class Children:
             raise LeftError(implementation_errors.UnusableChild(skill=name, found=said), node)
         return found[0]
 
-    def _remapped(self, child: Skill, remaps: Sequence[_Entry]) -> Iterator[tuple[str, str]]:
+    def _remapped(
+        self, child: MigratedSkill, remaps: Sequence[_Entry]
+    ) -> Iterator[tuple[str, str]]:
         """The arguments for a dictionary of remaps. Raises `LeftError`."""
         for key, target in remaps:
             text = _text(target, "remap")
@@ -104,7 +106,7 @@ class Children:
                 yield _name_of(child, key), f"{self.params}.{own_name}"
 
     def _undeclared(
-        self, child: Skill, key: cst.BaseExpression, target: cst.BaseExpression, shared: str
+        self, child: MigratedSkill, key: cst.BaseExpression, target: cst.BaseExpression, shared: str
     ) -> LeftError:
         """The finding for a remap to a key that is not a parameter of the compound, with the wrong
         end of the remap.
@@ -124,7 +126,7 @@ class Children:
 
     def _specified(
         self,
-        child: Skill,
+        child: MigratedSkill,
         old: Arguments,
         new: Arguments,
         remaps: Sequence[_Entry],
@@ -140,7 +142,7 @@ class Children:
 
     def _same_keys(
         self,
-        child: Skill,
+        child: MigratedSkill,
         given: set[str],
         remaps: Sequence[_Entry],
     ) -> Iterator[tuple[str, str]]:
@@ -176,7 +178,7 @@ def _text(node: cst.BaseExpression, argument: str) -> str:
     return found
 
 
-def _name_of(child: Skill, key: cst.BaseExpression) -> str:
+def _name_of(child: MigratedSkill, key: cst.BaseExpression) -> str:
     """The name of a parameter of a child. An unknown valid name stays: the check reports it.
 
     Raises `LeftError`.

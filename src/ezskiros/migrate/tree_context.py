@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import libcst as cst
 
 from ezskiros.migrate.names import FileNames
-from ezskiros.migrate.skills import KnownSkills, Skill
+from ezskiros.migrate.skills import KnownSkills, MigratedSkill
 from ezskiros.migrate.values import KnownValues
 
 
@@ -27,10 +27,10 @@ class WantedSkills:
     `spell` gives the local name of a skill.
     """
 
-    spell: Callable[[Skill], str]
-    found: dict[str, Skill] = field(default_factory=dict)
+    spell: Callable[[MigratedSkill], str]
+    found: dict[str, MigratedSkill] = field(default_factory=dict)
 
-    def name(self, skill: Skill) -> str:
+    def name(self, skill: MigratedSkill) -> str:
         """The local name of a skill, which is needed from now on."""
         name = self.spell(skill)
         self.found[name] = skill
@@ -54,7 +54,7 @@ class TreeContext:
     helpers: Mapping[str, cst.FunctionDef]
     place: Callable[[cst.CSTNode], PartPosition]
     step: str
-    late: Callable[[str, Skill], str | None]
+    late: Callable[[str, MigratedSkill], str | None]
     names: FileNames
     known: KnownValues
     states: Collection[str] = ()

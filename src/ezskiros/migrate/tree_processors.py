@@ -11,7 +11,7 @@ import libcst.matchers as m
 from dslkit.diagnostics import Template
 from ezskiros.migrate import implementation_errors, processors
 from ezskiros.migrate.calls import last_name, method
-from ezskiros.migrate.description import Finding
+from ezskiros.migrate.description import UntranslatedPart
 
 
 class ProcessorChoice:
@@ -28,7 +28,7 @@ class ProcessorChoice:
         self.chosen: dict[int, cst.BaseExpression] = {}
         self.dropped: set[int] = set()
         self.done: set[int] = set()
-        self.findings: list[Finding] = []
+        self.findings: list[UntranslatedPart] = []
         self._read(statements, _Flow(processors.DEFAULT))
 
     def _read(self, statements: Sequence[cst.CSTNode], flow: _Flow) -> _Flow:
@@ -82,7 +82,7 @@ class ProcessorChoice:
         return _joined([*ends, flow], flow)
 
     def _leave(self, template: Template, node: cst.CSTNode, line: cst.CSTNode) -> None:
-        self.findings.append(Finding(template, node, line))
+        self.findings.append(UntranslatedPart(template, node, line))
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.imports import used_names
 from ezskiros.migrate.parameter_uses import ParameterUses, parameter_key
 from ezskiros.migrate.shared_keys import SharingChild
-from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.tree_children import Children
+from ezskiros.migrate.skills import MigratedSkill
+from ezskiros.migrate.tree_children import ChildTranslation
 from ezskiros.migrate.tree_context import PartPosition, TreeContext
 from ezskiros.migrate.tree_methods import MAKERS, inlined, knows_robot, made_by
 from ezskiros.migrate.tree_processors import ProcessorChoice
@@ -29,11 +29,11 @@ class TreeUses(ParameterUses):
     """
 
     def __init__(
-        self, skill: Skill, code: Callable[[cst.CSTNode], str], context: TreeContext
+        self, skill: MigratedSkill, code: Callable[[cst.CSTNode], str], context: TreeContext
     ) -> None:
         super().__init__(skill, code)
         self._context = context
-        self._children = Children(skill, code, self.shown, context)
+        self._children = ChildTranslation(skill, code, self.shown, context)
         self._argument = ""
         self._chosen: dict[int, cst.BaseExpression] = {}
         self._dropped: set[int] = set()

@@ -118,26 +118,26 @@ def symbol(owl_class: ThingClass, name: str) -> Thing:
     return found
 
 
-class Unknown:
+class UnknownValue:
     """A stand-in for a faulty value that has been reported, so that the check can continue."""
 
-    def __getattr__(self, name: str) -> Unknown:
+    def __getattr__(self, name: str) -> UnknownValue:
         if name.startswith("__"):
             raise AttributeError(name)
         return self
 
-    def __call__(self, *_arguments: object, **_named: object) -> Unknown:
+    def __call__(self, *_arguments: object, **_named: object) -> UnknownValue:
         """Return itself, so that the check can continue."""
         return self
 
-    def _same(self, _other: object = None) -> Unknown:
+    def _same(self, _other: object = None) -> UnknownValue:
         return self
 
-    def _equal(self, other: object) -> Unknown | bool:
+    def _equal(self, other: object) -> UnknownValue | bool:
         # `typing` tests whether its argument is one of its own classes.
         return False if isinstance(other, type) else self
 
-    def __iter__(self) -> Iterator[Unknown]:
+    def __iter__(self) -> Iterator[UnknownValue]:
         return iter(())
 
     __invert__ = __or__ = __ror__ = __lt__ = __le__ = __gt__ = __ge__ = __getitem__ = _same
@@ -148,7 +148,7 @@ class Unknown:
     __hash__ = object.__hash__
 
 
-UNKNOWN = Unknown()
+UNKNOWN = UnknownValue()
 
 
 class Condition:
@@ -161,7 +161,7 @@ class Condition:
         self.statement = statement
         self.span = span
 
-    def __invert__(self) -> Condition | Unknown:
+    def __invert__(self) -> Condition | UnknownValue:
         span = session.here()
         opposite = negated(self.statement)
         if opposite is None:
@@ -169,16 +169,16 @@ class Condition:
             return UNKNOWN
         return Condition(opposite, span)
 
-    def __or__(self, other: object) -> Condition | Unknown:
+    def __or__(self, other: object) -> Condition | UnknownValue:
         span = session.here()
-        if isinstance(other, Unknown):
+        if isinstance(other, UnknownValue):
             return other
         if not isinstance(other, Condition):
             session.report(errors.NoCondition(found=described(other)).at(span))
             return UNKNOWN
         return Condition(AnyOf((*_parts(self.statement), *_parts(other.statement))), span)
 
-    def _compared_as_a_whole(self, _other: object) -> Condition | Unknown:
+    def _compared_as_a_whole(self, _other: object) -> Condition | UnknownValue:
         session.report(errors.NeedsBrackets().at(session.here()))
         return UNKNOWN
 
@@ -213,7 +213,7 @@ class RelationOf:
     def __init__(self, subject: Thing, iri: str, name: str) -> None:
         self._subject, self._iri, self._name = subject, iri, name
 
-    def __call__(self, *objects: object) -> Condition | Unknown:
+    def __call__(self, *objects: object) -> Condition | UnknownValue:
         """The condition that the individual has this relation to another one."""
         span = session.here()
         if len(objects) != 1:
@@ -223,7 +223,7 @@ class RelationOf:
             session.report(found_count.at(span))
             return UNKNOWN
         (found,) = objects
-        if isinstance(found, Unknown):
+        if isinstance(found, UnknownValue):
             return found
         if not isinstance(found, Thing):
             session.report(errors.NoThing(relation=self._name, found=described(found)).at(span))
@@ -235,7 +235,7 @@ class RelationOf:
         found = errors.NotCalled(relation=self._name, subject=repr(self._subject))
         session.report(found.at(span))
 
-    def _by_itself(self, _other: object = None) -> Unknown:
+    def _by_itself(self, _other: object = None) -> UnknownValue:
         self.report_not_called(session.here())
         return UNKNOWN
 
@@ -255,15 +255,15 @@ class ValueOf(Condition):
         super().__init__(HasProperty(repr(subject), iri), span)
         self._subject, self._iri, self._property = subject, iri, name
 
-    def __call__(self, *_objects: object) -> Unknown:
+    def __call__(self, *_objects: object) -> UnknownValue:
         """Report a call, which data properties do not allow."""
         found = errors.NoRelation(property=self._property, subject=repr(self._subject))
         session.report(found.at(session.here()))
         return UNKNOWN
 
-    def _compared(self, operator: str, value: object) -> Condition | Unknown:
+    def _compared(self, operator: str, value: object) -> Condition | UnknownValue:
         span = session.here()
-        if isinstance(value, Unknown):
+        if isinstance(value, UnknownValue):
             return value
         if not isinstance(value, (str, int, float, bool)) or depends_on_symbol(value):
             session.report(errors.NoValue(property=self._property, found=described(value)).at(span))
@@ -276,22 +276,22 @@ class ValueOf(Condition):
             repr(self._subject), self._iri, operator if is_true else "=", value, is_true
         )
 
-    def __eq__(self, value: object) -> Condition | Unknown:  # type: ignore[override]
+    def __eq__(self, value: object) -> Condition | UnknownValue:  # type: ignore[override]
         return self._compared("=", value)
 
-    def __ne__(self, value: object) -> Condition | Unknown:  # type: ignore[override]
+    def __ne__(self, value: object) -> Condition | UnknownValue:  # type: ignore[override]
         return self._compared("!=", value)
 
-    def __lt__(self, value: object) -> Condition | Unknown:
+    def __lt__(self, value: object) -> Condition | UnknownValue:
         return self._compared("<", value)
 
-    def __le__(self, value: object) -> Condition | Unknown:
+    def __le__(self, value: object) -> Condition | UnknownValue:
         return self._compared("<=", value)
 
-    def __gt__(self, value: object) -> Condition | Unknown:
+    def __gt__(self, value: object) -> Condition | UnknownValue:
         return self._compared(">", value)
 
-    def __ge__(self, value: object) -> Condition | Unknown:
+    def __ge__(self, value: object) -> Condition | UnknownValue:
         return self._compared(">=", value)
 
     __hash__ = None  # type: ignore[assignment]

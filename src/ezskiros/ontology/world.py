@@ -24,7 +24,7 @@ from ezskiros.ontology.things import (
     SameClass,
     Thing,
     ThingClass,
-    Unknown,
+    UnknownValue,
     ValueOf,
     described,
     thing_class,
@@ -317,7 +317,7 @@ class PropertyOf:
 
     def __call__(self, subject: object, *objects: object) -> Any:
         """The property of a subject, with objects if it is a relation."""
-        if isinstance(subject, Unknown):
+        if isinstance(subject, UnknownValue):
             return UNKNOWN
         if not isinstance(subject, Thing):
             found = condition_errors.NoThing(relation=self._name, found=described(subject))

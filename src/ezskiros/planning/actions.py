@@ -23,7 +23,7 @@ from ezskiros.ontology.statements import (
     ValueComparison,
 )
 from ezskiros.planning import errors
-from ezskiros.planning.facts import EVERYTHING, About, Clause, Fluent, Literal, implied
+from ezskiros.planning.facts import EVERYTHING, About, Clause, Fluent, FluentLiteral, implied
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Option, ParameterKind
@@ -40,8 +40,8 @@ class PlanningAction:
     description: SkillClass
     things: tuple[Parameter, ...]
     needs: tuple[Clause, ...]
-    effects: tuple[Literal, ...]
-    asserted: tuple[Literal, ...]
+    effects: tuple[FluentLiteral, ...]
+    asserted: tuple[FluentLiteral, ...]
     """The effects that the skill states. The other effects follow from them."""
     apart: tuple[tuple[str, str], ...]
     """Pairs of parameters that stand for different individuals. All parameters do, unless their
@@ -100,10 +100,10 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Plan
         if each.is_thing and (each.kind is not ParameterKind.OPTIONAL or each.name in named)
     )
     needs = [_clause(each.statement) for each in (*skill.pre, *skill.hold)]
-    needs += [(Literal(GONE, (each.name,), False),) for each in things]
+    needs += [(FluentLiteral(GONE, (each.name,), False),) for each in things]
     needs += [(_of_class(each),) for each in things]
     asserted = [effect for each in skill.post for effect in _effects(each.statement)]
-    asserted += [Literal(GONE, (e.name,)) for e in things if Option.CONSUME in e.options]
+    asserted += [FluentLiteral(GONE, (e.name,)) for e in things if Option.CONSUME in e.options]
     return PlanningAction(
         skill,
         description,
@@ -115,8 +115,8 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Plan
     )
 
 
-def _of_class(parameter: Parameter) -> Literal:
-    return Literal(Fluent(About.CLASS, parameter.iri or ""), (parameter.name,))
+def _of_class(parameter: Parameter) -> FluentLiteral:
+    return FluentLiteral(Fluent(About.CLASS, parameter.iri or ""), (parameter.name,))
 
 
 def _apart(things: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str]]:
@@ -140,25 +140,25 @@ def _clause(statement: Statement) -> Clause | None:
     return (literal(statement),)
 
 
-def literal(statement: Statement) -> Literal:
+def literal(statement: Statement) -> FluentLiteral:
     """A single condition as a literal with parameters."""
     match statement:
         case Relation(subject=subject, relation=iri, object=other):
-            return Literal(Fluent(About.RELATION, iri), (subject, other), statement.is_true)
+            return FluentLiteral(Fluent(About.RELATION, iri), (subject, other), statement.is_true)
         case ValueComparison(subject=subject, property=iri, operator=sign, value=value):
             compared = Fluent(About.COMPARISON, iri, sign, value)
-            return Literal(compared, (subject,), statement.is_true)
+            return FluentLiteral(compared, (subject,), statement.is_true)
         case HasProperty(subject=subject, property=iri):
-            return Literal(Fluent(About.PROPERTY, iri), (subject,), statement.is_true)
+            return FluentLiteral(Fluent(About.PROPERTY, iri), (subject,), statement.is_true)
         case OfType(subject=subject, owl_class=iri):
-            return Literal(Fluent(About.CLASS, iri), (subject,))
+            return FluentLiteral(Fluent(About.CLASS, iri), (subject,))
         case Generated(subject=subject):
-            return Literal(GONE, (subject,), not statement.is_true)
+            return FluentLiteral(GONE, (subject,), not statement.is_true)
         case Specified() | AnyOf():
             raise NotPlannableError("a condition is of an unknown kind")
 
 
-def _effects(statement: Statement) -> Iterator[Literal]:
+def _effects(statement: Statement) -> Iterator[FluentLiteral]:
     match statement:
         case AnyOf():
             raise NotPlannableError("a post-condition contains an `or`")
@@ -186,7 +186,7 @@ def _with_consequences(
         for other in all_of
         for each in (*other.asserted, *(part for clause in other.needs for part in clause))
     }
-    effects: dict[tuple[Fluent, tuple[str, ...]], Literal] = {}
+    effects: dict[tuple[Fluent, tuple[str, ...]], FluentLiteral] = {}
     for asserted in action.asserted:
         for each in (*_before(asserted, known, model), asserted, *_after(asserted, known, model)):
             effects.pop((each.fluent, each.arguments), None)
@@ -202,7 +202,7 @@ def _with_consequences(
     )
 
 
-def _before(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+def _before(asserted: FluentLiteral, known: set[Fluent], model: Model) -> Iterator[FluentLiteral]:
     """The old values that a new value of a functional relation replaces."""
     if asserted.fluent.about is not About.RELATION or not asserted.is_true:
         return
@@ -214,12 +214,12 @@ def _before(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Lit
             continue
         ends = (subject, other) if is_forward else (other, subject)
         if declared.is_functional:
-            yield Literal(fluent, (ends[0], EVERYTHING), False)
+            yield FluentLiteral(fluent, (ends[0], EVERYTHING), False)
         if declared.is_inverse_functional:
-            yield Literal(fluent, (EVERYTHING, ends[1]), False)
+            yield FluentLiteral(fluent, (EVERYTHING, ends[1]), False)
 
 
-def _after(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+def _after(asserted: FluentLiteral, known: set[Fluent], model: Model) -> Iterator[FluentLiteral]:
     fluent = asserted.fluent
     if fluent.about is About.RELATION:
         yield from _related(asserted, known, model)
@@ -229,14 +229,14 @@ def _after(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Lite
         if each.about is About.COMPARISON and fluent.about is About.COMPARISON:
             if asserted.is_true:
                 is_so = each.compares(fluent.value)
-                yield Literal(each, asserted.arguments, is_so)
+                yield FluentLiteral(each, asserted.arguments, is_so)
         elif each.about is About.COMPARISON and not asserted.is_true:
-            yield Literal(each, asserted.arguments, False)
+            yield FluentLiteral(each, asserted.arguments, False)
         elif each.about is About.PROPERTY and fluent.about is About.COMPARISON:
-            yield Literal(each, asserted.arguments, asserted.is_true)
+            yield FluentLiteral(each, asserted.arguments, asserted.is_true)
 
 
-def _related(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+def _related(asserted: FluentLiteral, known: set[Fluent], model: Model) -> Iterator[FluentLiteral]:
     """Relations that become true, or false, together with a relation."""
     iri, ends = asserted.fluent.iri, asserted.arguments
     relations = sorted({each.iri for each in known if each.about is About.RELATION})
@@ -247,4 +247,4 @@ def _related(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Li
         for each, is_forward in implied(source, model):
             if each == target and (other, is_forward) != (iri, True):
                 turned = ends if is_forward else (ends[1], ends[0])
-                yield Literal(Fluent(About.RELATION, other), turned, asserted.is_true)
+                yield FluentLiteral(Fluent(About.RELATION, other), turned, asserted.is_true)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ezskiros.drawing.outline import TOKENS, Box, Line, Outline, Role
+from ezskiros.drawing.outline import TOKENS, Line, NodeBox, Outline, Role
 from ezskiros.planning.facts import spelled
 from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.plan import Plan
@@ -16,11 +16,13 @@ def drawn(plan: Plan) -> Outline:
     model = plan.scene.ontology.model
     wanted = (spelled(each.literal, model, model.short) for each in plan.goals)
     steps = tuple(
-        Box(step.action.skill.name, "", tuple(_lines(step, plan)), ()) for step in plan.steps
+        NodeBox(step.action.skill.name, "", tuple(_lines(step, plan)), ()) for step in plan.steps
     )
     flow = Flow.SERIAL_STAR
-    root = Box(flow.value.lower(), TOKENS[flow], (), steps)
-    return Outline(Box("plan", "", tuple(Line(Role.POST, each) for each in wanted), (root,)), ())
+    root = NodeBox(flow.value.lower(), TOKENS[flow], (), steps)
+    return Outline(
+        NodeBox("plan", "", tuple(Line(Role.POST, each) for each in wanted), (root,)), ()
+    )
 
 
 def _lines(step: PlanStep, plan: Plan) -> Iterator[Line]:

@@ -53,27 +53,27 @@ class Fluent:
 
 
 @dataclass(frozen=True)
-class Literal:
+class FluentLiteral:
     """A fluent of individuals or parameters that is true or false."""
 
     fluent: Fluent
     arguments: tuple[str, ...]
     is_true: bool = True
 
-    def negated(self) -> Literal:
+    def negated(self) -> FluentLiteral:
         """The negated literal."""
         return replace(self, is_true=not self.is_true)
 
-    def bound(self, things: dict[str, str]) -> Literal:
+    def bound(self, things: dict[str, str]) -> FluentLiteral:
         """The literal with individuals instead of parameters."""
         return replace(self, arguments=tuple(things.get(each, each) for each in self.arguments))
 
 
-Clause = tuple[Literal, ...]
+Clause = tuple[FluentLiteral, ...]
 """At least one of these literals holds."""
 
 
-def is_so(literal: Literal, world: World) -> bool:
+def is_so(literal: FluentLiteral, world: World) -> bool:
     """Say whether a literal holds in a world."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
@@ -90,7 +90,7 @@ def is_so(literal: Literal, world: World) -> bool:
     return found == literal.is_true
 
 
-def make_so(literal: Literal, world: World) -> None:
+def make_so(literal: FluentLiteral, world: World) -> None:
     """Make a literal true in a world. The world determines the consequences."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
@@ -143,7 +143,7 @@ def _next(relation: str, is_forward: bool, model: Model) -> Iterator[tuple[str, 
         yield relation, not is_forward
 
 
-def spelled(literal: Literal, model: Model, shown: Callable[[str], str] = str) -> str:
+def spelled(literal: FluentLiteral, model: Model, shown: Callable[[str], str] = str) -> str:
     """A fact for messages, such as `skiros:Gripper-1 skiros:contain skiros:Product-4`."""
     fluent, names = literal.fluent, [shown(each) for each in literal.arguments]
     iri = model.short(fluent.iri)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.world import World
 from ezskiros.planning.actions import PlanningAction
-from ezskiros.planning.facts import About, Clause, Fluent, Literal
+from ezskiros.planning.facts import About, Clause, Fluent, FluentLiteral
 
 
 def permitted(
@@ -51,6 +51,6 @@ def _about(action: PlanningAction, without: Iterable[Prohibition]) -> Iterator[P
 
 def _clause(prohibition: Prohibition) -> Clause:
     return tuple(
-        Literal(Fluent(About.CLASS, owl_class), (name,), False)
+        FluentLiteral(Fluent(About.CLASS, owl_class), (name,), False)
         for name, owl_class in prohibition.things
     )

@@ -17,7 +17,7 @@ from dslkit.source import SourceFile, Span
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.model import Model
 from ezskiros.planning import errors
-from ezskiros.planning.facts import About, Fluent, Literal
+from ezskiros.planning.facts import About, Fluent, FluentLiteral
 
 _TOKEN = re.compile(r'[(),]|"[^"]*"|[^\s(),"]+|"')
 
@@ -26,7 +26,7 @@ _TOKEN = re.compile(r'[(),]|"[^"]*"|[^\s(),"]+|"')
 class Goal:
     """A requested fact, and its place in the text."""
 
-    literal: Literal
+    literal: FluentLiteral
     span: Span
 
 
@@ -61,7 +61,7 @@ class _Reader:
             found = self._goal()
             yield Goal(found, self._span(start, self._tokens[self._at - 1][2]))
 
-    def _goal(self) -> Literal:
+    def _goal(self) -> FluentLiteral:
         self._take("(")
         if self._peek() == "not":
             self._at += 1
@@ -79,16 +79,16 @@ class _Reader:
             raise self._wrong("brackets must contain a relation and two individuals", start, end)
         return self._fact(*words)
 
-    def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> Literal:
+    def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> FluentLiteral:
         iri = self._property(*name)
         subject = self._thing(*rest[0])
         if iri in self._model.relations:
             if len(rest) < 2:
                 raise self._wrong("a relation needs two individuals", name[1], rest[0][2])
-            return Literal(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
+            return FluentLiteral(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
         if len(rest) < 2:
-            return Literal(Fluent(About.PROPERTY, iri), (subject,))
-        return Literal(Fluent(About.COMPARISON, iri, "=", _value(rest[1][0])), (subject,))
+            return FluentLiteral(Fluent(About.PROPERTY, iri), (subject,))
+        return FluentLiteral(Fluent(About.COMPARISON, iri, "=", _value(rest[1][0])), (subject,))
 
     def _property(self, word: str, start: int, end: int) -> str:
         """The IRI of a relation or data property, by its name with or without the prefix."""

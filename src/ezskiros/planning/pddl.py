@@ -17,7 +17,7 @@ from functools import cached_property
 from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import PlanningAction
-from ezskiros.planning.facts import EVERYTHING, About, Fluent, Literal, is_so
+from ezskiros.planning.facts import EVERYTHING, About, Fluent, FluentLiteral, is_so
 from ezskiros.planning.prices import Price, Prices, prices
 
 _REQUIREMENTS = (
@@ -39,7 +39,7 @@ class Problem:
     """Goals of a world, and the actions that may lead to them."""
 
     actions: Sequence[PlanningAction]
-    goals: Sequence[Literal]
+    goals: Sequence[FluentLiteral]
     world: World
     things: Sequence[str]
     costs: Sequence[Cost] = ()
@@ -103,11 +103,11 @@ class Problem:
     def _so_at_the_start(self) -> Iterator[str]:
         for fluent in self._fluents:
             for arguments in itertools.product(self.things, repeat=_arity(fluent)):
-                literal = Literal(fluent, arguments)
+                literal = FluentLiteral(fluent, arguments)
                 if is_so(literal, self.world):
                     yield self._literal(literal, self._objects)
 
-    def _literal(self, literal: Literal, names: Mapping[str, str]) -> str:
+    def _literal(self, literal: FluentLiteral, names: Mapping[str, str]) -> str:
         """A literal; `names` are the names of individuals and parameters."""
         ends = (names.get(each) or self._objects[each] for each in literal.arguments)
         fact = f"({self._fluents[literal.fluent]} {' '.join(ends)})"
@@ -165,7 +165,9 @@ class Problem:
             f"\n :precondition {_all((*needs, *apart, *where))}\n :effect {_all(effects)})"
         )
 
-    def _effect(self, action: PlanningAction, effect: Literal, names: Mapping[str, str]) -> str:
+    def _effect(
+        self, action: PlanningAction, effect: FluentLiteral, names: Mapping[str, str]
+    ) -> str:
         """An effect. For a functional relation, the old value is removed and the new one stays."""
         if EVERYTHING not in effect.arguments:
             return self._literal(effect, names)

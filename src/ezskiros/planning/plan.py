@@ -15,7 +15,7 @@ from ezskiros.planning.actions import actions
 from ezskiros.planning.goals import Goal, GoalError, goals
 from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.prices import expected_s
-from ezskiros.planning.scene import Scene, read_scene
+from ezskiros.planning.scene import PlanningScene, read_scene
 from ezskiros.planning.search import Search
 from ezskiros.skills.load_errors import NoFile
 from ezskiros.trees.library import Library
@@ -27,7 +27,7 @@ class Plan:
 
     steps: Sequence[PlanStep]
     goals: Sequence[Goal]
-    scene: Scene
+    scene: PlanningScene
     costs: Sequence[Cost] = ()
     """The known losses of time to rules."""
 

@@ -13,15 +13,15 @@ from dataclasses import dataclass, field, replace
 
 from ezskiros.engine.world import World
 from ezskiros.planning.actions import PlanningAction
-from ezskiros.planning.facts import EVERYTHING, About, Clause, Literal, is_so
+from ezskiros.planning.facts import EVERYTHING, About, Clause, FluentLiteral, is_so
 
 
 @dataclass(frozen=True)
-class Missing:
+class MissingFact:
     """The missing part of a goal: a fact that no skill achieves."""
 
-    literal: Literal
-    chain: tuple[tuple[str, Literal], ...] = ()
+    literal: FluentLiteral
+    chain: tuple[tuple[str, FluentLiteral], ...] = ()
     """The skills that would help, each with its missing need, the last skill first."""
     without: str | None = None
     """The class without members: the last skill needs an individual of this class."""
@@ -29,7 +29,7 @@ class Missing:
     """Skills that achieve the fact but need it themselves, or need a fact that depends on it."""
 
 
-class TimeOverError(Exception):
+class ReachTimeOverError(Exception):
     """The search took too long."""
 
 
@@ -41,9 +41,9 @@ class ReachableFacts:
     things: Sequence[str]
     actions: Sequence[PlanningAction]
     until: float
-    _new: dict[Literal, None] = field(default_factory=dict)
+    _new: dict[FluentLiteral, None] = field(default_factory=dict)
     """The facts that were false at the start and have become possible."""
-    _initially: dict[Literal, bool] = field(default_factory=dict)
+    _initially: dict[FluentLiteral, bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         count = -1
@@ -54,7 +54,7 @@ class ReachableFacts:
                     for effect in action.effects:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
-    def is_possible(self, literal: Literal) -> bool:
+    def is_possible(self, literal: FluentLiteral) -> bool:
         """Say whether a fact can become true."""
         return literal in self._new or self._is_initially(literal)
 
@@ -63,9 +63,11 @@ class ReachableFacts:
         effects = (each for e in action.effects for each in self._grounded(e.bound(bound)))
         return not all(map(self.is_possible, effects))
 
-    def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
+    def missing(
+        self, goal: FluentLiteral, seen: frozenset[FluentLiteral] = frozenset()
+    ) -> MissingFact:
         """Find the missing facts behind an impossible fact."""
-        best: Missing | None = None
+        best: MissingFact | None = None
         circular: list[str] = []
         for action in self.actions:
             for effect in action.effects:
@@ -73,32 +75,32 @@ class ReachableFacts:
                 lacking = None if bound is None else self._lacking(action, bound, goal)
                 if lacking is None:
                     continue
-                if isinstance(lacking, Literal) and lacking in seen | {goal}:
+                if isinstance(lacking, FluentLiteral) and lacking in seen | {goal}:
                     circular.append(action.skill.name)
                     continue
                 found = self._below(action, lacking, goal, seen | {goal})
                 if best is None or len(found.chain) < len(best.chain):
                     best = found
-        return best or Missing(goal, circular=tuple(dict.fromkeys(circular)))
+        return best or MissingFact(goal, circular=tuple(dict.fromkeys(circular)))
 
     def _below(
         self,
         action: PlanningAction,
-        lacking: Literal | str,
-        goal: Literal,
-        seen: frozenset[Literal],
-    ) -> Missing:
+        lacking: FluentLiteral | str,
+        goal: FluentLiteral,
+        seen: frozenset[FluentLiteral],
+    ) -> MissingFact:
         """Find the missing facts behind a missing need of an action: a fact, or an individual of a
         class.
         """
         if isinstance(lacking, str):
-            return Missing(goal, ((action.skill.name, goal),), lacking)
+            return MissingFact(goal, ((action.skill.name, goal),), lacking)
         found = self.missing(lacking, seen)
         return replace(found, chain=(*found.chain, (action.skill.name, lacking)))
 
     def _lacking(
-        self, action: PlanningAction, bound: dict[str, str], goal: Literal
-    ) -> Literal | str | None:
+        self, action: PlanningAction, bound: dict[str, str], goal: FluentLiteral
+    ) -> FluentLiteral | str | None:
         """One of the impossible needs, for the individuals with the fewest of them, or a class
         without individuals. None if the action does not affect the goal.
         """
@@ -134,7 +136,7 @@ class ReachableFacts:
         self, action: PlanningAction, bound: dict[str, str], spare: int
     ) -> Iterator[dict[str, str]]:
         if time.monotonic() > self.until:
-            raise TimeOverError
+            raise ReachTimeOverError
         free = [each for each in action.things if each.name not in bound]
         if not free:
             yield dict(bound)
@@ -170,12 +172,12 @@ class ReachableFacts:
         pairs = (pair for pair in action.apart if name in pair)
         return all(bound.get(one) != bound.get(other) for one, other in pairs)
 
-    def _is_initially(self, literal: Literal) -> bool:
+    def _is_initially(self, literal: FluentLiteral) -> bool:
         if literal not in self._initially:
             self._initially[literal] = is_so(literal, self.world)
         return self._initially[literal]
 
-    def _grounded(self, effect: Literal) -> Iterator[Literal]:
+    def _grounded(self, effect: FluentLiteral) -> Iterator[FluentLiteral]:
         """An effect for each individual, if it is about all of them."""
         if EVERYTHING not in effect.arguments:
             yield effect
@@ -188,7 +190,7 @@ def _names(clause: Clause) -> set[str]:
     return {each for literal in clause for each in literal.arguments}
 
 
-def _matched(effect: Literal, goal: Literal) -> dict[str, str] | None:
+def _matched(effect: FluentLiteral, goal: FluentLiteral) -> dict[str, str] | None:
     """The individuals of the parameters with which an effect is the goal; None if it never is."""
     if effect.fluent != goal.fluent or effect.is_true != goal.is_true:
         return None

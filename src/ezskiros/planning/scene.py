@@ -17,7 +17,7 @@ from ezskiros.ontology.read import Document, read
 
 
 @dataclass(frozen=True)
-class Scene:
+class PlanningScene:
     """A scene from which any number of searches can start."""
 
     ontology: Ontology
@@ -51,8 +51,8 @@ class Scene:
         return found
 
 
-def read_scene(path: Path, ontology: Ontology) -> tuple[Scene | None, Sequence[Diagnostic]]:
+def read_scene(path: Path, ontology: Ontology) -> tuple[PlanningScene | None, Sequence[Diagnostic]]:
     """A scene, and the findings. Raises `OSError` if it cannot be read."""
     found = check_scene(path, ontology)
     document, _ = read(path)
-    return (Scene(ontology, document) if document else None), found
+    return (PlanningScene(ontology, document) if document else None), found

@@ -15,12 +15,11 @@ from ezskiros.ontology.iris import THING
 from ezskiros.ontology.model import Model
 from ezskiros.planning import errors
 from ezskiros.planning.actions import PlanningAction
-from ezskiros.planning.facts import Literal, is_so, spelled
+from ezskiros.planning.facts import FluentLiteral, is_so, spelled
 from ezskiros.planning.forbidden import permitted, stopped_by
 from ezskiros.planning.goals import Goal
 from ezskiros.planning.pddl import PlanStep, Problem
-from ezskiros.planning.reach import Missing, ReachableFacts
-from ezskiros.planning.reach import TimeOverError as ReachTimeOverError
+from ezskiros.planning.reach import MissingFact, ReachableFacts, ReachTimeOverError
 from ezskiros.planning.solve import TimeOverError, shortened, solve, tried
 
 _MOST_STEPS = 3
@@ -77,7 +76,7 @@ class Search:
         return _called(found.skill, [f"{name} = a {self.model.short(it)}" for name, it in things])
 
     def _confirmed(
-        self, steps: Sequence[PlanStep], wanted: Sequence[Literal], span: Span
+        self, steps: Sequence[PlanStep], wanted: Sequence[FluentLiteral], span: Span
     ) -> tuple[Sequence[PlanStep] | None, Sequence[Diagnostic]]:
         """The necessary steps, if they reach the goals in the world model."""
         failed = tried(steps, wanted, self.start())
@@ -119,7 +118,7 @@ class Search:
         names = dict.fromkeys(name for name, _ in why.things)
         return _called(why.skill, [f"{each} = {self.model.short(things[each])}" for each in names])
 
-    def _out_of_reach(self, goal: Goal, missing: Missing) -> Diagnostic:
+    def _out_of_reach(self, goal: Goal, missing: MissingFact) -> Diagnostic:
         """The finding for a goal, with the skills between the goal and the missing fact."""
         found = errors.GoalOutOfReach(missing=self._said(goal.literal))
         notes: list[Remark] = [
@@ -137,7 +136,7 @@ class Search:
             notes.append(found.Missing(missing=lacking))
         return found.at(goal.span, notes=notes)
 
-    def _said(self, literal: Literal) -> str:
+    def _said(self, literal: FluentLiteral) -> str:
         model = self.model
         return f"`{spelled(literal, model, model.short)}`"
 

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from ezskiros.engine.world import World
 from ezskiros.extras import EXTRAS
-from ezskiros.planning.facts import Literal, is_so, make_so
+from ezskiros.planning.facts import FluentLiteral, is_so, make_so
 from ezskiros.planning.pddl import PlanStep, Problem
 
 _PACKAGE = "up_fast_downward"
@@ -123,10 +123,10 @@ class Failed:
     """
 
     number: int
-    needed: Literal
+    needed: FluentLiteral
 
 
-def tried(steps: Sequence[PlanStep], goals: Sequence[Literal], world: World) -> Failed | None:
+def tried(steps: Sequence[PlanStep], goals: Sequence[FluentLiteral], world: World) -> Failed | None:
     """Replay a plan on a world model, which changes. Returns the failing step, or None if the plan
     reaches the goals.
     """
@@ -138,7 +138,7 @@ def tried(steps: Sequence[PlanStep], goals: Sequence[Literal], world: World) -> 
 
 
 def shortened(
-    steps: Sequence[PlanStep], goals: Sequence[Literal], start: Callable[[], World]
+    steps: Sequence[PlanStep], goals: Sequence[FluentLiteral], start: Callable[[], World]
 ) -> Sequence[PlanStep]:
     """A plan without unnecessary steps, because the first plan of a planner may make detours. Each
     step is left out in turn, together with the steps that depend on it (greedy action elimination:
@@ -156,7 +156,7 @@ def shortened(
     return steps
 
 
-def _done(step: PlanStep, world: World) -> Literal | None:
+def _done(step: PlanStep, world: World) -> FluentLiteral | None:
     """Apply a step to a world model. Returns the missing need if this is impossible; then nothing
     changes.
     """

@@ -20,7 +20,7 @@ from ezskiros.ontology.model import Model
 from ezskiros.ontology.python_names import identifier, identifiers
 from ezskiros.ontology.statements import HasProperty, Relation, Statement, ValueComparison
 from ezskiros.ontology.world import Namespace
-from ezskiros.planning.facts import EVERYTHING, About, Literal, is_so
+from ezskiros.planning.facts import EVERYTHING, About, FluentLiteral, is_so
 from ezskiros.planning.pddl import PlanStep
 from ezskiros.planning.plan import Plan
 from ezskiros.skills.importing import module_name
@@ -163,7 +163,7 @@ class _Source:
         name = next(spelling for spelling, meant in known.items() if meant == split(iri)[1])
         return f"{identifier(namespace)}.{name}"
 
-    def _condition(self, literal: Literal) -> str:
+    def _condition(self, literal: FluentLiteral) -> str:
         """A condition in the syntax of a description."""
         text = spelled(self._statement(literal), self._model)
         name = identifier(split(literal.fluent.iri)[1])
@@ -174,7 +174,7 @@ class _Source:
         text = text.replace(f"{subject}.{name}(", f"{whole}({subject}, ", 1)
         return text.replace(f"{subject}.{name}", f"{whole}({subject})", 1)
 
-    def _statement(self, literal: Literal) -> Statement:
+    def _statement(self, literal: FluentLiteral) -> Statement:
         names = [self._things[each] for each in literal.arguments]
         fluent = literal.fluent
         if fluent.about is About.RELATION:
@@ -237,14 +237,14 @@ def _module_with(name: str, modules: Iterable[str]) -> str | None:
     return None
 
 
-def initial_needs(plan: Plan) -> Iterator[Literal]:
+def initial_needs(plan: Plan) -> Iterator[FluentLiteral]:
     """The needs of the steps that no earlier step affects."""
     world = plan.scene.world()
-    changed: list[Literal] = []
+    changed: list[FluentLiteral] = []
     for step in plan.steps:
         bound = dict(step.things)
         for clause in step.action.needs:
-            literals: Sequence[Literal] = [each.bound(bound) for each in clause]
+            literals: Sequence[FluentLiteral] = [each.bound(bound) for each in clause]
             if literals[0].fluent.about not in _CONDITIONS:
                 continue
             if any(_is_given(each, changed) for each in literals):
@@ -253,7 +253,7 @@ def initial_needs(plan: Plan) -> Iterator[Literal]:
         changed += [each.bound(bound) for each in step.action.effects]
 
 
-def _is_given(literal: Literal, changed: Iterable[Literal]) -> bool:
+def _is_given(literal: FluentLiteral, changed: Iterable[FluentLiteral]) -> bool:
     """Say whether an earlier step has made a literal true or false."""
     return any(
         each.fluent == literal.fluent

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Generic, TypeVar
 
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, Unknown
+from ezskiros.ontology.things import UNKNOWN, UnknownValue
 from ezskiros.skills import errors
 
 Item = TypeVar("Item")
@@ -21,7 +21,7 @@ class Added(Generic[Item]):
         self.are_whole = True
         """True if all additions were valid. After a mistake, items may be missing."""
 
-    def __getattr__(self, name: str) -> Unknown:
+    def __getattr__(self, name: str) -> UnknownValue:
         if name.startswith("__"):
             raise AttributeError(name)
         self.are_whole = False

@@ -15,7 +15,7 @@ from ezskiros.ontology.things import (
     RelationOf,
     Thing,
     ThingClass,
-    Unknown,
+    UnknownValue,
     described,
     is_asked_here,
 )
@@ -35,7 +35,7 @@ class Conditions(Added[Clause]):
     def __init__(self, kind: str) -> None:
         super().__init__(f"{kind}_conditions")
 
-    def __iadd__(self, condition: Condition | Unknown) -> Conditions:
+    def __iadd__(self, condition: Condition | UnknownValue) -> Conditions:
         # Type checkers reject all other operands; for other users the mistake is reported here.
         if isinstance(condition, Condition) and not is_asked_here():
             self._items.append(Clause(condition.statement, condition.span))
@@ -44,7 +44,9 @@ class Conditions(Added[Clause]):
         span = added_value(session.here())
         if isinstance(condition, RelationOf):
             condition.report_not_called(span)
-        elif not isinstance(condition, (Condition, Unknown)) and not _is_reported(condition, span):
+        elif not isinstance(condition, (Condition, UnknownValue)) and not _is_reported(
+            condition, span
+        ):
             found = described(condition)
             session.report(condition_errors.NoCondition(found=found).at(span))
         return self
@@ -114,13 +116,13 @@ PARTS = ("pre_conditions", "hold_conditions", "post_conditions", "permits", "use
 """The attributes that `self` has in a description."""
 
 
-def specified(parameter: object) -> Condition | Unknown:
+def specified(parameter: object) -> Condition | UnknownValue:
     """The condition that a parameter has a value."""
     thing = _thing(parameter, "specified")
     return Condition(Specified(thing), session.here()) if thing else UNKNOWN
 
 
-def generated(parameter: object) -> Condition | Unknown:
+def generated(parameter: object) -> Condition | UnknownValue:
     """The condition that an individual exists. As a post-condition, the skill creates the
     individual, or, with `~`, removes it.
     """
@@ -128,10 +130,10 @@ def generated(parameter: object) -> Condition | Unknown:
     return Condition(Generated(thing), session.here()) if thing else UNKNOWN
 
 
-def of_type(parameter: object, owl_class: object) -> Condition | Unknown:
+def of_type(parameter: object, owl_class: object) -> Condition | UnknownValue:
     """The condition that an individual is of a class."""
     thing = _thing(parameter, "of_type")
-    if thing is None or isinstance(owl_class, Unknown):
+    if thing is None or isinstance(owl_class, UnknownValue):
         return UNKNOWN
     if not isinstance(owl_class, ThingClass):
         session.report(errors.NoClass(found=described(owl_class)).at(session.here()))
@@ -139,10 +141,10 @@ def of_type(parameter: object, owl_class: object) -> Condition | Unknown:
     return Condition(OfType(thing, owl_class.iri), session.here())
 
 
-def abstract(condition: object) -> Condition | Unknown:
+def abstract(condition: object) -> Condition | UnknownValue:
     """A relation between the classes of two individuals, instead of the individuals."""
     span = session.here()
-    if isinstance(condition, Unknown):
+    if isinstance(condition, UnknownValue):
         return condition
     if not isinstance(condition, Condition) or not isinstance(condition.statement, Relation):
         session.report(errors.NoRelation(found=described(condition)).at(span))
@@ -157,7 +159,7 @@ def _thing(parameter: object, function: str) -> str | None:
     """The name of the parameter; None, after a finding, if it does not stand for an individual."""
     if isinstance(parameter, Thing):
         return repr(parameter)
-    if not isinstance(parameter, Unknown):
+    if not isinstance(parameter, UnknownValue):
         found = described(parameter)
         session.report(condition_errors.NoThing(relation=function, found=found).at(session.here()))
     return None

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any, TypeVar
 
-from ezskiros.ontology.things import Unknown
+from ezskiros.ontology.things import UnknownValue
 
 _Node = TypeVar("_Node")
 Children = list[Any] | tuple[Any, ...]
@@ -80,10 +80,10 @@ def drop(those: Iterable[object]) -> None:
         tree.drop(those)
 
 
-class Nowhere(Unknown):
+class Nowhere(UnknownValue):
     """A stand-in for an unknown processor. It takes children."""
 
-    def __call__(self, *those: object, **_named: object) -> Unknown:
+    def __call__(self, *those: object, **_named: object) -> UnknownValue:
         """Accept the children."""
         drop(those)
         return self

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from dslkit.diagnostics import DidYouMean, Remark
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, Unknown, described
+from ezskiros.ontology.things import UNKNOWN, UnknownValue, described
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.growing import Nowhere, drop, is_growing, made
@@ -258,7 +258,7 @@ def _is_node(child: object) -> bool:
     """Say whether an object can be part of a tree. If not, report it."""
     if isinstance(child, Node):
         return True
-    if not isinstance(child, Unknown):
+    if not isinstance(child, UnknownValue):
         found = errors.NoNode(found=described(child))
         session.report(found.at(session.here(), help=_help_for_child(child)))
     if isinstance(child, (list, tuple)):

@@ -15,7 +15,7 @@ from ezskiros.skills.implementation import SkillImplementation
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenMethod:
     """A method in source form."""
 
     file: SourceFile
@@ -56,11 +56,11 @@ def own_method(implementation: type, name: str) -> FunctionType | None:
     return found if is_own else None
 
 
-def written(method: FunctionType) -> Written | None:
+def written(method: FunctionType) -> WrittenMethod | None:
     """A method in source form; None without a source."""
     file = source_file(method.__code__.co_filename)
     node = _functions(file).get(method.__code__.co_firstlineno) if file else None
-    return Written(file, node) if file and node else None
+    return WrittenMethod(file, node) if file and node else None
 
 
 @lru_cache(maxsize=64)

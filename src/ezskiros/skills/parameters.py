@@ -13,7 +13,7 @@ from typing import Annotated, Any, get_args, get_origin
 
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, ThingClass, Unknown
+from ezskiros.ontology.things import UNKNOWN, ThingClass, UnknownValue
 from ezskiros.skills import errors, parameter_errors
 from ezskiros.skills.interface import BASIC, ROBOT, Parameter
 from ezskiros.skills.markers import Key, Marker, NoType, Option, ParameterKind
@@ -88,7 +88,7 @@ class _Reader:
             session.report(errors.NoAnnotation(parameter=self.name).at(self.name_span))
             return None
         annotation, marks = self._unwrapped(self.given.annotation)
-        if isinstance(annotation, Unknown):
+        if isinstance(annotation, UnknownValue):
             return None
         if isinstance(annotation, Marker):
             found = parameter_errors.NoBrackets(marker=repr(annotation), meant=annotation.meant)

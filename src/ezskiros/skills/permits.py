@@ -19,7 +19,7 @@ from ezskiros.ontology.things import (
     Described,
     Thing,
     ThingClass,
-    Unknown,
+    UnknownValue,
     depends_on_symbol,
     described,
 )
@@ -95,12 +95,12 @@ class Permission(Described):
 class Permits(Added[Permission]):
     """The permissions of a skill: `self.permits += contact(Object)`."""
 
-    def __iadd__(self, permission: Permission | Unknown) -> Permits:
+    def __iadd__(self, permission: Permission | UnknownValue) -> Permits:
         if isinstance(permission, Permission):
             self._items.append(permission)
             return self
         self.are_whole = False
-        if not isinstance(permission, Unknown):
+        if not isinstance(permission, UnknownValue):
             span = added_value(session.here())
             session.report(errors.NoPermission(found=described(permission)).at(span))
         return self
@@ -112,27 +112,29 @@ class Permits(Added[Permission]):
             self._items.append(value)
 
 
-def contact(thing: object, *others: object) -> Permission | Unknown:
+def contact(thing: object, *others: object) -> Permission | UnknownValue:
     """The robot may touch these individuals, given by parameters or classes."""
     return _permission(Permit.CONTACT, (thing, *others), None)
 
 
-def closeness(thing: object, limit: object) -> Permission | Unknown:
+def closeness(thing: object, limit: object) -> Permission | UnknownValue:
     """The robot may come as close to an individual as the limit: `closeness(Person, "0.3 m")`."""
     return _permission(Permit.CLOSENESS, (thing,), limit)
 
 
-def speed(limit: object) -> Permission | Unknown:
+def speed(limit: object) -> Permission | UnknownValue:
     """The robot may move as fast as the limit, `"0.2 m/s"`, or turn as fast, `"30 deg/s"`."""
     return _permission(Permit.SPEED, (), limit)
 
 
-def force(thing: object, limit: object) -> Permission | Unknown:
+def force(thing: object, limit: object) -> Permission | UnknownValue:
     """The robot may push an individual with a force up to the limit: `force(Object, "20 N")`."""
     return _permission(Permit.FORCE, (thing,), limit)
 
 
-def _permission(kind: Permit, things: tuple[object, ...], limit: object) -> Permission | Unknown:
+def _permission(
+    kind: Permit, things: tuple[object, ...], limit: object
+) -> Permission | UnknownValue:
     span = session.here()
     permitted = [_thing(kind, each, span) for each in things]
     quantity = _limit(kind, limit, span) if DIMENSIONS[kind] else None
@@ -149,7 +151,7 @@ def _thing(kind: Permit, found: object, span: Span) -> PermittedThing | None:
         return PermittedThing(repr(found), type(found))
     if isinstance(found, ThingClass):
         return PermittedThing(None, found)
-    if not isinstance(found, Unknown):
+    if not isinstance(found, UnknownValue):
         wrong = errors.PermittedNoThing(kind=kind.value, found=described(found))
         session.report(wrong.at(span))
     return None
@@ -157,7 +159,7 @@ def _thing(kind: Permit, found: object, span: Span) -> PermittedThing | None:
 
 def _limit(kind: Permit, found: object, span: Span) -> Quantity | None:
     """The limit; None after a finding."""
-    if isinstance(found, Unknown):
+    if isinstance(found, UnknownValue):
         return None
     written = read(found) if isinstance(found, str) and not depends_on_symbol(found) else None
     if written is None or not written.unit:

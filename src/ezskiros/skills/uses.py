@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, Described, Unknown, depends_on_symbol, described
+from ezskiros.ontology.things import UNKNOWN, Described, UnknownValue, depends_on_symbol, described
 from ezskiros.skills import permit_errors as errors
 from ezskiros.skills.added import Added
 from ezskiros.skills.ros_names import type_name, why_no_name
@@ -45,12 +45,12 @@ class Use(Described):
 class Uses(Added[Use]):
     """The uses of a skill: `self.uses += topic("/cmd_vel", "geometry_msgs/Twist")`."""
 
-    def __iadd__(self, use: Use | Unknown) -> Uses:
+    def __iadd__(self, use: Use | UnknownValue) -> Uses:
         if isinstance(use, Use):
             self._items.append(use)
             return self
         self.are_whole = False
-        if not isinstance(use, Unknown):
+        if not isinstance(use, UnknownValue):
             span = added_value(session.here())
             session.report(errors.NoUse(found=described(use)).at(span))
         return self
@@ -62,19 +62,19 @@ class Uses(Added[Use]):
             self._items.append(value)
 
 
-def topic(name: object, type: object) -> Use | Unknown:  # noqa: A002 - as users write it
+def topic(name: object, type: object) -> Use | UnknownValue:  # noqa: A002 - as users write it
     """The skill publishes on a topic: `topic("/cmd_vel", "geometry_msgs/Twist")`."""
     return _use(Used.TOPIC, name, type)
 
 
-def server(name: object, type: object = None) -> Use | Unknown:  # noqa: A002 - as users write it
+def server(name: object, type: object = None) -> Use | UnknownValue:  # noqa: A002 - as users write it
     """The skill sends goals to an action server: `server("/move_base")`."""
     return _use(Used.SERVER, name, type)
 
 
-def _use(kind: Used, name: object, type: object) -> Use | Unknown:  # noqa: A002
+def _use(kind: Used, name: object, type: object) -> Use | UnknownValue:  # noqa: A002
     span = session.here()
-    if isinstance(name, Unknown) or isinstance(type, Unknown):
+    if isinstance(name, UnknownValue) or isinstance(type, UnknownValue):
         return UNKNOWN
     is_text = isinstance(name, str) and not depends_on_symbol(name)
     reason = why_no_name(str(name)) if is_text else "a string literal is needed"

@@ -21,7 +21,7 @@ from typing import Any
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
-from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, Unknown
+from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, UnknownValue
 from ezskiros.skills.growing import times
 from ezskiros.skills.guard import CodeTimeOverError
 
@@ -188,7 +188,7 @@ class SymbolicValue(Symbol):
     def __repr__(self) -> str:
         return self._name
 
-    def __getattr__(self, name: str) -> SymbolicValue | Unknown:
+    def __getattr__(self, name: str) -> SymbolicValue | UnknownValue:
         if name.startswith("__"):
             raise AttributeError(name)
         if self._kind is None or hasattr(_example(self._kind), name):

@@ -16,14 +16,14 @@ from ezskiros.ontology.things import Thing, ThingClass
 
 
 @dataclass(frozen=True)
-class Meaning:
+class MemberMeaning:
     """A relation or data property. Its objects or values must be in each union of `wanted`."""
 
     iri: str
     wanted: tuple[Union, ...] = ()
 
 
-AMBIGUOUS = Meaning("")
+AMBIGUOUS = MemberMeaning("")
 """The members whose name exists in several namespaces."""
 
 
@@ -32,7 +32,7 @@ def iri_of(owl_class: ThingClass) -> str:
     return THING if owl_class is Thing else owl_class.iri
 
 
-class Classes:
+class OntologyClasses:
     """All classes of an ontology, one per group of equivalent classes. `known` has `Thing` first,
     and each class after its bases.
     """
@@ -69,18 +69,20 @@ def _above(owl_class: ThingClass) -> list[ThingClass]:
     return [each for each in owl_class.__mro__ if isinstance(each, ThingClass)]
 
 
-def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, Meaning]]:
+def members(
+    ontology: Ontology, classes: OntologyClasses
+) -> dict[ThingClass, dict[str, MemberMeaning]]:
     """The attributes of each class that differ from the inherited ones.
 
     A class has an attribute if it is in the domain of the relation or data property.
     """
     model = ontology.model
     restricted = {iri for each in model.classes.values() for iri in each.only}
-    found: dict[ThingClass, dict[str, Meaning]] = {each: {} for each in classes.known}
+    found: dict[ThingClass, dict[str, MemberMeaning]] = {each: {} for each in classes.known}
     for name, iris in ontology.properties.items():
         if len(iris) == 1 and iris[0] not in restricted:  # the same for all classes below it
             for each in classes.widest(model.domain(iris[0])):
-                found[each][name] = Meaning(iris[0], model.range(iris[0]))
+                found[each][name] = MemberMeaning(iris[0], model.range(iris[0]))
             continue
         fitting = {iri: classes.fitting(model.domain(iri)) for iri in _eligible(model, iris)}
         for each in classes.known:
@@ -96,12 +98,12 @@ def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
     return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
 
 
-def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Meaning | None:
+def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> MemberMeaning | None:
     """The meaning of a name that these properties of a class have; None without any property."""
     if len(fitting) > 1:
         return AMBIGUOUS
     for iri in fitting:
-        return Meaning(iri, (*model.range(iri), *_only(model, iri_of(owl_class), iri)))
+        return MemberMeaning(iri, (*model.range(iri), *_only(model, iri_of(owl_class), iri)))
     return None
 
 

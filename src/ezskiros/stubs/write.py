@@ -14,7 +14,7 @@ from textwrap import indent
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Union
 from ezskiros.ontology.things import Thing, ThingClass
-from ezskiros.stubs.members import AMBIGUOUS, Classes, Meaning, members
+from ezskiros.stubs.members import AMBIGUOUS, MemberMeaning, OntologyClasses, members
 from ezskiros.stubs.places import ELSEWHERE, alias, namespaces, qualified
 from ezskiros.stubs.values import value_type
 
@@ -75,7 +75,7 @@ class _Writer:
 
     def __init__(self, ontology: Ontology) -> None:
         self._ontology, self._model = ontology, ontology.model
-        self._classes = Classes(ontology)
+        self._classes = OntologyClasses(ontology)
         self._members = members(ontology, self._classes)
         self._namespaces = namespaces(ontology, self._classes.known)
         self._spelled: dict[ThingClass, str] = {Thing: "_Thing"}
@@ -127,7 +127,7 @@ class _Writer:
         for name, meaning in sorted(self._members[owl_class].items()):
             yield self._member(name, meaning)
 
-    def _member(self, name: str, meaning: Meaning) -> str:
+    def _member(self, name: str, meaning: MemberMeaning) -> str:
         if meaning == AMBIGUOUS:
             return _attribute(name, "_Ambiguous", "")
         found = self._model.property(meaning.iri)

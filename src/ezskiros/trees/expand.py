@@ -14,7 +14,7 @@ from types import FunctionType, MappingProxyType
 from dslkit.diagnostics import DidYouMean, Remark, Template
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, Unknown
+from ezskiros.ontology.things import UNKNOWN, UnknownValue
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.growing import Nowhere, growing
 from ezskiros.skills.implementation import MAKERS, SkillImplementation
@@ -38,7 +38,7 @@ class References:
     def __init__(self, skill: SkillInterface, known: Mapping[str, object]) -> None:
         vars(self).update(_skill=skill, _known=known)
 
-    def __getattr__(self, name: str) -> Reference | Unknown:
+    def __getattr__(self, name: str) -> Reference | UnknownValue:
         if name.startswith("__"):
             raise AttributeError(name)
         parameter = self._skill.parameter(name)

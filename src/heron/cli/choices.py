@@ -24,7 +24,7 @@ from heron.variants import (
     LEARNING_ARMS,
     LEAST_BUDGETS,
     VARIANTS,
-    Arm,
+    ExperimentArm,
     Formulation,
     LearningArm,
 )
@@ -79,7 +79,7 @@ def require_drawing() -> None:
         )
 
 
-def require_arm(experiment: str, arm: Arm) -> None:
+def require_arm(experiment: str, arm: ExperimentArm) -> None:
     """End the run if the experiment has no such guard."""
     if arm not in ARMS[experiment]:
         there_are = ", ".join(each.value for each in ARMS[experiment])

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from rich.console import Console
 from rich.table import Table
 
-from heron.experiments import Episode, Experiment
+from heron.experiments import EpisodeFacts, Experiment
 
 
-def print_episode(experiment: Experiment, episode: Episode) -> None:
+def print_episode(experiment: Experiment, episode: EpisodeFacts) -> None:
     """One episode of an experiment."""
     console = Console(highlight=False)
     for at_s, words in episode.reported:
@@ -23,7 +23,7 @@ def print_episode(experiment: Experiment, episode: Episode) -> None:
     console.print(table)
 
 
-def _rows(experiment: Experiment, episode: Episode) -> Iterator[tuple[str, str]]:
+def _rows(experiment: Experiment, episode: EpisodeFacts) -> Iterator[tuple[str, str]]:
     yield "task", "completed" if episode.measures.is_completed else "not completed"
     yield "ended", episode.outcome.value
     for measure in experiment.measures[1:]:

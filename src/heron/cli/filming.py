@@ -17,7 +17,7 @@ from heron.films import CannotDrawError, film_of
 from heron.films.clip import Clip
 from heron.films.gallery import EXHIBITS, FOLDER, PAGE, write_gallery
 from heron.films.movie import write_movie
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _SIZE = (640, 360)
 
@@ -37,7 +37,7 @@ def _drawing(output: CommandLine) -> Iterator[None]:
 
 
 def film(
-    output: CommandLine, name: str, variant: enum.Enum, arm: Arm, seed: int, out: Path
+    output: CommandLine, name: str, variant: enum.Enum, arm: ExperimentArm, seed: int, out: Path
 ) -> None:
     """Run an episode, print it, and write its film."""
     clip = film_of(EXPERIMENTS[name], variant, arm, seed)

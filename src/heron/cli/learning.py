@@ -15,7 +15,7 @@ from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
 from heron.cli.choices import require_campaign
 from heron.evaluation import sources
-from heron.evaluation.learning import PAGE, LearningFolder, Watch, write_learning_page
+from heron.evaluation.learning import PAGE, LearningFolder, TrainingLogs, write_learning_page
 from heron.learning.learned import learned
 from heron.learning.runs import TrainingRun
 from heron.learning.training import train
@@ -62,7 +62,7 @@ def _campaign(runs: Sequence[TrainingRun], folder: LearningFolder, workers: Work
     keys = [one.key for one in runs]
     work = partial(train, folder.trainings)
     with Journal(folder.journal, sources()) as journal:
-        watch = Watch(folder.trainings, runs, journal.values)
+        watch = TrainingLogs(folder.trainings, runs, journal.values)
         with _Progress(watch) as progress:
             return run(keys, work, journal, workers, progress)
 
@@ -70,7 +70,7 @@ def _campaign(runs: Sequence[TrainingRun], folder: LearningFolder, workers: Work
 class _Progress:
     """A table for each algorithm, its arms side by side, which looks into the logs of trainings."""
 
-    def __init__(self, watch: Watch) -> None:
+    def __init__(self, watch: TrainingLogs) -> None:
         self._console = Console(stderr=True, highlight=False)
         self._watch = watch
         self._live = Live(

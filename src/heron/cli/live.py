@@ -12,13 +12,17 @@ from heron.experiments import Observer, run_navigation
 from heron.experiments.table import NAVIGATION
 from heron.ros1 import Ros1Error, Ros1Link
 from heron.ros1.node import Ros1Node
-from heron.variants import Arm, Terrain
+from heron.variants import ExperimentArm, Terrain
 
 _MASTER = "http://localhost:11311"
 
 
 def run_live(
-    output: CommandLine, arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer]
+    output: CommandLine,
+    arm: ExperimentArm,
+    terrain: Terrain,
+    seed: int,
+    observers: Sequence[Observer],
 ) -> None:
     """The guard is a separate node."""
     try:

@@ -54,9 +54,9 @@ from heron.cli.options import (
 from heron.cli.watching import film_episode, observers
 from heron.variants import (
     VARIANTS,
-    Arm,
     Blockage,
     Encounter,
+    ExperimentArm,
     Formulation,
     LearningArm,
     Passage,
@@ -87,7 +87,7 @@ def heron(version: Annotated[bool, output.version_option()] = False) -> None:
 
 @runs.command()
 def nav(
-    arm: Guarding = Arm.ROSSMARIE,
+    arm: Guarding = ExperimentArm.ROSSMARIE,
     variant: Annotated[Terrain, typer.Option(help="The terrain of the drive.")] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
@@ -103,7 +103,7 @@ def nav(
     if not ros1:
         _run("nav", arm, variant, seed, view, film)
         return
-    if arm in (Arm.NONE, Arm.COLLISION_MONITOR):
+    if arm in (ExperimentArm.NONE, ExperimentArm.COLLISION_MONITOR):
         output.fail(
             f"--ros1 uses the generated node as the guard, but --arm {arm.value} has no such node",
             exit_code=2,
@@ -119,7 +119,7 @@ def nav(
 
 @runs.command()
 def place(
-    arm: Guarding = Arm.ROSSMARIE,
+    arm: Guarding = ExperimentArm.ROSSMARIE,
     variant: Annotated[
         Table, typer.Option(help="The position of the table, and the speed of the arm.")
     ] = Table.HIGH,
@@ -135,7 +135,7 @@ def place(
 
 @runs.command()
 def human(
-    arm: Guarding = Arm.ROSSMARIE,
+    arm: Guarding = ExperimentArm.ROSSMARIE,
     variant: Annotated[Person, typer.Option(help="The path of the person.")] = Person.INSIDE,
     seed: Seed = 0,
     view: View = False,
@@ -149,7 +149,7 @@ def human(
 
 @runs.command()
 def contact(
-    arm: Guarding = Arm.SKILL_AWARE,
+    arm: Guarding = ExperimentArm.SKILL_AWARE,
     variant: Annotated[
         Encounter,
         typer.Option(help="The unexpected contact of the arm."),
@@ -168,7 +168,7 @@ def contact(
 
 @runs.command()
 def corridor(
-    arm: Guarding = Arm.PROACTIVE,
+    arm: Guarding = ExperimentArm.PROACTIVE,
     variant: Annotated[Passage, typer.Option(help="The people in the corridor.")] = Passage.CHILD,
     seed: Seed = 0,
     view: View = False,
@@ -182,7 +182,7 @@ def corridor(
 
 @runs.command()
 def blocked(
-    arm: Guarding = Arm.TREES,
+    arm: Guarding = ExperimentArm.TREES,
     variant: Annotated[Blockage, typer.Option(help="The obstacle on the path.")] = Blockage.PALLET,
     seed: Seed = 0,
     view: View = False,
@@ -196,7 +196,7 @@ def blocked(
 
 @runs.command()
 def second(
-    arm: Guarding = Arm.LEARNED,
+    arm: Guarding = ExperimentArm.LEARNED,
     variant: Annotated[
         Trouble, typer.Option(help="The obstacle on the path in most runs.")
     ] = Trouble.LASTING,
@@ -215,7 +215,7 @@ runs.command()(insertion)
 
 def _run(
     name: str,
-    arm: Arm,
+    arm: ExperimentArm,
     variant: enum.Enum,
     seed: int,
     is_viewed: bool,
@@ -238,7 +238,7 @@ def _run(
 def record(
     experiment: Experiment,
     out: RecordingFile,
-    arm: Guarding = Arm.ROSSMARIE,
+    arm: Guarding = ExperimentArm.ROSSMARIE,
     variant: Variant = None,
     seed: Seed = 0,
     trace: TraceFile = None,

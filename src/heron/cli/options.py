@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from heron.variants import ALGORITHMS, VARIANTS, Arm
+from heron.variants import ALGORITHMS, VARIANTS, ExperimentArm
 
 _LATEST_S = 4_000_000_000
 """Stamps of ROS have 32 bits for seconds."""
@@ -61,7 +61,7 @@ Algorithms = Annotated[
         autocompletion=_algorithms,
     ),
 ]
-Guarding = Annotated[Arm, typer.Option("--arm", help="The guard of the robot.")]
+Guarding = Annotated[ExperimentArm, typer.Option("--arm", help="The guard of the robot.")]
 View = Annotated[bool, typer.Option("--view", help="Show the episode in a window, in real time.")]
 Filming = Annotated[
     Path | None,

@@ -13,7 +13,7 @@ from heron.cli.episodes import print_episode
 from heron.experiments import EXPERIMENTS, USUAL
 from heron.recording import Recorder, write_trace
 from heron.tasks import SkillTask
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Files:
 
 
 def record(
-    output: CommandLine, name: str, variant: enum.Enum, arm: Arm, seed: int, files: Files
+    output: CommandLine, name: str, variant: enum.Enum, arm: ExperimentArm, seed: int, files: Files
 ) -> None:
     """Run it, print it, write it."""
     experiment, recorder = EXPERIMENTS[name], Recorder(files.began_ns)

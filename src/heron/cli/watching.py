@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from heron.cli.choices import output, require_drawing, require_film, require_simulation
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 if TYPE_CHECKING:  # needs MuJoCo
     from heron.experiments import Observer
 
 
 def film_episode(
-    name: str, arm: Arm, variant: enum.Enum, seed: int, out: Path, *, is_viewed: bool
+    name: str, arm: ExperimentArm, variant: enum.Enum, seed: int, out: Path, *, is_viewed: bool
 ) -> None:
     """Run an episode, and write a film of it."""
     if is_viewed:

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from matplotlib.ticker import MaxNLocator
 
 from heron.demo.shots import Curve, Shot
-from heron.experiments.experiment import Signal
-from heron.variants import Arm
+from heron.experiments.experiment import TraceSignal
+from heron.variants import ExperimentArm
 
 WIDTH, HEIGHT = 1000, 100
 _STEPS = (1, 2, 5, 10)
@@ -32,7 +32,7 @@ class Tick:
 class Line:
     """A curve as SVG has it."""
 
-    arm: Arm
+    arm: ExperimentArm
     points: str
 
 
@@ -59,7 +59,7 @@ def time_ticks(duration: float) -> tuple[Tick, ...]:
     )
 
 
-def chart_of(signal: Signal, shots: Sequence[Shot], duration: float) -> Chart:
+def chart_of(signal: TraceSignal, shots: Sequence[Shot], duration: float) -> Chart:
     """One signal of all shots."""
     curves = {shot.arm: shot.curves[signal.label] for shot in shots}
     values = [value for curve in curves.values() for _, value in curve]

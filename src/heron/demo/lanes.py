@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from heron.demo.shots import Shot
 from heron.tasks import Status, TreeSkill
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _LEAST = 0.15  # percent, so that what is over at once is seen
 SIGNS = {Status.SUCCEEDED: "✓", Status.FAILED: "✗", Status.PREEMPTED: "–"}  # noqa: RUF001
@@ -36,7 +36,7 @@ class Row:
 class Lanes:
     """The rows of one kind for one arm."""
 
-    arm: Arm
+    arm: ExperimentArm
     rows: tuple[Row, ...]
 
 

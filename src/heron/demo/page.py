@@ -16,7 +16,7 @@ from heron.demo.shots import Shot
 from heron.experiments import EXPERIMENTS
 from heron.experiments.experiment import ARM_NAMES
 from heron.tasks.tree import running_of
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _SPEEDS = (1, 2, 4, 8)
 _PLAYING_S = 20.0
@@ -26,7 +26,7 @@ _PLAYING_S = 20.0
 class Mark:
     """A hazard of an arm: when it began (s), and at how many percent of the time axis."""
 
-    arm: Arm
+    arm: ExperimentArm
     hazard: str
     time: float
     at: float
@@ -42,7 +42,7 @@ class Section:
     title: str
     about: str
     variant: str
-    shown_first: Sequence[Arm]
+    shown_first: Sequence[ExperimentArm]
     shots: Sequence[Shot]
     duration: float
     opening: float

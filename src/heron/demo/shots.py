@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from heron.demo.frames import DemoFrames, frames_of
-from heron.experiments import EXPERIMENTS, Episode, Experiment
+from heron.experiments import EXPERIMENTS, EpisodeFacts, Experiment
 from heron.films import Spans, film_of
 from heron.films.processes import in_processes
 from heron.tasks import TreeSkill
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 from rossmarie.report.envelope import envelope
 from rossmarie.report.model import Plot
 
@@ -23,7 +23,7 @@ class Shot:
     """Everything that leaves the process of the episode. Measures are as printed, by label."""
 
     experiment: str
-    arm: Arm
+    arm: ExperimentArm
     title: str
     is_completed: bool
     duration: float
@@ -36,7 +36,7 @@ class Shot:
     frames: DemoFrames
 
 
-def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
+def shoot(name: str, variant: str, arm: ExperimentArm, seed: int) -> Shot:
     """Run an episode, and draw it."""
     experiment = EXPERIMENTS[name]
     clip = film_of(experiment, experiment.variants[variant], arm, seed)
@@ -67,13 +67,13 @@ def shoot_all(seed: int) -> list[Shot]:
     return in_processes(shoot, wanted)
 
 
-def _measures(experiment: Experiment, episode: Episode) -> dict[str, str]:
+def _measures(experiment: Experiment, episode: EpisodeFacts) -> dict[str, str]:
     found = {one: one.of(episode.measures) for one in experiment.measures[1:]}
     texts = {one.label: one.text(value) for one, value in found.items() if value is not None}
     return {"task": "completed" if episode.measures.is_completed else "not completed", **texts}
 
 
-def _curves(experiment: Experiment, episode: Episode) -> dict[str, Curve]:
+def _curves(experiment: Experiment, episode: EpisodeFacts) -> dict[str, Curve]:
     trace = episode.trace
     curves = {}
     for signal in experiment.signals:

@@ -14,7 +14,7 @@ import heron
 import rossmarie
 from dslkit.campaign import Value
 from heron.experiments import EXPERIMENTS, STUDIES, USUAL, Experiment
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _KINDS = (".action", ".c", ".h", ".j2", ".json", ".lark", ".msg", ".py", ".ross", ".ttl", ".turtle")
 # These have no say in how an episode goes.
@@ -47,7 +47,9 @@ def row_of(key: str) -> Value:
     experiment = EXPERIMENTS[name]
     study, value = changed[0].split("=") if changed else ("", "")
     settings = STUDIES[study].settings(float(value)) if changed else USUAL
-    episode = experiment.run(Arm(arm), experiment.variants[variant], int(seed), (), settings)
+    episode = experiment.run(
+        ExperimentArm(arm), experiment.variants[variant], int(seed), (), settings
+    )
     found = {one.name: one.of(episode.measures) for one in experiment.measures}
     measured = {
         measure: None if value is None else float(value) for measure, value in found.items()

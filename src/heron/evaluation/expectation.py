@@ -10,7 +10,7 @@ import numpy as np
 from heron.evaluation.sample import Sample
 from heron.evaluation.statistics import Estimate, median
 from heron.experiments.experiment import ARM_NAMES
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _SURE = 0.05
 MARGIN = 0.1
@@ -44,10 +44,10 @@ def between(estimate: Estimate, digits: int) -> str:
     return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
 
 
-def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> ResultExpectation:
+def there_is_harm(sample: Sample, harm: str, guarded: ExperimentArm) -> ResultExpectation:
     """Expect more harm without a monitor than with this guard."""
     measure = sample.experiment.measure(harm)
-    compared = sample.compared(harm, Arm.NONE, guarded)
+    compared = sample.compared(harm, ExperimentArm.NONE, guarded)
     difference = between(compared.difference, measure.digits)
     return ResultExpectation(
         f"harm {guarded.value} {harm}",
@@ -64,7 +64,9 @@ def greater(difference: float, chance: float) -> ExpectationVerdict:
     return ExpectationVerdict.OPEN if difference > 0 else ExpectationVerdict.FAILS
 
 
-def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> ResultExpectation:
+def as_safe(
+    sample: Sample, harm: str, other: ExperimentArm, ours: ExperimentArm = ExperimentArm.ROSSMARIE
+) -> ResultExpectation:
     """Expect no more harm than with another guard."""
     measure = sample.experiment.measure(harm)
     found = sample.compared(harm, ours, other).difference
@@ -77,9 +79,9 @@ def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) ->
     )
 
 
-def with_arm(arm: Arm) -> str:
+def with_arm(arm: ExperimentArm) -> str:
     """The name of an arm in a sentence."""
-    return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
+    return f"the {ARM_NAMES[arm]}" if arm is ExperimentArm.COLLISION_MONITOR else ARM_NAMES[arm]
 
 
 def at_most(found: Estimate, most: float) -> ExpectationVerdict:
@@ -97,7 +99,7 @@ def acts_in_time(sample: Sample, hazard: str, seconds: float) -> ResultExpectati
     An episode without a reaction has no value here. The table shows the number of reactions.
     """
     measure = sample.experiment.measure(f"reaction_{hazard}")
-    values = sample.values(Arm.ROSSMARIE, measure.name)
+    values = sample.values(ExperimentArm.ROSSMARIE, measure.name)
     found = median(values) if values else None
     return ResultExpectation(
         f"in time {hazard}",

@@ -28,21 +28,21 @@ from heron.evaluation.sample import Sample
 from heron.evaluation.skill_expectations import expectations_of_skills
 from heron.evaluation.tree_expectations import expectations_of_trees
 from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 
 def expectations_of(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
-    if Arm.LEARNED in sample.arms:
+    if ExperimentArm.LEARNED in sample.arms:
         yield from expectations_of_learning(sample)
         return
-    if Arm.TREES in sample.arms:
+    if ExperimentArm.TREES in sample.arms:
         yield from expectations_of_trees(sample)
         return
-    if Arm.PROACTIVE in sample.arms:
+    if ExperimentArm.PROACTIVE in sample.arms:
         yield from expectations_of_places(sample)
         return
-    if Arm.SKILL_AWARE in sample.arms:
+    if ExperimentArm.SKILL_AWARE in sample.arms:
         yield from expectations_of_skills(sample)
         return
     if not sample.harms:
@@ -50,8 +50,8 @@ def expectations_of(sample: Sample) -> Iterator[ResultExpectation]:
         yield _nobody_interferes(sample)
         return
     for harm in sample.harms:
-        yield there_is_harm(sample, harm, Arm.DEROS)
-        yield there_is_harm(sample, harm, Arm.ROSSMARIE)
+        yield there_is_harm(sample, harm, ExperimentArm.DEROS)
+        yield there_is_harm(sample, harm, ExperimentArm.ROSSMARIE)
         yield from (as_safe(sample, harm, other) for other in _others(sample))
     for gain in sample.gains:
         yield from (_better(sample, gain, other) for other in _others(sample))
@@ -61,18 +61,18 @@ def expectations_of(sample: Sample) -> Iterator[ResultExpectation]:
     yield _finishes_with_operator(sample)
     yield _finishes_alone(sample)
     yield _sooner(sample)
-    if Arm.COLLISION_MONITOR in sample.arms:
+    if ExperimentArm.COLLISION_MONITOR in sample.arms:
         yield _does_as_much(sample)
 
 
-def _others(sample: Sample) -> list[Arm]:
+def _others(sample: Sample) -> list[ExperimentArm]:
     """The guards that ROSSMARie is compared with."""
-    return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
+    return [arm for arm in sample.arms if arm not in (ExperimentArm.NONE, ExperimentArm.ROSSMARIE)]
 
 
-def _better(sample: Sample, gain: str, other: Arm) -> ResultExpectation:
+def _better(sample: Sample, gain: str, other: ExperimentArm) -> ResultExpectation:
     measure = sample.experiment.measure(gain)
-    compared = sample.compared(gain, Arm.ROSSMARIE, other)
+    compared = sample.compared(gain, ExperimentArm.ROSSMARIE, other)
     return ResultExpectation(
         f"better {other.value} {gain}",
         f"{measure.label}: more with ROSSMARie than with {with_arm(other)}",
@@ -84,14 +84,14 @@ def _better(sample: Sample, gain: str, other: Arm) -> ResultExpectation:
 
 def _does_as_much(sample: Sample) -> ResultExpectation:
     """Times are compared where both arms always finish."""
-    other = Arm.COLLISION_MONITOR
-    ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
-    found = sample.compared(DURATION.name, Arm.ROSSMARIE, other).difference
+    other = ExperimentArm.COLLISION_MONITOR
+    ours, theirs = sample.completed(ExperimentArm.ROSSMARIE), sample.completed(other)
+    found = sample.compared(DURATION.name, ExperimentArm.ROSSMARIE, other).difference
     if theirs == sample.count(other):
         margin = MARGIN * float(np.median(sample.values(other, DURATION.name)))
         verdict = (
             at_most(found, margin)
-            if ours == sample.count(Arm.ROSSMARIE)
+            if ours == sample.count(ExperimentArm.ROSSMARIE)
             else ExpectationVerdict.FAILS
         )
     else:
@@ -108,20 +108,20 @@ def _does_as_much(sample: Sample) -> ResultExpectation:
 
 def _unguarded_is_fastest(sample: Sample) -> ResultExpectation:
     times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in sample.arms}
-    completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
-    is_fastest = times[Arm.NONE] == min(times.values())
+    completed, total = sample.completed(ExperimentArm.NONE), sample.count(ExperimentArm.NONE)
+    is_fastest = times[ExperimentArm.NONE] == min(times.values())
     return ResultExpectation(
         "fastest",
         "without a monitor the robot finishes, and is the fastest",
         f"the robot finishes in {completed} of {total} episodes, and takes "
-        f"{times[Arm.NONE]:.1f} s; {times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
+        f"{times[ExperimentArm.NONE]:.1f} s; {times[ExperimentArm.ROSSMARIE]:.1f} s with ROSSMARie",
         ExpectationVerdict.HOLDS if completed == total and is_fastest else ExpectationVerdict.FAILS,
     )
 
 
 def _finishes_with_operator(sample: Sample) -> ResultExpectation:
-    visits = sample.values(Arm.DEROS, INTERVENTIONS.name)
-    completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
+    visits = sample.values(ExperimentArm.DEROS, INTERVENTIONS.name)
+    completed, total = sample.completed(ExperimentArm.DEROS), sample.count(ExperimentArm.DEROS)
     return ResultExpectation(
         "operator",
         "with DeROS the robot finishes after an operator has come",
@@ -135,8 +135,11 @@ def _finishes_with_operator(sample: Sample) -> ResultExpectation:
 
 
 def _finishes_alone(sample: Sample) -> ResultExpectation:
-    visits = sample.values(Arm.ROSSMARIE, INTERVENTIONS.name)
-    completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
+    visits = sample.values(ExperimentArm.ROSSMARIE, INTERVENTIONS.name)
+    completed, total = (
+        sample.completed(ExperimentArm.ROSSMARIE),
+        sample.count(ExperimentArm.ROSSMARIE),
+    )
     return ResultExpectation(
         "alone",
         "with ROSSMARie the robot finishes without an operator",
@@ -149,7 +152,7 @@ def _finishes_alone(sample: Sample) -> ResultExpectation:
 
 
 def _sooner(sample: Sample) -> ResultExpectation:
-    compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
+    compared = sample.compared(DURATION.name, ExperimentArm.DEROS, ExperimentArm.ROSSMARIE)
     return ResultExpectation(
         "sooner",
         "the robot finishes sooner with ROSSMARie than with DeROS",
@@ -171,7 +174,7 @@ def _everybody_finishes(sample: Sample) -> ResultExpectation:
 
 
 def _nobody_interferes(sample: Sample) -> ResultExpectation:
-    guarded = (Arm.DEROS, Arm.ROSSMARIE)
+    guarded = (ExperimentArm.DEROS, ExperimentArm.ROSSMARIE)
     needless = {arm: sample.values(arm, WITHOUT_NEED.name) for arm in guarded}
     found = {arm: (sum(time > 0 for time in times), len(times)) for arm, times in needless.items()}
     words = "; ".join(

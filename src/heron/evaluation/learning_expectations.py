@@ -15,9 +15,9 @@ from heron.evaluation.sample import Sample
 from heron.evaluation.tree_expectations import alone, touches_nothing
 from heron.experiments.experiment import DURATION
 from heron.experiments.table import ACTIVATIONS
-from heron.variants import Arm, Trouble
+from heron.variants import ExperimentArm, Trouble
 
-_FIRST, _SECOND = Arm.TREES, Arm.LEARNED
+_FIRST, _SECOND = ExperimentArm.TREES, ExperimentArm.LEARNED
 
 
 def expectations_of_learning(sample: Sample) -> Iterator[ResultExpectation]:
@@ -71,7 +71,7 @@ def _later(sample: Sample) -> ResultExpectation:
     return _slower(sample, _SECOND, "later", expected)
 
 
-def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> ResultExpectation:
+def _slower(sample: Sample, arm: ExperimentArm, key: str, expected: str) -> ResultExpectation:
     """Expect that an arm takes longer than the other one."""
     (other,) = (each for each in sample.arms if each is not arm)
     compared = sample.compared(DURATION.name, arm, other)

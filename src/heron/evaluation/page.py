@@ -15,10 +15,10 @@ from heron.evaluation.rows import EpisodeRow, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
-from heron.evaluation.summary import Reported, summary_of, table_of
+from heron.evaluation.summary import ReportedExpectation, summary_of, table_of
 from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
 from heron.experiments.experiment import ARM_NAMES, COMPLETED
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _HEAD = """\
 # The experiments
@@ -103,10 +103,10 @@ def page_of(results: Results, plots: str) -> str:
 # --- expectations --------------------------------------------------------------------------
 
 
-def _reported(sample: Sample) -> Iterator[Reported]:
+def _reported(sample: Sample) -> Iterator[ReportedExpectation]:
     for expectation in expectations_of(sample):
         reason = REASONS.get((sample.experiment.name, sample.variant, expectation.key))
-        yield Reported(_place(sample), expectation, reason)
+        yield ReportedExpectation(_place(sample), expectation, reason)
 
 
 def _place(sample: Sample) -> str:
@@ -129,7 +129,7 @@ def _section(sample: Sample) -> Iterator[str]:
     yield from table_of(expectations_of(sample))
 
 
-def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:
+def _cell(sample: Sample, arm: ExperimentArm, measure: Measure) -> str:
     total = sample.count(arm)
     if measure is COMPLETED:
         done = sample.completed(arm)

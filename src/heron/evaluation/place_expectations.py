@@ -22,9 +22,13 @@ from heron.evaluation.expectation import (
 )
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import ARM_NAMES, DURATION
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
-_SENSORS, _SKILLS, _PLACES = Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE
+_SENSORS, _SKILLS, _PLACES = (
+    ExperimentArm.ROSSMARIE,
+    ExperimentArm.SKILL_AWARE,
+    ExperimentArm.PROACTIVE,
+)
 _IMPACT = "impact"
 
 
@@ -66,7 +70,7 @@ def _less(sample: Sample, harm: str) -> ResultExpectation:
     )
 
 
-def _hits(sample: Sample, arm: Arm) -> tuple[int, int]:
+def _hits(sample: Sample, arm: ExperimentArm) -> tuple[int, int]:
     """The episodes in which the base moved while it touched the child, and all."""
     return sum(value > 0 for value in sample.values(arm, _IMPACT)), sample.count(arm)
 
@@ -81,7 +85,7 @@ def _too_late(sample: Sample) -> ResultExpectation:
     )
 
 
-def _stands_before(sample: Sample, arm: Arm) -> ResultExpectation:
+def _stands_before(sample: Sample, arm: ExperimentArm) -> ResultExpectation:
     hits, total = _hits(sample, arm)
     return ResultExpectation(
         f"stands {arm.value}",

@@ -19,17 +19,17 @@ from heron.evaluation.study_section import of_case
 from heron.experiments import Measure, Study
 from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION
 from heron.experiments.studies import Case
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _COLORS = {
-    Arm.NONE: "#7a7a7a",
-    Arm.COLLISION_MONITOR: "#2e7d4f",
-    Arm.DEROS: "#d1690f",
-    Arm.ROSSMARIE: "#1f6fb4",
-    Arm.SKILL_AWARE: "#7d4fb0",
-    Arm.PROACTIVE: "#0f8f8f",
-    Arm.TREES: "#b5447a",
-    Arm.LEARNED: "#8a7a0f",
+    ExperimentArm.NONE: "#7a7a7a",
+    ExperimentArm.COLLISION_MONITOR: "#2e7d4f",
+    ExperimentArm.DEROS: "#d1690f",
+    ExperimentArm.ROSSMARIE: "#1f6fb4",
+    ExperimentArm.SKILL_AWARE: "#7d4fb0",
+    ExperimentArm.PROACTIVE: "#0f8f8f",
+    ExperimentArm.TREES: "#b5447a",
+    ExperimentArm.LEARNED: "#8a7a0f",
 }
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3

@@ -10,7 +10,7 @@ from heron.evaluation.rows import EpisodeRow
 from heron.evaluation.statistics import PairedComparison, compare
 from heron.experiments import Experiment
 from heron.experiments.experiment import COMPLETED
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Sample:
         return self.experiment.acts_within.get(self._of_variant, {})
 
     @property
-    def arms(self) -> tuple[Arm, ...]:
+    def arms(self) -> tuple[ExperimentArm, ...]:
         """The guards of the robot."""
         return self.experiment.arms
 
@@ -45,29 +45,31 @@ class Sample:
     def _of_variant(self) -> enum.Enum:
         return self.experiment.variants[self.variant]
 
-    def values(self, arm: Arm, name: str) -> list[float]:
+    def values(self, arm: ExperimentArm, name: str) -> list[float]:
         """A measure of all episodes of an arm that have it."""
         return [row.numbers[name] for row in self._of(arm) if name in row.numbers]
 
-    def count(self, arm: Arm) -> int:
+    def count(self, arm: ExperimentArm) -> int:
         """The number of episodes."""
         return len(self._of(arm))
 
-    def completed(self, arm: Arm) -> int:
+    def completed(self, arm: ExperimentArm) -> int:
         """In how many of them the task was done."""
         return sum(value > 0 for value in self.values(arm, COMPLETED.name))
 
-    def compared(self, name: str, greater: Arm, lesser: Arm) -> PairedComparison:
+    def compared(
+        self, name: str, greater: ExperimentArm, lesser: ExperimentArm
+    ) -> PairedComparison:
         """A measure in two arms, on the seeds that both have."""
         first, second = self.by_seed(greater, name), self.by_seed(lesser, name)
         seeds = sorted(first.keys() & second.keys())
         return compare([first[seed] for seed in seeds], [second[seed] for seed in seeds])
 
-    def by_seed(self, arm: Arm, name: str) -> dict[int, float]:
+    def by_seed(self, arm: ExperimentArm, name: str) -> dict[int, float]:
         """A measure of all episodes of an arm that have it, by their seeds."""
         return {row.seed: row.numbers[name] for row in self._of(arm) if name in row.numbers}
 
-    def _of(self, arm: Arm) -> list[EpisodeRow]:
+    def _of(self, arm: ExperimentArm) -> list[EpisodeRow]:
         return [row for row in self.rows if row.arm == arm.value]
 
 

@@ -18,7 +18,7 @@ from heron.evaluation.expectation import (
 )
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
-from heron.variants import Arm, Encounter
+from heron.variants import Encounter, ExperimentArm
 
 _WITHIN_A_SKILL = (Encounter.JAMMED.value,)
 """The variants whose hazard occurs while a skill runs. Rules that know only the sensors stop
@@ -29,11 +29,15 @@ the robot before the hazard, so no robot completes the task.
 def expectations_of_skills(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
     is_within = sample.variant in _WITHIN_A_SKILL
-    guarded = (Arm.SKILL_AWARE,) if is_within else (Arm.ROSSMARIE, Arm.SKILL_AWARE)
+    guarded = (
+        (ExperimentArm.SKILL_AWARE,)
+        if is_within
+        else (ExperimentArm.ROSSMARIE, ExperimentArm.SKILL_AWARE)
+    )
     for harm in sample.harms:
         yield from (there_is_harm(sample, harm, arm) for arm in guarded)
         if not is_within:
-            yield as_safe(sample, harm, Arm.ROSSMARIE, Arm.SKILL_AWARE)
+            yield as_safe(sample, harm, ExperimentArm.ROSSMARIE, ExperimentArm.SKILL_AWARE)
     for hazard, seconds in sample.acts_within.items():
         yield from (_stops(sample, hazard, seconds, arm) for arm in guarded)
     if not is_within:
@@ -43,7 +47,7 @@ def expectations_of_skills(sample: Sample) -> Iterator[ResultExpectation]:
         yield _uses_exemptions(sample)
 
 
-def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> ResultExpectation:
+def _stops(sample: Sample, hazard: str, seconds: float, arm: ExperimentArm) -> ResultExpectation:
     measure = sample.experiment.measure(f"reaction_{hazard}")
     times = sample.values(arm, measure.name)
     stopped, total = sum(time <= seconds for time in times), sample.count(arm)
@@ -57,8 +61,14 @@ def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> ResultExpec
 
 
 def _finishes(sample: Sample) -> ResultExpectation:
-    ours, total = sample.completed(Arm.SKILL_AWARE), sample.count(Arm.SKILL_AWARE)
-    theirs, of_them = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
+    ours, total = (
+        sample.completed(ExperimentArm.SKILL_AWARE),
+        sample.count(ExperimentArm.SKILL_AWARE),
+    )
+    theirs, of_them = (
+        sample.completed(ExperimentArm.ROSSMARIE),
+        sample.count(ExperimentArm.ROSSMARIE),
+    )
     return ResultExpectation(
         "finishes",
         "rules that know skills always let the robot complete the task; other rules never do",
@@ -68,7 +78,7 @@ def _finishes(sample: Sample) -> ResultExpectation:
 
 
 def _does_not_interfere(sample: Sample) -> ResultExpectation:
-    times = sample.values(Arm.SKILL_AWARE, WITHOUT_NEED.name)
+    times = sample.values(ExperimentArm.SKILL_AWARE, WITHOUT_NEED.name)
     some = sum(time > 0 for time in times)
     return ResultExpectation(
         "no interference",
@@ -79,7 +89,7 @@ def _does_not_interfere(sample: Sample) -> ResultExpectation:
 
 
 def _uses_exemptions(sample: Sample) -> ResultExpectation:
-    counts = sample.values(Arm.SKILL_AWARE, EXEMPTIONS.name)
+    counts = sample.values(ExperimentArm.SKILL_AWARE, EXEMPTIONS.name)
     used = sum(count >= 2 for count in counts)
     return ResultExpectation(
         "exemptions",

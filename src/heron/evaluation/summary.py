@@ -13,7 +13,7 @@ _EXPLAINED = {ExpectationVerdict.OPEN: " (the runs are not enough to decide)"}
 """The explanation of a verdict, if its word is not enough."""
 
 
-class Reported(NamedTuple):
+class ReportedExpectation(NamedTuple):
     """An expectation with its experiment or training. If an expectation is not met, and the reason
     is known, there is a reason.
     """
@@ -23,7 +23,7 @@ class Reported(NamedTuple):
     reason: str | None
 
 
-def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
+def summary_of(all_reported: Sequence[ReportedExpectation]) -> Iterator[str]:
     """The lines of the section."""
     yield "## Expectations"
     yield ""
@@ -52,7 +52,7 @@ def table_of(expectations: Iterable[ResultExpectation]) -> Iterator[str]:
     yield ""
 
 
-def _line(reported: Reported) -> str:
+def _line(reported: ReportedExpectation) -> str:
     expectation = reported.expectation
     why = (
         f" {reported.reason}"

@@ -21,14 +21,14 @@ from heron.evaluation.expectation import (
 )
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION, INTERVENTIONS
-from heron.variants import Arm, Blockage
+from heron.variants import Blockage, ExperimentArm
 
 _TOUCHED = "touched"
 
 
 def expectations_of_trees(sample: Sample) -> Iterator[ResultExpectation]:
     """All expectations of a variant."""
-    yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
+    yield from (alone(sample, arm) for arm in (ExperimentArm.ROSSMARIE, ExperimentArm.TREES))
     if sample.variant == Blockage.TROLLEY.value:
         yield _sooner(sample)
     else:
@@ -37,7 +37,7 @@ def expectations_of_trees(sample: Sample) -> Iterator[ResultExpectation]:
     yield touches_nothing(sample)
 
 
-def alone(sample: Sample, arm: Arm) -> ResultExpectation:
+def alone(sample: Sample, arm: ExperimentArm) -> ResultExpectation:
     """Expect that an arm arrives without an operator."""
     done, visits = sample.values(arm, COMPLETED.name), sample.values(arm, INTERVENTIONS.name)
     found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
@@ -50,7 +50,7 @@ def alone(sample: Sample, arm: Arm) -> ResultExpectation:
 
 
 def _needs_operator(sample: Sample) -> ResultExpectation:
-    visits = sample.values(Arm.NONE, INTERVENTIONS.name)
+    visits = sample.values(ExperimentArm.NONE, INTERVENTIONS.name)
     came = sum(count >= 1 for count in visits)
     return ResultExpectation(
         "operator",
@@ -61,7 +61,7 @@ def _needs_operator(sample: Sample) -> ResultExpectation:
 
 
 def _sooner(sample: Sample) -> ResultExpectation:
-    compared = sample.compared(DURATION.name, Arm.ROSSMARIE, Arm.TREES)
+    compared = sample.compared(DURATION.name, ExperimentArm.ROSSMARIE, ExperimentArm.TREES)
     return ResultExpectation(
         "sooner",
         "with trees, the base arrives sooner than with ROSSMARie, which takes the long path",
@@ -71,8 +71,8 @@ def _sooner(sample: Sample) -> ResultExpectation:
 
 
 def _little_later(sample: Sample) -> ResultExpectation:
-    found = sample.compared(DURATION.name, Arm.TREES, Arm.ROSSMARIE).difference
-    usual = float(np.median(sample.values(Arm.ROSSMARIE, DURATION.name)))
+    found = sample.compared(DURATION.name, ExperimentArm.TREES, ExperimentArm.ROSSMARIE).difference
+    usual = float(np.median(sample.values(ExperimentArm.ROSSMARIE, DURATION.name)))
     return ResultExpectation(
         "little later",
         "with trees, which wait first, the base takes at most 10 % longer than with ROSSMARie",

@@ -3,7 +3,7 @@
 from heron.experiments.blocked import BlockedEpisode, BlockedMeasures, run_blocked
 from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
 from heron.experiments.corridor import CorridorEpisode, CorridorMeasures, run_corridor
-from heron.experiments.experiment import Episode, Experiment, Measure
+from heron.experiments.experiment import EpisodeFacts, Experiment, Measure
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
 from heron.experiments.navigation import NavigationEpisode, run_navigation
@@ -25,7 +25,7 @@ __all__ = [
     "ContactMeasures",
     "CorridorEpisode",
     "CorridorMeasures",
-    "Episode",
+    "EpisodeFacts",
     "Experiment",
     "HumanEpisode",
     "HumanMeasures",

@@ -6,37 +6,37 @@ from functools import cache
 from pathlib import Path
 
 from heron.rules import FOLDER
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 from rossmarie.driver import compile_file
 from rossmarie.ir import Machine
 
 NAVIGATION_RULES = {
-    Arm.DEROS: FOLDER / "navigation_deros.ross",
-    Arm.ROSSMARIE: FOLDER / "navigation.ross",
+    ExperimentArm.DEROS: FOLDER / "navigation_deros.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "navigation.ross",
 }
 PLACING_RULES = {
-    Arm.DEROS: FOLDER / "placing_deros.ross",
-    Arm.ROSSMARIE: FOLDER / "placing.ross",
+    ExperimentArm.DEROS: FOLDER / "placing_deros.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "placing.ross",
 }
 HUMAN_RULES = {
-    Arm.DEROS: FOLDER / "human_deros.ross",
-    Arm.ROSSMARIE: FOLDER / "human.ross",
+    ExperimentArm.DEROS: FOLDER / "human_deros.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "human.ross",
 }
 CONTACT_RULES = {
-    Arm.ROSSMARIE: FOLDER / "contact.ross",
-    Arm.SKILL_AWARE: FOLDER / "contact_skills.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "contact.ross",
+    ExperimentArm.SKILL_AWARE: FOLDER / "contact_skills.ross",
 }
 
 CORRIDOR_RULES = {
-    Arm.ROSSMARIE: FOLDER / "corridor.ross",
-    Arm.SKILL_AWARE: FOLDER / "corridor_skills.ross",
-    Arm.PROACTIVE: FOLDER / "corridor_places.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "corridor.ross",
+    ExperimentArm.SKILL_AWARE: FOLDER / "corridor_skills.ross",
+    ExperimentArm.PROACTIVE: FOLDER / "corridor_places.ross",
 }
 
 BLOCKED_RULES = {
-    Arm.ROSSMARIE: FOLDER / "blocked.ross",
-    Arm.TREES: FOLDER / "blocked_trees.ross",
-    Arm.LEARNED: FOLDER / "blocked_trees.ross",
+    ExperimentArm.ROSSMARIE: FOLDER / "blocked.ross",
+    ExperimentArm.TREES: FOLDER / "blocked_trees.ross",
+    ExperimentArm.LEARNED: FOLDER / "blocked_trees.ross",
 }
 
 

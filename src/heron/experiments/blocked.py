@@ -30,13 +30,13 @@ from heron.tasks import (
     LookOutParameters,
     NavigationParameters,
     PlaceNavigation,
-    SkillContext,
+    SkillContextPublisher,
     SkillTask,
     TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
-from heron.variants import Arm, Blockage, Trouble
+from heron.variants import Blockage, ExperimentArm, Trouble
 from rossmarie.ir import Change, TaskCommandKind
 
 LONGEST_S = 300.0
@@ -71,7 +71,7 @@ class Delivery:
     route to the hall; without, the route is straight on.
     """
 
-    arm: Arm
+    arm: ExperimentArm
     variant: Blockage | Trouble
     seed: int
     obstacles: tuple[Obstacle, ...]
@@ -82,7 +82,7 @@ class Delivery:
 class BlockedEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     variant: Blockage | Trouble
     seed: int
     obstacles: tuple[Obstacle, ...]
@@ -109,7 +109,7 @@ class _Robot:
 
 
 def run_blocked(
-    arm: Arm,
+    arm: ExperimentArm,
     blockage: Blockage,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -186,7 +186,7 @@ def _assembled(
     geoms = [physics.model.geom(each.name).id for each in across]
     hazard = ("is_blocked", lambda: obstacles.is_blocked)
     witness = NearnessWitness(physics, geoms, guard, hazard, lambda: bool(geoms))
-    nodes += [task, SkillContext(carrier, task), look_out, navigation, operator, witness]
+    nodes += [task, SkillContextPublisher(carrier, task), look_out, navigation, operator, witness]
     nodes += attended(observers, physics, carrier, guard)
     return _Robot(physics, navigation, task, guard, operator, witness, nodes)
 

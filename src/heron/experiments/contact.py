@@ -34,11 +34,11 @@ from heron.robot import (
     ForceTorqueParameters,
 )
 from heron.robot.physics import Floats
-from heron.robot.pressing import Pressing, Push, PushParameters, Wipe, WipeParameters
+from heron.robot.pressing import Pressing, PushMotion, PushParameters, WipeMotion, WipeParameters
 from heron.scene import ArmParameters, CellParameters, PersonParameters, build_cell
-from heron.tasks import SkillContext, SkillTask, TaskStatus, TreeSkill
+from heron.tasks import SkillContextPublisher, SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
-from heron.variants import Arm, Encounter
+from heron.variants import Encounter, ExperimentArm
 from rossmarie.ir import Change, TaskCommandKind
 
 LONGEST_S = 120.0
@@ -89,7 +89,7 @@ class ContactMeasures:
 class ContactEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     encounter: Encounter
     seed: int
     cell: CellParameters
@@ -111,7 +111,7 @@ class _Cell(ArmCell):
 
 
 def run_contact(
-    arm: Arm,
+    arm: ExperimentArm,
     encounter: Encounter,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -157,7 +157,7 @@ def varied_cell(encounter: Encounter, generator: np.random.Generator) -> CellPar
 
 
 def _assembled(
-    arm: Arm,
+    arm: ExperimentArm,
     encounter: Encounter,
     cell: CellParameters,
     generators: Mapping[str, np.random.Generator],
@@ -182,7 +182,7 @@ def _assembled(
         view = Remapped(carrier, {ARM: unfiltered(ARM)})
     task = SkillTask(view, "TidyUp", "contact.turtle", ["Box=box", "Mark=mark", "Board=board"])
     witness = ContactWitness(robot, cell, bystander, stains, acting(guard))
-    nodes += [task, SkillContext(carrier, task), witness]
+    nodes += [task, SkillContextPublisher(carrier, task), witness]
     nodes += attended(observers, robot, carrier, guard)
     return _Cell(robot, task, guard, None, nodes, guard, witness)
 
@@ -205,8 +205,8 @@ def pressings_of(cell: CellParameters) -> dict[str, Pressing]:
     end = places_of(cell)["before_box"]
     end[:2] = x, y + cell.box_half[1] + SPONGE.block_half
     return {
-        "push": Push(end, PushParameters()),
-        "wipe": Wipe(_strokes(cell), _INTO_BOARD, WipeParameters()),
+        "push": PushMotion(end, PushParameters()),
+        "wipe": WipeMotion(_strokes(cell), _INTO_BOARD, WipeParameters()),
     }
 
 

@@ -26,13 +26,13 @@ from heron.scene.person import LEGS, PERSON
 from heron.tasks import (
     Navigation,
     NavigationParameters,
-    SkillContext,
+    SkillContextPublisher,
     SkillTask,
     TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
-from heron.variants import Arm, Passage
+from heron.variants import ExperimentArm, Passage
 from rossmarie.ir import TaskCommandKind
 
 LONGEST_S = 120.0
@@ -68,7 +68,7 @@ class CorridorMeasures:
 class CorridorEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     passage: Passage
     seed: int
     dash: Dash | None
@@ -93,7 +93,7 @@ class _Robot:
 
 
 def run_corridor(
-    arm: Arm,
+    arm: ExperimentArm,
     passage: Passage,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -126,7 +126,7 @@ def run_corridor(
 
 
 def _assembled(
-    arm: Arm,
+    arm: ExperimentArm,
     dash: Dash | None,
     generators: Mapping[str, np.random.Generator],
     observers: Sequence[Observer],
@@ -154,7 +154,7 @@ def _assembled(
         ("is_there", lambda: child.is_in_corridor),
         lambda: abs(float(physics.position[0]) - child.place[0]) < 2 * FAR,
     )
-    nodes += [task, SkillContext(carrier, task), navigation, witness]
+    nodes += [task, SkillContextPublisher(carrier, task), navigation, witness]
     nodes += attended(observers, physics, carrier, guard)
     return _Robot(physics, task, guard, witness, nodes)
 

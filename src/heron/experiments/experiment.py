@@ -14,7 +14,7 @@ from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
 from heron.experiments.trace import EpisodeTrace
 from heron.tasks import TaskStatus, TreeSkill
-from heron.variants import ARMS, VARIANTS, Arm
+from heron.variants import ARMS, VARIANTS, ExperimentArm
 
 
 class Measures(Protocol):
@@ -47,11 +47,11 @@ class Measures(Protocol):
         """For how long of that there was no hazard."""
 
 
-class Episode(Protocol):
+class EpisodeFacts(Protocol):
     """The facts that are known of every episode."""
 
     @property
-    def arm(self) -> Arm:
+    def arm(self) -> ExperimentArm:
         """The arm of the experiment, which names the guard of the robot."""
 
     @property
@@ -87,15 +87,15 @@ class Episode(Protocol):
         """The ground truth of the episode."""
 
 
-ARM_NAMES: Mapping[Arm, str] = {
-    Arm.NONE: "no monitor",
-    Arm.COLLISION_MONITOR: "collision monitor",
-    Arm.DEROS: "DeROS",
-    Arm.ROSSMARIE: "ROSSMARie",
-    Arm.SKILL_AWARE: "ROSSMARie with skills",
-    Arm.PROACTIVE: "ROSSMARie with places",
-    Arm.TREES: "ROSSMARie with trees",
-    Arm.LEARNED: "ROSSMARie after learning",
+ARM_NAMES: Mapping[ExperimentArm, str] = {
+    ExperimentArm.NONE: "no monitor",
+    ExperimentArm.COLLISION_MONITOR: "collision monitor",
+    ExperimentArm.DEROS: "DeROS",
+    ExperimentArm.ROSSMARIE: "ROSSMARie",
+    ExperimentArm.SKILL_AWARE: "ROSSMARie with skills",
+    ExperimentArm.PROACTIVE: "ROSSMARie with places",
+    ExperimentArm.TREES: "ROSSMARie with trees",
+    ExperimentArm.LEARNED: "ROSSMARie after learning",
 }
 
 
@@ -122,7 +122,7 @@ class Measure:
 
 
 @dataclass(frozen=True)
-class Signal:
+class TraceSignal:
     """A column of the trace for display: multiplied by `factor`, with a line at `limit`. Films show
     its `short` name, if there is one.
     """
@@ -147,14 +147,14 @@ class Experiment:
     name: str
     title: str
     about: str
-    run: Callable[[Arm, Any, int, Sequence[Observer], Settings], Episode]
+    run: Callable[[ExperimentArm, Any, int, Sequence[Observer], Settings], EpisodeFacts]
     describe: Callable[[Any], str]
     own_measures: tuple[Measure, ...]
     hazards: Mapping[str, str]
     harms: Mapping[enum.Enum, tuple[str, ...]]
     gains: Mapping[enum.Enum, tuple[str, ...]]
     acts_within: Mapping[enum.Enum, Mapping[str, float]]
-    signals: tuple[Signal, ...]
+    signals: tuple[TraceSignal, ...]
     cameras: tuple[Camera, ...]
     opening: tuple[str, float]
 
@@ -164,12 +164,12 @@ class Experiment:
         return {variant.value: variant for variant in VARIANTS[self.name]}
 
     @property
-    def arms(self) -> tuple[Arm, ...]:
+    def arms(self) -> tuple[ExperimentArm, ...]:
         """The guards that it is run with."""
         return ARMS[self.name]
 
     @property
-    def shown_first(self) -> tuple[Arm, ...]:
+    def shown_first(self) -> tuple[ExperimentArm, ...]:
         """The guards of the episodes that are shown side by side: the first one, usually without
         rules, and the last one.
         """

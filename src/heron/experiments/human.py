@@ -18,7 +18,7 @@ from heron.experiments.proximity import ProximityWitness
 from heron.experiments.runner import SimulatedNode
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import EpisodeTrace
-from heron.experiments.visitor import Visitor, Walk, varied
+from heron.experiments.visitor import Visitor, VisitorWalk, varied
 from heron.guard import ArmCollisionMonitor, Guard, InProcessGuard
 from heron.robot import (
     Arm as RobotArm,
@@ -34,7 +34,7 @@ from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_r
 from heron.scene.scene import STEP_NS
 from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import InProcess
-from heron.variants import Arm, Person
+from heron.variants import ExperimentArm, Person
 
 LONGEST_S = 150.0
 _HOVER = 0.1  # m above the table
@@ -75,10 +75,10 @@ class HumanMeasures:
 class HumanEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     person: Person
     seed: int
-    walk: Walk
+    walk: VisitorWalk
     outcome: TaskStatus
     measures: HumanMeasures
     reported: tuple[tuple[float, str], ...]
@@ -96,7 +96,7 @@ class _Cell(ArmCell):
 
 
 def run_human(
-    arm: Arm,
+    arm: ExperimentArm,
     person: Person,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -124,8 +124,8 @@ def run_human(
 
 
 def _assembled(
-    arm: Arm,
-    walk: Walk,
+    arm: ExperimentArm,
+    walk: VisitorWalk,
     generator: np.random.Generator,
     observers: Sequence[Observer],
     settings: Settings,
@@ -145,7 +145,7 @@ def _assembled(
         guard = InProcessGuard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
         operator = ArmOperator(guard, lambda: None, settings.operator_delay)
         nodes += [guard, operator]
-    elif arm is Arm.COLLISION_MONITOR:
+    elif arm is ExperimentArm.COLLISION_MONITOR:
         guard = ArmCollisionMonitor(carrier)
         nodes.append(guard)
     task = SkillTask(carrier, "CarryToAndFro", "arm.turtle", [])

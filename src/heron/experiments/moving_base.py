@@ -13,7 +13,7 @@ from heron.experiments.trace import EpisodeTrace
 from heron.guard import InProcessGuard
 from heron.robot import (
     Base,
-    Drive,
+    DifferentialDrive,
     DriveParameters,
     Localization,
     LocalizationParameters,
@@ -44,7 +44,7 @@ def base_nodes(
         WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
         Localization(physics, carrier, generators["localization"], LocalizationParameters()),
         RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
-        Drive(physics, carrier, base, DriveParameters()),
+        DifferentialDrive(physics, carrier, base, DriveParameters()),
     ]
 
 

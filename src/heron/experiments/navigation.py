@@ -31,7 +31,7 @@ from heron.robot import Base, Imu, ImuParameters
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
 from heron.tasks import Navigation, NavigationParameters, SkillTask, TaskStatus, TreeSkill
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
-from heron.variants import Arm, Terrain
+from heron.variants import ExperimentArm, Terrain
 
 LONGEST_S = 240.0
 _SETTLING_STEPS = 500
@@ -43,7 +43,7 @@ _SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints", "sc
 class NavigationEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     terrain: Terrain
     seed: int
     course: Course
@@ -77,7 +77,7 @@ class _Robot:
 
 
 def run_navigation(
-    arm: Arm,
+    arm: ExperimentArm,
     terrain: Terrain,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -123,7 +123,7 @@ def varied(generator: np.random.Generator) -> CourseParameters:
 
 
 def _assembled(
-    arm: Arm,
+    arm: ExperimentArm,
     built: Course,
     settings: Settings,
     generators: dict[str, np.random.Generator],
@@ -149,7 +149,7 @@ def _assembled(
         parameters = BaseOperatorParameters(settings.operator_delay)
         operator = BaseOperator(physics, carrier, guard, built, parameters)
         nodes += [guard, operator]
-    elif arm is Arm.COLLISION_MONITOR:
+    elif arm is ExperimentArm.COLLISION_MONITOR:
         guard = BaseCollisionMonitor(carrier, clock)
         nodes.append(guard)
     if guard is not None:

@@ -38,7 +38,7 @@ from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
 from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
-from heron.variants import Arm, Table
+from heron.variants import ExperimentArm, Table
 
 LONGEST_S = 90.0
 _SETTLING_STEPS = 250
@@ -74,7 +74,7 @@ class PlacingMeasures:
 class PlacingEpisode:
     """One run: its settings, its result, and the log of the guard."""
 
-    arm: Arm
+    arm: ExperimentArm
     table: Table
     seed: int
     parameters: TableParameters
@@ -97,7 +97,7 @@ class _Cell(ArmCell):
 
 
 def run_placing(
-    arm: Arm,
+    arm: ExperimentArm,
     table: Table,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -143,7 +143,7 @@ def skill_of(table: Table, generator: np.random.Generator) -> tuple[str, ...]:
 
 
 def _assembled(
-    arm: Arm,
+    arm: ExperimentArm,
     table: TableParameters,
     skill: Sequence[str],
     generators: Mapping[str, np.random.Generator],

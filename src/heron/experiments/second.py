@@ -16,14 +16,14 @@ from heron.experiments.obstacles import troubled
 from heron.experiments.settings import USUAL, Settings
 from heron.scene import PathsParameters
 from heron.skills import FOLDER
-from heron.variants import Arm, Trouble
+from heron.variants import ExperimentArm, Trouble
 
 TEACHING_SEEDS = range(100, 112)
 """The seeds of the runs that are learned from: none of them is evaluated."""
 
 
 def run_second(
-    arm: Arm,
+    arm: ExperimentArm,
     trouble: Trouble,
     seed: int,
     observers: Sequence[Observer] = (),
@@ -32,7 +32,7 @@ def run_second(
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded_generators(seed)
     obstacles = troubled(trouble, PathsParameters(), generators["obstacles"])
-    costs = learned(trouble) if arm is Arm.LEARNED else ()
+    costs = learned(trouble) if arm is ExperimentArm.LEARNED else ()
     return delivered(
         Delivery(arm, trouble, seed, obstacles, costs), generators, observers, settings
     )

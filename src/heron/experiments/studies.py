@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from heron.experiments.experiment import Experiment
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.table import EXPERIMENTS
-from heron.variants import Arm, Person, Table, Terrain
+from heron.variants import ExperimentArm, Person, Table, Terrain
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Case:
 
     experiment: str
     variant: enum.Enum
-    arm: Arm
+    arm: ExperimentArm
 
     @property
     def key(self) -> str:
@@ -46,7 +46,7 @@ class Study:
     unit: str
     values: tuple[float, ...]
     cases: tuple[Case, ...]
-    beside: Arm | None = None
+    beside: ExperimentArm | None = None
     seeds: int = 10
 
     def settings(self, value: float) -> Settings:
@@ -69,7 +69,9 @@ TORQUE = Study(
     label="usual torque limit",
     unit="Nm",
     values=(5.0, 5.5, 6.0, 6.5, 7.0, 8.0, 10.0, 13.0),
-    cases=tuple(Case("nav", Terrain.GENTLE, arm) for arm in (Arm.NONE, Arm.ROSSMARIE)),
+    cases=tuple(
+        Case("nav", Terrain.GENTLE, arm) for arm in (ExperimentArm.NONE, ExperimentArm.ROSSMARIE)
+    ),
 )
 OPERATOR = Study(
     name="operator",
@@ -78,7 +80,7 @@ OPERATOR = Study(
     label="delay of the operator",
     unit="s",
     values=(0.0, 10.0, 30.0),
-    cases=tuple(Case(name, variant, Arm.DEROS) for name, variant in _STOPPED),
-    beside=Arm.ROSSMARIE,
+    cases=tuple(Case(name, variant, ExperimentArm.DEROS) for name, variant in _STOPPED),
+    beside=ExperimentArm.ROSSMARIE,
 )
 STUDIES: Mapping[str, Study] = {study.name: study for study in (TORQUE, OPERATOR)}

@@ -19,7 +19,7 @@ from heron.experiments.experiment import (
     INTERVENTIONS,
     Experiment,
     Measure,
-    Signal,
+    TraceSignal,
 )
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
@@ -103,9 +103,9 @@ NAVIGATION = Experiment(
         Terrain.STEEP: {"steep": 2.5},
     },
     signals=(
-        Signal("distance", "distance travelled", "m"),
-        Signal("pitch", "tilt", "°", -math.degrees(1), 10.0),
-        Signal("torque", "torque of a drive wheel", "Nm", 1.0, _USUAL_TORQUE, "torque"),
+        TraceSignal("distance", "distance travelled", "m"),
+        TraceSignal("pitch", "tilt", "°", -math.degrees(1), 10.0),
+        TraceSignal("torque", "torque of a drive wheel", "Nm", 1.0, _USUAL_TORQUE, "torque"),
     ),
     cameras=(
         Camera("base", distance=3.2, azimuth=62.0, elevation=-14.0, above=0.4),
@@ -151,9 +151,9 @@ PLACING = Experiment(
     gains={},
     acts_within={Table.HIGH: {"hammering": 0.5}, Table.HURRIED: {"torque": 0.05}},
     signals=(
-        Signal("force", "force on the hand", "N", 1.0, 30.0, "force"),
-        Signal("height", "height of the hand", "cm", 100.0),
-        Signal("effort", "torque, of its limit", "%", 100.0, 60.0),
+        TraceSignal("force", "force on the hand", "N", 1.0, 30.0, "force"),
+        TraceSignal("height", "height of the hand", "cm", 100.0),
+        TraceSignal("effort", "torque, of its limit", "%", 100.0, 60.0),
     ),
     cameras=(Camera("table", distance=0.85, azimuth=140.0, elevation=-5.0, above=0.13),),
     opening=("hammering", 1.9),
@@ -188,9 +188,9 @@ HUMAN = Experiment(
     gains={Person.INSIDE: ("gives_way",)},
     acts_within={Person.INSIDE: {"entered": 0.5, "close": 0.3}},
     signals=(
-        Signal("distance", "distance of arm and person, up to 2 m", "m", 1.0, 1.0),
-        Signal("speed", "speed of the hand", "m/s", 1.0, 0.25, "hand"),
-        Signal("x", "hand, to and fro", "m"),
+        TraceSignal("distance", "distance of arm and person, up to 2 m", "m", 1.0, 1.0),
+        TraceSignal("speed", "speed of the hand", "m/s", 1.0, 0.25, "hand"),
+        TraceSignal("x", "hand, to and fro", "m"),
     ),
     cameras=(Camera("shoulder", distance=3.9, azimuth=28.0, elevation=-16.0),),
     opening=("close", 2.0),
@@ -232,10 +232,10 @@ CONTACT = Experiment(
     gains={},
     acts_within={Encounter.COLLISION: {"collision": 0.1}, Encounter.JAMMED: {"jam": 0.3}},
     signals=(
-        Signal("force", "force on the hand", "N", 1.0, 15.0, "force"),
-        Signal("pressed", "force on the forearm", "N"),
-        Signal("pushed", "box pushed", "cm", 100.0),
-        Signal("wiped", "board wiped", "%", 100.0),
+        TraceSignal("force", "force on the hand", "N", 1.0, 15.0, "force"),
+        TraceSignal("pressed", "force on the forearm", "N"),
+        TraceSignal("pushed", "box pushed", "cm", 100.0),
+        TraceSignal("wiped", "board wiped", "%", 100.0),
     ),
     cameras=(Camera("table", distance=1.65, azimuth=211.0, elevation=-19.0, above=0.2),),
     opening=("collision", 0.1),
@@ -273,9 +273,9 @@ CORRIDOR = Experiment(
     gains={},
     acts_within={},
     signals=(
-        Signal("x", "along the corridor", "m"),
-        Signal("speed", "speed of the base", "m/s", 1.0, 0.5, "speed"),
-        Signal("distance", "distance to the child, up to 2 m", "m"),
+        TraceSignal("x", "along the corridor", "m"),
+        TraceSignal("speed", "speed of the base", "m/s", 1.0, 0.5, "speed"),
+        TraceSignal("distance", "distance to the child, up to 2 m", "m"),
     ),
     cameras=(Camera("base", distance=4.0, azimuth=20.0, elevation=-28.0, above=0.5),),
     opening=("child", -1.0),
@@ -317,9 +317,11 @@ BLOCKED = Experiment(
     gains={},
     acts_within={},
     signals=(
-        Signal("x", "along the first path", "m"),
-        Signal("y", "beside the first path", "m"),
-        Signal("distance", "distance to an obstacle, up to 2 m", "cm", 100.0, None, "distance"),
+        TraceSignal("x", "along the first path", "m"),
+        TraceSignal("y", "beside the first path", "m"),
+        TraceSignal(
+            "distance", "distance to an obstacle, up to 2 m", "cm", 100.0, None, "distance"
+        ),
     ),
     cameras=(Camera("base", distance=5.5, azimuth=60.0, elevation=-48.0, above=0.4),),
     opening=("blocked", 1.0),

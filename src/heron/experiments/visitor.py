@@ -31,7 +31,7 @@ class Leg:
 
 
 @dataclass(frozen=True)
-class Walk:
+class VisitorWalk:
     """The walk of a visitor. `stay_s` is the period (s) during which the visitor stands beside the
     arm.
     """
@@ -48,7 +48,7 @@ class Walk:
         return (x, y), facing, share * math.dist(leg.start, leg.end)
 
 
-def varied(person: Person, generator: np.random.Generator) -> Walk:
+def varied(person: Person, generator: np.random.Generator) -> VisitorWalk:
     """The random part of the walk, by seed: the time of arrival, the speed, the distance and the
     duration.
     """
@@ -58,13 +58,13 @@ def varied(person: Person, generator: np.random.Generator) -> Walk:
     angle = math.radians(float(generator.uniform(-115.0, -60.0)))
     stay_s = float(generator.uniform(4.0, 8.0))
     if person is Person.OUTSIDE:
-        return Walk(_legs([(5.0, -7.0), (5.0, 7.0)], pace, begin_s), None)
+        return VisitorWalk(_legs([(5.0, -7.0), (5.0, 7.0)], pace, begin_s), None)
     beside = (radius * math.cos(angle), radius * math.sin(angle))
     path = [(6.0, 0.0), (4.0, 0.0), (1.6, -1.3), beside]
     there = _legs(path, pace, begin_s)
     left_s = there[-1].end_s + stay_s
     back = _legs(path[::-1], pace, left_s)
-    return Walk((*there, *back), (there[-1].end_s, left_s))
+    return VisitorWalk((*there, *back), (there[-1].end_s, left_s))
 
 
 def _legs(path: Sequence[Point], pace: float, begin_s: float) -> tuple[Leg, ...]:
@@ -83,7 +83,7 @@ class Visitor:
     _PUSH = 15.0  # N
     _PUSH_S = (1.0, 2.0)  # after the arrival
 
-    def __init__(self, arm: Arm, walk: Walk, person: PersonParameters) -> None:
+    def __init__(self, arm: Arm, walk: VisitorWalk, person: PersonParameters) -> None:
         self._arm = arm
         self._walk = walk
         self._person = person

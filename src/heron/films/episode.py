@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from heron.appearance import Pixels, Size
-from heron.experiments import USUAL, Episode, Experiment
+from heron.experiments import USUAL, EpisodeFacts, Experiment
 from heron.experiments.experiment import ARM_NAMES
 from heron.films.clip import ACTIVE, DONE, MUTED, NO_WORDS, Caption, Words, time_words, with_caption
 from heron.films.film import Film
 from heron.films.rules_watch import RulesWatch, Spans
 from heron.tasks.tree import running_of
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 
 _LATELY_S = 0.15
 _NEARLY = 0.98  # of a limit counts as reached
@@ -24,7 +24,7 @@ class EpisodeClip:
     """One episode of an experiment, over."""
 
     experiment: Experiment
-    episode: Episode
+    episode: EpisodeFacts
     film: Film
     rules: Spans
 
@@ -76,7 +76,9 @@ class EpisodeClip:
         return words, ACTIVE if is_beyond else MUTED
 
 
-def film_of(experiment: Experiment, variant: enum.Enum, arm: Arm, seed: int) -> EpisodeClip:
+def film_of(
+    experiment: Experiment, variant: enum.Enum, arm: ExperimentArm, seed: int
+) -> EpisodeClip:
     """Run an episode, and keep the data for pictures."""
     film, rules = Film(), RulesWatch()
     episode = experiment.run(arm, variant, seed, (film, rules), USUAL)

@@ -15,7 +15,16 @@ from heron.experiments.experiment import ARM_NAMES
 from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain, Trouble
+from heron.variants import (
+    Blockage,
+    Encounter,
+    ExperimentArm,
+    Passage,
+    Person,
+    Table,
+    Terrain,
+    Trouble,
+)
 
 PAGE = "gallery.md"
 FOLDER = "gallery"
@@ -138,7 +147,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
         experiment = EXPERIMENTS[exhibit.experiment]
         title = f"{experiment.title}, {exhibit.variant.value}"
         first, last = experiment.shown_first
-        without = "without a monitor" if first is Arm.NONE else f"with {ARM_NAMES[first]}"
+        without = "without a monitor" if first is ExperimentArm.NONE else f"with {ARM_NAMES[first]}"
         guard = ARM_NAMES[last]
         lines += [
             f"## {title}",

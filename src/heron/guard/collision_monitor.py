@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 
 from heron import messages
 from heron.guard.model import Occurrence, unfiltered
-from heron.guard.zones import Circle, Rectangle, Zone, ZoneWatch
+from heron.guard.zones import ScannerCircle, ScannerRectangle, SpeedZone, ZoneWatch
 from heron.messages import Message
 from heron.robot.arm_controller import SPEED_SCALE
 from heron.topics import COMMAND, Carrier, Topic
@@ -23,15 +23,15 @@ BASE_SPEED = 0.25
 """m/s; up to this speed makers of such bases allow bumps at all (Neobotix MP-500, data sheet: 15 mm
 at 0.25 m/s at most)."""
 BASE_ZONES = (
-    Zone("stop_zone", Rectangle(0.0, 0.75, 0.35), 0.0),
-    Zone("slow_zone", Rectangle(0.0, 1.25, 0.5), 0.3),
+    SpeedZone("stop_zone", ScannerRectangle(0.0, 0.75, 0.35), 0.0),
+    SpeedZone("slow_zone", ScannerRectangle(0.0, 1.25, 0.5), 0.3),
 )
 """The base reaches 0.45 m ahead. The stop zone extends 0.3 m farther, and the slow zone 0.8 m
 farther. The speed ratio comes from the tutorial.
 """
 ARM_ZONES = (
-    Zone("stop_when_close", Circle(2.4), 0.0),
-    Zone("slow_when_entered", Circle(3.8), 0.3),
+    SpeedZone("stop_when_close", ScannerCircle(2.4), 0.0),
+    SpeedZone("slow_when_entered", ScannerCircle(3.8), 0.3),
 )
 """The stop zone is the close distance of the rules, rounded up. The slow zone is the room."""
 
@@ -43,7 +43,7 @@ class _CollisionMonitor:
     latched: tuple[str, ...] = ()
     """No zone waits for an operator."""
 
-    def __init__(self, carrier: Carrier, zones: Sequence[Zone]) -> None:
+    def __init__(self, carrier: Carrier, zones: Sequence[SpeedZone]) -> None:
         self._watch = ZoneWatch(carrier, zones)
         self._in_force: dict[str, float] = {}
         self._has_begun = False

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from functools import lru_cache, partial
 
 from heron.guard.commands import CommandMessages
-from heron.guard.intake import Intake, Readings, transforms_in
+from heron.guard.intake import FieldReaders, Intake, transforms_in
 from heron.guard.model import Guard, Occurrence, unfiltered, waiting
 from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
 from heron.guard.relay import Relay
@@ -23,9 +23,9 @@ from rossmarie.ir import (
     FieldBounds,
     Machine,
     Reported,
-    State,
     TaskCommand,
     TaskCommandKind,
+    TaskState,
     Verdict,
 )
 
@@ -33,7 +33,7 @@ PERIOD_NS = 2_000_000  # the longest delay of a timer
 PATIENCE_NS = 5_000_000_000
 _SOON_NS = 20_000_000
 """A wake that is no closer is not put off with each message: planning costs more than a message."""
-_IN_FORCE = (State.RUNNING, State.HOLDING)
+_IN_FORCE = (TaskState.RUNNING, TaskState.HOLDING)
 
 
 class InProcessGuard:
@@ -298,9 +298,9 @@ def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
 
 
 @lru_cache(maxsize=16)
-def _prepared(machine: Machine) -> tuple[Core, Readings]:
+def _prepared(machine: Machine) -> tuple[Core, FieldReaders]:
     """Built and loaded once for all episodes."""
-    return Core(machine), Readings(machine)
+    return Core(machine), FieldReaders(machine)
 
 
 class InProcessLink:

@@ -51,7 +51,7 @@ reports.
 """
 
 
-class Readings:
+class FieldReaders:
     """The fields that rules read of each topic, and their readers, made once for all episodes.
     `readers` are the fastest functions, or None if fields are read by their names.
     """
@@ -103,7 +103,7 @@ class Readings:
 class Intake:
     """The path of messages on all topics into a core."""
 
-    def __init__(self, core: Core, readings: Readings) -> None:
+    def __init__(self, core: Core, readings: FieldReaders) -> None:
         self._core = core
         self._readings = readings
         self._reported: Reported | None = None

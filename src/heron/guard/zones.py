@@ -34,7 +34,7 @@ class Shape(Protocol):
 
 
 @dataclass(frozen=True)
-class Rectangle:
+class ScannerRectangle:
     """A rectangle from x to x, and as far to both sides of the x axis (m)."""
 
     low_x: float
@@ -48,7 +48,7 @@ class Rectangle:
 
 
 @dataclass(frozen=True)
-class Circle:
+class ScannerCircle:
     """A circle around the scanner (m)."""
 
     radius: float
@@ -60,7 +60,7 @@ class Circle:
 
 
 @dataclass(frozen=True)
-class Zone:
+class SpeedZone:
     """A zone leaves this share of the speed while something is in it; a stop zone leaves none."""
 
     name: str
@@ -71,7 +71,7 @@ class Zone:
 class ZoneWatch:
     """Counts the points of each scan in each zone."""
 
-    def __init__(self, carrier: Carrier, zones: Sequence[Zone]) -> None:
+    def __init__(self, carrier: Carrier, zones: Sequence[SpeedZone]) -> None:
         self._zones = zones
         self._counts = dict.fromkeys(zones, 0)
         self._scanned_ns: int | None = None

@@ -29,7 +29,7 @@ REACH = 0.06
 
 
 @dataclass(frozen=True)
-class Command:
+class ArmCommand:
     """A velocity (m/s) in the frame of the scene, and a force along z (N): 0 or downwards. While it
     pushes, the hand is free along z and heeds no velocity there.
     """
@@ -86,7 +86,7 @@ class PegArm:
         """The force on the fragile part (N)."""
         return float(self.data.sensordata[self._touch][0])
 
-    def follow(self, command: Command) -> None:
+    def follow(self, command: ArmCommand) -> None:
         """Execute a command until the next reading of the sensors."""
         if self._is_pushing != (command.push < 0.0):
             self._free_along_z(not self._is_pushing)

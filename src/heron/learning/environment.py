@@ -11,7 +11,7 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from heron.learning.arm import Command
+from heron.learning.arm import ArmCommand
 from heron.learning.insertion import FIELDS, PERIOD_NS, Insertion, TaskParameters
 from heron.learning.look import Look
 from heron.scene.insertion import InsertionParameters
@@ -107,12 +107,12 @@ class PegInHole(gymnasium.Env[Any, Any]):
             self._look.close()
             self._look = None
 
-    def command(self, action: Any) -> Command:
+    def command(self, action: Any) -> ArmCommand:
         """The command of an action. Raises `ValueError` like `step`."""
         if not np.isfinite(action).all():
             raise ValueError(f"an action has four finite numbers, not {action}")
         x, y, z, push = np.clip(np.asarray(action, np.float64), LEAST, GREATEST).tolist()
-        return Command((x, y, z), min(push, 0.0))
+        return ArmCommand((x, y, z), min(push, 0.0))
 
     def _tell(self) -> None:
         observation = self.insertion.observation()
@@ -133,6 +133,6 @@ class PegInHoleMoves(PegInHole):
         super().__init__(**parameters)
         self.action_space = spaces.Discrete(len(MOVES))
 
-    def command(self, action: Any) -> Command:
+    def command(self, action: Any) -> ArmCommand:
         """The command of a move."""
         return super().command(MOVES[action])

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from heron.learning.insertion import VIOLATIONS, InsertionOutcome
 
 
-class Episode(NamedTuple):
+class TrainingEpisode(NamedTuple):
     """An episode of a training. `steps` are the steps of all environments before its end, with the
     processor time since the beginning of the training (s). `proposed_outside` counts the steps
     whose proposed command the rules would change. `executed_outside` counts the steps in which such
@@ -44,8 +44,8 @@ class Episode(NamedTuple):
 
 
 @dataclass
-class Tally:
-    """The counts of a running episode, with the names of `Episode`."""
+class EpisodeTally:
+    """The counts of a running episode, with the names of `TrainingEpisode`."""
 
     length: int = 0
     reward: float = 0.0
@@ -60,10 +60,10 @@ class Tally:
         is_executed = bool(np.all(reported["executed"] == reported["proposed"]))
         self.executed_outside += reported["intervened"] and is_executed
 
-    def episode(self, steps: int, seconds: float, outcome: InsertionOutcome) -> Episode:
+    def episode(self, steps: int, seconds: float, outcome: InsertionOutcome) -> TrainingEpisode:
         """The episode, which is over."""
         found = {name: int(name in outcome.violations) for name in VIOLATIONS}
-        return Episode(
+        return TrainingEpisode(
             steps=steps,
             seconds=seconds,
             length=self.length,
@@ -81,9 +81,9 @@ class Tally:
 
 def episode(
     env: gymnasium.Env[Any, Any], act: Callable[[NDArray[np.float64]], Any], seed: int
-) -> Episode:
+) -> TrainingEpisode:
     """Run an episode. `act` gives an action for each observation."""
-    began, tally = time.process_time(), Tally()
+    began, tally = time.process_time(), EpisodeTally()
     seen, _ = env.reset(seed=seed)
     while True:
         seen, reward, terminated, truncated, info = env.step(act(seen))
@@ -100,17 +100,17 @@ class EpisodeLog:
         """Continue an existing log, after this number of steps. Raises `OSError`."""
         self._path = path
         self.episodes = [one for one in read_log(path) if one.steps <= steps]
-        lines = [",".join(Episode._fields), *map(_line, self.episodes)]
+        lines = [",".join(TrainingEpisode._fields), *map(_line, self.episodes)]
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
-    def append(self, episode: Episode) -> None:
+    def append(self, episode: TrainingEpisode) -> None:
         """Write an episode."""
         self.episodes.append(episode)
         with self._path.open("a", encoding="utf-8") as file:
             file.write(_line(episode) + "\n")
 
 
-def read_log(path: Path) -> list[Episode]:
+def read_log(path: Path) -> list[TrainingEpisode]:
     """The episodes of a log; none if there is no log. A last line in which a program was
     interrupted counts for nothing. Raises `OSError`, and `ValueError` if another line is none.
     """
@@ -123,22 +123,22 @@ def read_log(path: Path) -> list[Episode]:
         raise ValueError(f"{path} is not a log of episodes; remove its folder") from None
 
 
-def episodes_of(lines: Iterable[str]) -> list[Episode]:
+def episodes_of(lines: Iterable[str]) -> list[TrainingEpisode]:
     """The episodes of lines of a log. Raises `ValueError` if a line is none."""
     return [_episode(line.split(",")) for line in lines]
 
 
-def _episode(texts: Sequence[str]) -> Episode:
-    if len(texts) != len(Episode._fields):
+def _episode(texts: Sequence[str]) -> TrainingEpisode:
+    if len(texts) != len(TrainingEpisode._fields):
         raise ValueError("this is not an episode")
-    return Episode._make(map(_number, texts))
+    return TrainingEpisode._make(map(_number, texts))
 
 
 def _number(text: str) -> float:
     return int(text) if text.isdigit() else float(text)
 
 
-def _line(episode: Episode) -> str:
+def _line(episode: TrainingEpisode) -> str:
     return ",".join(
         f"{value:.6g}" if isinstance(value, float) else str(int(value)) for value in episode
     )

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from heron.learning.arm import READING_NS, Command, PegArm
+from heron.learning.arm import READING_NS, ArmCommand, PegArm
 from heron.learning.visitor import Point, Visit, visit
 from heron.scene.insertion import InsertionParameters, Vector
 
@@ -131,7 +131,7 @@ class Insertion:
         x, y, z = start.tolist()
         self.arm.put((x, y, z))
 
-    def step(self, command: Command, see: Callable[[], object]) -> None:
+    def step(self, command: ArmCommand, see: Callable[[], object]) -> None:
         """Take a step, and let `see` see each reading but the last."""
         for number in range(READINGS):
             self.arm.follow(command)

@@ -18,7 +18,7 @@ VELOCITY = Topic("/arm/velocity", type_name(messages.Twist))
 PUSH = Topic("/arm/push", type_name(messages.Wrench))
 
 
-class Readings:
+class TopicReadings:
     """Readings as messages on the topics that the rules hear."""
 
     def __init__(self, carrier: Carrier) -> None:
@@ -47,7 +47,7 @@ class OnTopics(gymnasium.Wrapper[Any, Any, Any, Any]):
         assert isinstance(task, PegInHole)
         self._task = task
         task.on_reading.append(self._tell)
-        self._readings = Readings(carrier)
+        self._readings = TopicReadings(carrier)
         self._velocity = carrier.publisher(VELOCITY)
         self._push = carrier.publisher(PUSH)
 

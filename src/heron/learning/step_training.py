@@ -9,7 +9,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from heron.learning.episodes import Episode, Tally, episode
+from heron.learning.episodes import EpisodeTally, TrainingEpisode, episode
 from heron.learning.policy import POLICY, scaled
 from heron.learning.runs import TrainingRun, environment
 from heron.learning.step_learners import SkrlLearner
@@ -29,13 +29,13 @@ class StepTraining:
         self._learner = SkrlLearner(run.algorithm, one.action_space, COUNT, run.seed)
         self.steps = 0
 
-    def episodes(self) -> Iterator[Episode]:
+    def episodes(self) -> Iterator[TrainingEpisode]:
         """Learn until all environments together have used the steps of the budget, and report each
         episode. Times are processor times since this call.
         """
         began = time.process_time()
         seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
-        going = [Tally() for _ in self._envs]
+        going = [EpisodeTally() for _ in self._envs]
         while self.steps < self._run.budget:
             proposed = self._learner.act(scaled(seen))
             taken = [env.step(each) for env, each in zip(self._envs, proposed, strict=True)]
@@ -54,7 +54,7 @@ class StepTraining:
                 going[i].count(float(rewards[i]), info["guard"])
                 if ended[i]:
                     yield going[i].episode(self.steps, time.process_time() - began, info["outcome"])
-                    going[i] = Tally()
+                    going[i] = EpisodeTally()
                     seen[i] = self._envs[i].reset()[0]
 
     def save(self) -> bytes:
@@ -67,7 +67,7 @@ class StepTraining:
         """
         self.steps = self._learner.load(kept)
 
-    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> TrainingEpisode:
         """An episode with the best actions."""
         return episode(env, self._learner.policy(), seed)
 

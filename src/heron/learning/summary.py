@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import accumulate
 
 from dslkit.campaign import Value
-from heron.learning.episodes import Episode
+from heron.learning.episodes import TrainingEpisode
 from heron.learning.insertion import VIOLATIONS
 from heron.learning.runs import TrainingRun
 from heron.variants import LEAST_BUDGETS, Formulation, LearningArm
 
 BINS = 15
 """The most parts of a training, by steps, in which its curves have a value each."""
-CURVES: Mapping[str, Callable[[Sequence[Episode]], float]] = {
+CURVES: Mapping[str, Callable[[Sequence[TrainingEpisode]], float]] = {
     "inserted": lambda found: share(one.inserted for one in found),
     "violating": lambda found: share(one.is_violating for one in found),
     "intervened": lambda found: intervened(found),
@@ -31,13 +31,15 @@ def share(values: Iterable[int | bool]) -> float:
     return sum(found) / len(found)
 
 
-def intervened(episodes: Sequence[Episode]) -> float:
+def intervened(episodes: Sequence[TrainingEpisode]) -> float:
     """The share of steps whose proposed command the rules would change."""
     return sum(one.proposed_outside for one in episodes) / sum(one.length for one in episodes)
 
 
 def row_of(
-    run: TrainingRun, episodes: Sequence[Episode], finals: Mapping[LearningArm, Sequence[Episode]]
+    run: TrainingRun,
+    episodes: Sequence[TrainingEpisode],
+    finals: Mapping[LearningArm, Sequence[TrainingEpisode]],
 ) -> Value:
     """The row of a training, by names of measures; not known is None."""
     early, late = (_part(episodes, run.budget, place, 4) for place in (0, 3))
@@ -79,7 +81,9 @@ def bins_of(formulation: Formulation, budget: int) -> int:
     return max(1, min(BINS, budget // LEAST_BUDGETS[formulation]))
 
 
-def lately(formulation: Formulation, episodes: Sequence[Episode]) -> Sequence[Episode]:
+def lately(
+    formulation: Formulation, episodes: Sequence[TrainingEpisode]
+) -> Sequence[TrainingEpisode]:
     """The last episodes: 50, and as many more as end while each environment ends one."""
     if not episodes:
         return episodes
@@ -88,7 +92,7 @@ def lately(formulation: Formulation, episodes: Sequence[Episode]) -> Sequence[Ep
     return episodes[min(first, max(0, len(episodes) - _LATELY)) :]
 
 
-def steps_to_good(formulation: Formulation, episodes: Sequence[Episode]) -> int | None:
+def steps_to_good(formulation: Formulation, episodes: Sequence[TrainingEpisode]) -> int | None:
     """The steps after which nine of ten of the last episodes were insertions."""
     done = list(accumulate((one.inserted for one in episodes), initial=0))
     least, first = LEAST_BUDGETS[formulation], 0
@@ -103,7 +107,9 @@ def steps_to_good(formulation: Formulation, episodes: Sequence[Episode]) -> int 
     return None
 
 
-def _part(episodes: Sequence[Episode], budget: int, place: int, count: int) -> list[Episode]:
+def _part(
+    episodes: Sequence[TrainingEpisode], budget: int, place: int, count: int
+) -> list[TrainingEpisode]:
     low, high = budget * place / count, budget * (place + 1) / count
     last = place == count - 1
     return [one for one in episodes if low < one.steps <= high or (last and one.steps > high)]

@@ -12,7 +12,7 @@ import gymnasium
 
 from dslkit.campaign import Value
 from dslkit.writing import write_whole
-from heron.learning.episodes import Episode, EpisodeLog
+from heron.learning.episodes import EpisodeLog, TrainingEpisode
 from heron.learning.runs import TrainingRun, environment, run_of
 from heron.learning.summary import row_of
 from heron.variants import Formulation, LearningArm
@@ -30,7 +30,7 @@ class Training(Protocol):
 
     steps: int
 
-    def episodes(self) -> Iterator[Episode]:
+    def episodes(self) -> Iterator[TrainingEpisode]:
         """Learn until the budget is used, and report each episode."""
 
     def save(self) -> bytes:
@@ -39,7 +39,7 @@ class Training(Protocol):
     def load(self, kept: bytes) -> None:
         """Continue from a saved state. Raises `ValueError` for any other object."""
 
-    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> TrainingEpisode:
         """An episode with the learned values."""
 
     def result(self) -> tuple[str, bytes]:
@@ -84,7 +84,7 @@ def _new(run: TrainingRun) -> Training:
     return StepTraining(run)
 
 
-def _finals(run: TrainingRun, training: Training) -> Mapping[LearningArm, list[Episode]]:
+def _finals(run: TrainingRun, training: Training) -> Mapping[LearningArm, list[TrainingEpisode]]:
     found = {}
     for arm in (LearningArm.GUARD, LearningArm.UNGUARDED):
         env = environment(run.formulation, arm)

@@ -12,7 +12,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from heron.learning.episodes import Episode, episode
+from heron.learning.episodes import TrainingEpisode, episode
 from heron.learning.runs import TrainingRun, environment
 from heron.learning.tree import NUMBERS, RANGES, InsertionTree
 
@@ -41,7 +41,7 @@ class TreeTraining:
         self._scores: list[list[float]] = []
         self.steps = 0
 
-    def episodes(self) -> Iterator[Episode]:
+    def episodes(self) -> Iterator[TrainingEpisode]:
         """Try generations until they have used the steps of the budget, and report each episode.
         Times are processor times since this call.
         """
@@ -78,7 +78,7 @@ class TreeTraining:
         """The numbers at the center of the current search."""
         return numbers_of(np.clip(self._optimizer.mean, 0.0, 1.0))
 
-    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> TrainingEpisode:
         """An episode with the best numbers."""
         return episode(env, self._tree.policy(self.best()), seed)
 

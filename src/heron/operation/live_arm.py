@@ -8,10 +8,10 @@ from collections.abc import Sequence
 
 from gymnasium.utils import seeding
 
-from heron.learning.arm import READING_NS, Command
+from heron.learning.arm import READING_NS, ArmCommand
 from heron.learning.environment import GREATEST
 from heron.learning.insertion import Insertion, InsertionOutcome, TaskParameters
-from heron.learning.on_topics import PUSH, VELOCITY, Readings
+from heron.learning.on_topics import PUSH, VELOCITY, TopicReadings
 from heron.messages import Message
 from heron.operation.pace import Pace
 from heron.ros1 import Ros1Error
@@ -36,7 +36,7 @@ class LiveArm:
         self._node = node
         self._insertion = _ByReadings(TaskParameters(InsertionParameters()))
         self._insertion.begin(seeding.np_random(seed)[0])
-        self._readings = Readings(Ros1Carrier(node, lambda: None))
+        self._readings = TopicReadings(Ros1Carrier(node, lambda: None))
         self._velocity = _Latest(GREATEST[:3].tolist())
         self._push = _Latest(GREATEST[3:].tolist())
         node.subscribe(VELOCITY.name, VELOCITY.type, self._hear_velocity)
@@ -68,10 +68,10 @@ class LiveArm:
         silent = [topic for topic in (VELOCITY, PUSH) if not self._node.hears(topic.name)]
         return f"no node publishes {_names(silent)}: {_GUARD}" if silent else None
 
-    def _command(self) -> Command:
+    def _command(self) -> ArmCommand:
         x, y, z = self._velocity.now()
         (push,) = self._push.now()
-        return Command((x, y, z), min(push, 0.0))
+        return ArmCommand((x, y, z), min(push, 0.0))
 
     def _hear_velocity(self, message: Message) -> None:
         linear = message.linear
@@ -81,13 +81,13 @@ class LiveArm:
         self._push.put((message.force.z,))
 
 
-_STANDING = Command((0.0, 0.0, 0.0), 0.0)
+_STANDING = ArmCommand((0.0, 0.0, 0.0), 0.0)
 
 
 class _ByReadings(Insertion):
     """The task, whose commands may change after each reading."""
 
-    def follow(self, command: Command) -> None:
+    def follow(self, command: ArmCommand) -> None:
         """Execute a command until the next reading."""
         self.arm.follow(command)
         self.elapsed_ns += READING_NS

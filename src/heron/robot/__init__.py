@@ -5,7 +5,7 @@ physics.
 from heron.robot.arm import Arm
 from heron.robot.arm_controller import ArmController, ArmControllerParameters
 from heron.robot.base import Base
-from heron.robot.drive import Drive, DriveParameters
+from heron.robot.drive import DifferentialDrive, DriveParameters
 from heron.robot.force_torque import ForceTorque, ForceTorqueParameters
 from heron.robot.imu import Imu, ImuParameters
 from heron.robot.joint_states import JointStates, JointStatesParameters
@@ -18,7 +18,7 @@ __all__ = [
     "ArmController",
     "ArmControllerParameters",
     "Base",
-    "Drive",
+    "DifferentialDrive",
     "DriveParameters",
     "ForceTorque",
     "ForceTorqueParameters",

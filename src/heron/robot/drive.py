@@ -41,7 +41,7 @@ class _Heard:
     at_ns: int = _NEVER
 
 
-class Drive:
+class DifferentialDrive:
     """Differential drive of two wheels."""
 
     def __init__(

@@ -64,7 +64,7 @@ class PushParameters:
     leaving_speed: float = 0.05
 
 
-class Push:
+class PushMotion:
     """Pushes the thing in front of the hand, until the grasp is at `end` (m)."""
 
     def __init__(self, end: Floats, parameters: PushParameters) -> None:
@@ -122,7 +122,7 @@ class WipeParameters:
     leaving_speed: float = 0.05
 
 
-class Wipe:
+class WipeMotion:
     """Presses in the direction of `normal`, and strokes along a path of positions (m). Their
     distance from the board does not matter.
     """

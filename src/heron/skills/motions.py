@@ -2,7 +2,7 @@
 
 from ezskiros import INFERRED, SkillDescription, contact, force, server
 from heron.goals import ARM, LOOK_OUT, NAVIGATE
-from heron.skills.servers import Sent
+from heron.skills.servers import SentGoal
 from heron.skills.world import heron
 
 
@@ -17,7 +17,7 @@ class Drive(SkillDescription):
 
 class drive(Drive.SkillBase):
     def onStart(self):
-        self.sent = Sent(NAVIGATE, {"place": str(self.params.Target)})
+        self.sent = SentGoal(NAVIGATE, {"place": str(self.params.Target)})
         return True
 
     def execute(self):
@@ -43,7 +43,7 @@ class TurnBack(SkillDescription):
 
 class turn_back(TurnBack.SkillBase):
     def onStart(self):
-        self.sent = Sent(NAVIGATE, {"place": str(self.params.Start)})
+        self.sent = SentGoal(NAVIGATE, {"place": str(self.params.Start)})
         return True
 
     def execute(self):
@@ -72,7 +72,7 @@ class WaitUntilFree(SkillDescription):
 
 class wait_until_free(WaitUntilFree.SkillBase):
     def onStart(self):
-        self.sent = Sent(LOOK_OUT, {"seconds": self.params.Seconds})
+        self.sent = SentGoal(LOOK_OUT, {"seconds": self.params.Seconds})
         return True
 
     def execute(self):
@@ -116,7 +116,7 @@ class Reach(SkillDescription):
 
 class reach(Reach.SkillBase):
     def onStart(self):
-        self.sent = Sent(ARM, {"pose": self.params.Pose, "seconds": self.params.Seconds})
+        self.sent = SentGoal(ARM, {"pose": self.params.Pose, "seconds": self.params.Seconds})
         return True
 
     def execute(self):
@@ -146,7 +146,7 @@ class Grasp(SkillDescription):
 
 class grasp(Grasp.SkillBase):
     def onStart(self):
-        self.sent = Sent(ARM, {"pose": "grasp"})
+        self.sent = SentGoal(ARM, {"pose": "grasp"})
         return True
 
     def execute(self):
@@ -173,7 +173,7 @@ class PutDown(SkillDescription):
 
 class put_down(PutDown.SkillBase):
     def onStart(self):
-        self.sent = Sent(ARM, {"pose": "place"})
+        self.sent = SentGoal(ARM, {"pose": "place"})
         return True
 
     def execute(self):
@@ -205,7 +205,7 @@ class Push(SkillDescription):
 
 class push(Push.SkillBase):
     def onStart(self):
-        self.sent = Sent(ARM, {"pose": "push"})
+        self.sent = SentGoal(ARM, {"pose": "push"})
         return True
 
     def execute(self):
@@ -234,7 +234,7 @@ class Wipe(SkillDescription):
 
 class wipe(Wipe.SkillBase):
     def onStart(self):
-        self.sent = Sent(ARM, {"pose": "wipe"})
+        self.sent = SentGoal(ARM, {"pose": "wipe"})
         return True
 
     def execute(self):

@@ -12,7 +12,7 @@ CARRIER: ContextVar[Servers] = ContextVar("carrier", default=_ROS1)
 """SkiROS2 sets no carrier: its skills use the action servers of ROS 1."""
 
 
-class Sent:
+class SentGoal:
     """A goal that was sent to an action server. `is_reached` is None until the server answers."""
 
     def __init__(self, server: str, goal: Goal) -> None:

@@ -4,9 +4,9 @@ from heron.tasks.look_out import LookOut, LookOutParameters
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import TaskStatus
 from heron.tasks.place_navigation import PlaceNavigation
-from heron.tasks.skill_context import SkillContext
+from heron.tasks.skill_context import SkillContextPublisher
 from heron.tasks.skill_task import SkillTask
-from heron.tasks.tree import Span, Status, TreeSkill
+from heron.tasks.tree import SkillSpan, Status, TreeSkill
 
 __all__ = [
     "LookOut",
@@ -14,9 +14,9 @@ __all__ = [
     "Navigation",
     "NavigationParameters",
     "PlaceNavigation",
-    "SkillContext",
+    "SkillContextPublisher",
+    "SkillSpan",
     "SkillTask",
-    "Span",
     "Status",
     "TaskStatus",
     "TreeSkill",

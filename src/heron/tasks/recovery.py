@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ezskiros.engine.interruption import InterruptibleTask, Recovery
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError, TaskHost
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedGoalError, TaskHost
 from heron.goals import Goal, Value
 
 
@@ -28,7 +28,7 @@ class RecoveryServer:
                 _texts(goal.get("without", ())),
                 lambda is_success, _: done(is_success),
             )
-        except RefusedError:
+        except RefusedGoalError:
             done(False)
 
     def cancel(self) -> None:

@@ -16,7 +16,7 @@ from heron.topics import SKILL_CONTEXT, Carrier
 _PACKAGE = "skill_context_msgs"
 
 
-class SkillContext:
+class SkillContextPublisher:
     """Publishes the context of a task while the task exists."""
 
     period_ns = 100_000_000

@@ -24,7 +24,7 @@ class Status(enum.Enum):
     PREEMPTED = "preempted"
 
 
-class Span(NamedTuple):
+class SkillSpan(NamedTuple):
     """The start and the end of a skill (s), and its status. There is no end while it runs."""
 
     start: float
@@ -38,7 +38,7 @@ class TreeSkill:
 
     label: str
     depth: int
-    spans: tuple[Span, ...]
+    spans: tuple[SkillSpan, ...]
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def tree_over_time(
     to the tree that began last.
     """
     skills = [list(_skills(each.root)) for each in trees]
-    spans: list[dict[tuple[str, ...], list[Span]]] = [
+    spans: list[dict[tuple[str, ...], list[SkillSpan]]] = [
         {skill.path: [] for skill in each} for each in skills
     ]
     for number, (at_s, event) in enumerate(events):
@@ -100,13 +100,13 @@ def _skills(node: Behaviour) -> Iterator[SkillChild]:
         yield from _skills(child)
 
 
-def _note(spans: list[Span], at_s: float, happened: Happened) -> None:
+def _note(spans: list[SkillSpan], at_s: float, happened: Happened) -> None:
     if happened is Happened.STARTED:
-        spans.append(Span(at_s, None, Status.RUNNING))
+        spans.append(SkillSpan(at_s, None, Status.RUNNING))
     elif happened in _ENDS:
         is_running = bool(spans) and spans[-1].end is None
         start = spans.pop().start if is_running else at_s  # one that fails before it starts
-        spans.append(Span(start, at_s, _ENDS[happened]))
+        spans.append(SkillSpan(start, at_s, _ENDS[happened]))
 
 
 def _label(skill: SkillChild) -> str:

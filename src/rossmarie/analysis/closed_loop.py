@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from rossmarie.analysis.published import values_of
 from rossmarie.analysis.witness import Sending
-from rossmarie.interpreter import Interpreter, Reactor, State
+from rossmarie.interpreter import Interpreter, Reactor, TaskState
 from rossmarie.ir import (
     ChannelValues,
     FieldBounds,
@@ -132,7 +132,7 @@ class Loop:
             self._channels.get(task) == channel
             and isinstance(effect := self.machine.reactions.tasks[task].effect, Publish)
             and effect.command is not None
-            and self._reactor.states[task] is State.HOLDING
+            and self._reactor.states[task] is TaskState.HOLDING
             for task in self._due
         )
 
@@ -185,7 +185,7 @@ class Loop:
 
     def _publish_due(self, at_ns: int) -> None:
         for task, due_ns in list(self._due.items()):
-            if self._reactor.states[task] is not State.HOLDING:
+            if self._reactor.states[task] is not TaskState.HOLDING:
                 del self._due[task]
             elif due_ns <= at_ns:
                 self._publish(at_ns, task)

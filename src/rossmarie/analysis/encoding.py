@@ -22,8 +22,8 @@ from rossmarie.analysis.once import once_each
 from rossmarie.analysis.terms import (
     NO,
     YES,
-    Fact,
     NumberTerm,
+    PropositionTerm,
     conjunction,
     constant,
     disjunction,
@@ -102,7 +102,7 @@ class Encoding(ABC):
         self.machine = asked.machine
         self.facts: list[z3.BoolRef] = []
         self._signals: dict[int, NumberTerm] = {}
-        self._propositions: dict[int, Fact] = {}
+        self._propositions: dict[int, PropositionTerm] = {}
 
     @property
     def known_signals(self) -> frozenset[int]:
@@ -136,19 +136,19 @@ class Encoding(ABC):
         """S24: a count of elements."""
 
     @abstractmethod
-    def held(self, index: int, node: ir.Held, operand: Fact) -> Fact:
+    def held(self, index: int, node: ir.Held, operand: PropositionTerm) -> PropositionTerm:
         """S33: a `for`."""
 
     @abstractmethod
-    def remembered(self, index: int) -> Fact:
+    def remembered(self, index: int) -> PropositionTerm:
         """S44: the value of a `since` at the last evaluation."""
 
     @abstractmethod
-    def oscillating(self, index: int) -> Fact:
+    def oscillating(self, index: int) -> PropositionTerm:
         """S32: an oscillation, if the signal is known."""
 
     @abstractmethod
-    def recurring(self, index: int, node: ir.Recurs) -> Fact:
+    def recurring(self, index: int, node: ir.Recurs) -> PropositionTerm:
         """S48: a count of edges."""
 
     # --- inputs ------------------------------------------------------------------------------
@@ -225,7 +225,7 @@ class Encoding(ABC):
     # --- propositions
     # ------------------------------------------------------------------------------
 
-    def proposition(self, index: int) -> Fact:
+    def proposition(self, index: int) -> PropositionTerm:
         """A proposition that has one value for the whole machine."""
         if index not in self._propositions:
             for below in ir.reachable_propositions(self.machine, index):
@@ -235,7 +235,7 @@ class Encoding(ABC):
                     )
         return self._propositions[index]
 
-    def _proposition(self, index: int, node: ir.PropositionNode) -> Fact:
+    def _proposition(self, index: int, node: ir.PropositionNode) -> PropositionTerm:
         match node:
             case ir.Literal() | ir.Not() | ir.And() | ir.Or():
                 return joined(
@@ -261,17 +261,17 @@ class Encoding(ABC):
                 values = [number.value for number in numbers]
                 return self._leaf(index, node, known, holds(node, values))
 
-    def _since(self, index: int, held: Fact, begun: Fact) -> Fact:
+    def _since(self, index: int, held: PropositionTerm, begun: PropositionTerm) -> PropositionTerm:
         """S44: a `since`."""
         before = disjunction([begun, self.remembered(index)])
         return disjunction([begun, conjunction([held, before])])
 
     def _leaf(
         self, index: int, node: ir.PropositionNode, known: z3.BoolRef, is_so: z3.BoolRef
-    ) -> Fact:
+    ) -> PropositionTerm:
         unknown = z3.Not(known)
         stale = z3.And(unknown, self.is_stale(index, node))
-        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
+        return PropositionTerm(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
 
     def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """S30: say whether an unknown leaf is unknown because of an input with a timeout."""
@@ -297,13 +297,13 @@ class Encoding(ABC):
             complete = z3.And(complete, z3.FreshBool("complete")) if self.rounded else NO
         return z3.Or(*lacking, complete)
 
-    def _oscillates(self, index: int, node: ir.Oscillates, number: NumberTerm) -> Fact:
+    def _oscillates(self, index: int, node: ir.Oscillates, number: NumberTerm) -> PropositionTerm:
         if not self.asked.supports.signals[node.signal].channels:
             return literal(False)
         unknown = z3.Not(number.known)
         found = self.oscillating(index)
         stale = self.is_stale(index, node)
-        return Fact(
+        return PropositionTerm(
             z3.And(number.known, found.true),
             z3.And(number.known, found.false),
             z3.If(unknown, stale, found.stale),
@@ -311,7 +311,7 @@ class Encoding(ABC):
 
     # --- elements ----------------------------------------------------------------------------
 
-    def _quantified(self, index: int, node: ir.Quantified) -> Fact:
+    def _quantified(self, index: int, node: ir.Quantified) -> PropositionTerm:
         array = self.asked.elements.propositions[node.element]
         its_list = lists.list_of(self.machine, array)
         if its_list is not None:
@@ -324,7 +324,7 @@ class Encoding(ABC):
         for cell in cells:
             found = self.element_proposition(node.element, cell)
             parts.append(
-                Fact(
+                PropositionTerm(
                     z3.If(cell.is_there, found.true, neutral.true),
                     z3.If(cell.is_there, found.false, neutral.false),
                     NO,
@@ -334,7 +334,7 @@ class Encoding(ABC):
         there = z3.And(self.is_kept(array), cells[0].is_there)
         true, false = z3.And(there, whole.true), z3.And(there, whole.false)
         unknown = z3.Not(z3.Or(true, false))
-        return Fact(true, false, z3.And(unknown, self.is_stale(index, node)))
+        return PropositionTerm(true, false, z3.And(unknown, self.is_stale(index, node)))
 
     def _element_signal(self, index: int, cell: Cell) -> NumberTerm:
         if self.asked.elements.signals[index] is None:
@@ -366,7 +366,7 @@ class Encoding(ABC):
         may_be_stale = self.rounded and array in self.asked.beside
         return z3.FreshBool("kept") if may_be_stale else YES
 
-    def element_proposition(self, index: int, cell: Cell) -> Fact:
+    def element_proposition(self, index: int, cell: Cell) -> PropositionTerm:
         """The value of a proposition for one element; unknown is never stale here (S22)."""
         node = self.machine.propositions[index].node
         operands = [self.element_proposition(each, cell) for each in ir.proposition_operands(node)]
@@ -385,8 +385,8 @@ class Encoding(ABC):
             ):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, cell: Cell) -> Fact:
+    def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, cell: Cell) -> PropositionTerm:
         numbers = [self._element_signal(signal, cell) for signal in ir.compared_signals(node)]
         known = z3.And([number.known for number in numbers])
         found = holds(node, [number.value for number in numbers])
-        return Fact(z3.And(known, found), z3.And(known, z3.Not(found)), NO)
+        return PropositionTerm(z3.And(known, found), z3.And(known, z3.Not(found)), NO)

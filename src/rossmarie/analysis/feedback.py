@@ -18,7 +18,7 @@ from rossmarie.analysis.errors import RulesAlternate, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.hints import hints
 from rossmarie.analysis.inquiry import Inquiry
-from rossmarie.analysis.published import Publication, publications, values_of
+from rossmarie.analysis.published import Publisher, publications, values_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.terms import constant
@@ -63,9 +63,7 @@ def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
             yield circle.open()
 
 
-def _circles(
-    inquiry: Inquiry, published: Sequence[Publication]
-) -> Iterator[tuple[Publication, ...]]:
+def _circles(inquiry: Inquiry, published: Sequence[Publisher]) -> Iterator[tuple[Publisher, ...]]:
     """Circles of rules, the shortest first: each rule publishes a message that the next rule reads.
     Latched rules are left out, because they are not cleared.
     """
@@ -78,11 +76,11 @@ def _circles(
 
 
 def _longer(
-    path: tuple[Publication, ...],
+    path: tuple[Publisher, ...],
     length: int,
-    free: Sequence[Publication],
+    free: Sequence[Publisher],
     reads: Mapping[int, frozenset[int]],
-) -> Iterator[tuple[Publication, ...]]:
+) -> Iterator[tuple[Publisher, ...]]:
     """The circles of a given length that begin with a path. The first rule of the path has the
     lowest number in the circle.
     """
@@ -112,7 +110,7 @@ class Circle:
     """
 
     def __init__(
-        self, inquiry: Inquiry, circle: Sequence[Publication], published: Sequence[Publication]
+        self, inquiry: Inquiry, circle: Sequence[Publisher], published: Sequence[Publisher]
     ) -> None:
         self._machine = inquiry.machine
         self._circle = circle
@@ -211,7 +209,7 @@ class Circle:
             found.append(z3.Or([z3.Not(trace.is_active(order[0], each)) for each in later]))
         return z3.And(found)
 
-    def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
+    def _brings(self, before: Leg, leg: Leg, message: Publisher) -> z3.BoolRef:
         """The fact that a leg sends a message of a rule, besides the messages of the leg before."""
         machine = self._machine
         values = values_of(machine, message.task, message.channel)
@@ -360,7 +358,7 @@ def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
 # --- words -----------------------------------------------------------------------------------
 
 
-def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witness) -> Finding:
+def _alternating(machine: Machine, circle: Sequence[Publisher], witness: Witness) -> Finding:
     finding = RulesAlternate(
         rules=_named(machine, circle),
         whom="set each other" if circle[1:] else "sets itself",
@@ -382,17 +380,17 @@ def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witne
     return Finding(finding.at(head, *places, notes=(note, often)), witness)
 
 
-def _named(machine: Machine, circle: Sequence[Publication]) -> str:
+def _named(machine: Machine, circle: Sequence[Publisher]) -> str:
     names = [f"`{machine.rules[each.rule].name}`" for each in circle]
     return f"rules {', '.join(names[:-1])} and {names[-1]}" if names[1:] else f"rule {names[0]}"
 
 
-def _reader(machine: Machine, circle: Sequence[Publication], place: int) -> str:
+def _reader(machine: Machine, circle: Sequence[Publisher], place: int) -> str:
     following = circle[(place + 1) % len(circle)]
     return "it" if len(circle) == 1 else f"`{machine.rules[following.rule].name}`"
 
 
-def _open(machine: Machine, circle: Sequence[Publication]) -> Finding:
+def _open(machine: Machine, circle: Sequence[Publisher]) -> Finding:
     whom = "each other" if circle[1:] else "itself"
     query = f"can {_named(machine, circle)} set {whom} off by publishing?"
     reason = "no short trace shows it, and no proof excludes it"

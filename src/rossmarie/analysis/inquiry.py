@@ -33,7 +33,7 @@ class OutOfTimeError(Exception):
 
 
 @dataclass(frozen=True)
-class Asked:
+class AskedQuery:
     """A query: the predicate as terms over one state, as terms over a trace, and as the interpreter
     evaluates it. `propositions` are the indices of the propositions that it depends on.
     """
@@ -73,7 +73,7 @@ class Inquiry:
         """An inquiry about a proposition, which becomes the last proposition of its machine."""
         return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
-    def decide(self, query: Asked) -> QueryResult:
+    def decide(self, query: AskedQuery) -> QueryResult:
         """Find the answer to a query. The cheapest method comes first."""
         self.check_time()
         state = ArbitraryState(self.asked)
@@ -152,7 +152,7 @@ class Inquiry:
     # --- witnesses ---------------------------------------------------------------------------
 
     def witness(
-        self, query: Asked, attempts: Sequence[tuple[int, bool]] | None = None
+        self, query: AskedQuery, attempts: Sequence[tuple[int, bool]] | None = None
     ) -> Witness | None:
         """A witness that the interpreter confirms, preferably one in which all sensors work."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
@@ -163,7 +163,7 @@ class Inquiry:
                 return witness
         return None
 
-    def _borne_out(self, trace: SymbolicTrace, query: Asked, is_calm: bool) -> Witness | None:
+    def _borne_out(self, trace: SymbolicTrace, query: AskedQuery, is_calm: bool) -> Witness | None:
         """A confirmed witness on a trace, the most readable witness that is found."""
         predicate = query.in_trace(trace)
         wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
@@ -205,9 +205,9 @@ that needs more changes than three legs allow stays undecided.
 """
 
 
-def both_active(machine: Machine) -> Asked:
+def both_active(machine: Machine) -> AskedQuery:
     """The query whether the first two rules of a machine can be active at the same time."""
-    return Asked(
+    return AskedQuery(
         propositions_of(machine, (0, 1)),
         partial(together, one=0, other=1),
         partial(seen_together, one=0, other=1),
@@ -215,9 +215,9 @@ def both_active(machine: Machine) -> Asked:
     )
 
 
-def has_value(proposition: int, value: TruthValue) -> Asked:
+def has_value(proposition: int, value: TruthValue) -> AskedQuery:
     """The query whether a proposition can have a value."""
-    return Asked(
+    return AskedQuery(
         (proposition,),
         partial(is_value, proposition=proposition, value=value),
         partial(_comes_to, proposition=proposition, value=value),

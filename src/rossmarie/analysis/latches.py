@@ -15,7 +15,7 @@ from rossmarie.analysis.activity import becomes_active, may_be_active, propositi
 from rossmarie.analysis.conflict import ordered_pairs
 from rossmarie.analysis.errors import LatchReleased, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry, QueryResult
+from rossmarie.analysis.inquiry import AskedQuery, Inquiry, QueryResult
 from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import SymbolicTrace
@@ -90,10 +90,10 @@ class Release:
     is_at_once: bool
 
     @property
-    def asked(self) -> Asked:
+    def asked(self) -> AskedQuery:
         """The predicate as a query."""
         propositions = propositions_of(self.part, tuple(range(len(self.part.rules))))
-        return Asked(propositions, self.in_state, self._in_trace, self.in_view)
+        return AskedQuery(propositions, self.in_state, self._in_trace, self.in_view)
 
     @property
     def _condition(self) -> int:

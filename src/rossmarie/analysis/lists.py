@@ -12,7 +12,7 @@ from typing import Protocol
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.terms import Fact, NumberTerm
+from rossmarie.analysis.terms import NumberTerm, PropositionTerm
 
 
 class Encoding(Protocol):
@@ -59,7 +59,9 @@ def counted(encoding: Encoding, its_list: int) -> NumberTerm:
     return NumberTerm(z3.And(fresh, z3.FreshBool("count.known")), z3.ToReal(number))
 
 
-def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantified) -> Fact:
+def quantified(
+    encoding: Encoding, its_list: int, index: int, node: ir.Quantified
+) -> PropositionTerm:
     """A proposition that is true for at least one element, or for every element."""
     fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
     if encoding.rounded:
@@ -68,4 +70,4 @@ def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantifie
         known, is_so = fresh, z3.BoolVal(node.quantifier is ir.Quantifier.ALL)
     known = z3.And(fresh, known)
     stale = z3.And(z3.Not(known), encoding.is_stale(index, node))
-    return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
+    return PropositionTerm(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)

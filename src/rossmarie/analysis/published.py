@@ -31,7 +31,7 @@ from rossmarie.ir.skills import SkillContext, answer
 
 
 @dataclass(frozen=True)
-class Publication:
+class Publisher:
     """A task of a rule that publishes on the topic of a channel. `is_sure` is True if the task
     starts whenever its rule does: no earlier task is awaited, and the task follows no failure.
     """
@@ -42,7 +42,7 @@ class Publication:
     is_sure: bool
 
 
-def publications(machine: Machine) -> Iterator[Publication]:
+def publications(machine: Machine) -> Iterator[Publisher]:
     """All tasks that publish a message that an input reads."""
     topics = {channel.topic: index for index, channel in enumerate(machine.channels)}
     for rule, plan in enumerate(machine.reactions.plans):
@@ -50,7 +50,7 @@ def publications(machine: Machine) -> Iterator[Publication]:
         for task in plan.tasks:
             effect = machine.reactions.tasks[task].effect
             if isinstance(effect, Publish) and effect.topic in topics:
-                yield Publication(rule, task, topics[effect.topic], task in first)
+                yield Publisher(rule, task, topics[effect.topic], task in first)
 
 
 def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:

@@ -13,7 +13,7 @@ import z3
 from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.finding import Finding, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.inquiry import AskedQuery, Inquiry
 from rossmarie.analysis.rate_errors import (
     NeverAtRate,
     OneMessageEnough,
@@ -23,8 +23,7 @@ from rossmarie.analysis.rate_errors import (
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import SymbolicTrace
 from rossmarie.analysis.witness import Sending, View, Witness, views
-from rossmarie.core import MOST_SAMPLES, sampling_row
-from rossmarie.core import View as Found
+from rossmarie.core import MOST_SAMPLES, SampleNumber, sampling_row
 from rossmarie.ir import (
     AgeReaches,
     And,
@@ -121,7 +120,7 @@ def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness 
     """
     condition = inquiry.machine.rules[rule].condition
     witness = inquiry.witness(
-        Asked(
+        AskedQuery(
             propositions_of(inquiry.machine, (rule,)),
             lambda state: state.proposition(condition).stale,
             partial(_comes_to_loss, declared=declared, rule=rule, gap_ns=gap_ns),
@@ -273,7 +272,7 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
         node = machine.signals[waiting.pop()].node
         if isinstance(node, Sampled):
             declared = sampling_row(node.function)
-            if Found.BEFORE in declared.views and not declared.feeds_back:
+            if SampleNumber.BEFORE in declared.views and not declared.feeds_back:
                 yield node.signal
         waiting += signal_operands(node)
 
@@ -309,7 +308,7 @@ def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
     if part.node.duration_ns >= least_ns:
         return
     witness = inquiry.witness(
-        Asked(
+        AskedQuery(
             (proposition,),
             lambda state: state.proposition(proposition).true,
             lambda trace: z3.Or([moment.proposition(proposition).true for moment in trace.moments]),

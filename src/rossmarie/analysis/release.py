@@ -10,7 +10,7 @@ import z3
 from rossmarie.analysis.activity import is_cleared, propositions_of
 from rossmarie.analysis.errors import NoWayOut, Undecided
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.inquiry import AskedQuery, Inquiry
 from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import SymbolicTrace
@@ -29,7 +29,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
         if alone.is_impossible(partial(_is_false, condition=condition)):
             continue  # always active; another query reports this
         result = alone.decide(
-            Asked(
+            AskedQuery(
                 propositions_of(alone.machine, (0,)),
                 partial(is_cleared, rule=0),
                 partial(_clears, rule=0),

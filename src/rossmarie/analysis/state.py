@@ -17,7 +17,7 @@ from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.quantities import quantity_facts
-from rossmarie.analysis.terms import Fact, NumberTerm, choice, free_fact, literal
+from rossmarie.analysis.terms import NumberTerm, PropositionTerm, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
 
@@ -36,7 +36,7 @@ class ArbitraryState(Encoding):
         self._slots: dict[int, NumberTerm] = {}
         self._calls = Calls(self.machine, "state")
         self._cells: dict[int, Sequence[Cell]] = {}
-        self._before: dict[int, Fact] = {}
+        self._before: dict[int, PropositionTerm] = {}
         self._elapsed: dict[int, z3.ArithRef] = {}
         self._ages: dict[int, z3.ArithRef] = {}
 
@@ -109,7 +109,7 @@ class ArbitraryState(Encoding):
         self.facts.append(number >= 0)
         return NumberTerm(z3.And(known), z3.ToReal(number))
 
-    def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
+    def held(self, _: int, node: ir.Held, operand: PropositionTerm) -> PropositionTerm:
         """True once its condition has been true for long enough; before that, the value that the
         condition had earlier.
         """
@@ -122,7 +122,7 @@ class ArbitraryState(Encoding):
             operand.true, choice(is_true, literal(True), self.before(node.operand)), operand
         )
 
-    def before(self, operand: int) -> Fact:
+    def before(self, operand: int) -> PropositionTerm:
         """The value that a proposition had before; the proposition is now true."""
         if operand not in self._before:
             found = free_fact(f"proposition{operand}.before", self.facts)
@@ -160,18 +160,18 @@ class ArbitraryState(Encoding):
         is_equal = self.elapsed(other) == self.elapsed(operand)
         return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
 
-    def remembered(self, index: int) -> Fact:
+    def remembered(self, index: int) -> PropositionTerm:
         """Any value, whatever the present values of its operands."""
         found = free_fact(f"proposition{index}.remembered", self.facts)
         if not self.asked.has_timeout(self.asked.supports.propositions[index].inputs):
             self.facts.append(z3.Not(found.stale))
         return found
 
-    def oscillating(self, index: int) -> Fact:
+    def oscillating(self, index: int) -> PropositionTerm:
         """Any value."""
         return free_fact(f"proposition{index}", self.facts)
 
-    def recurring(self, index: int, _: ir.Recurs) -> Fact:
+    def recurring(self, index: int, _: ir.Recurs) -> PropositionTerm:
         """Any value, because past edges are not encoded."""
         return free_fact(f"proposition{index}", self.facts)
 

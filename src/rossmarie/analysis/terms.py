@@ -33,7 +33,7 @@ class NumberTerm:
 
 
 @dataclass(frozen=True)
-class Fact:
+class PropositionTerm:
     """A proposition as three flags, T, F and S. At most one flag is true. If no flag is true, the
     value is U.
     """
@@ -60,48 +60,48 @@ class Fact:
         return z3.Or(self.true, self.stale)
 
 
-def literal(value: bool) -> Fact:
+def literal(value: bool) -> PropositionTerm:
     """T or F."""
-    return Fact(YES if value else NO, NO if value else YES, NO)
+    return PropositionTerm(YES if value else NO, NO if value else YES, NO)
 
 
 FALSE = literal(False)
 
 
-def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
+def free_fact(name: str, facts: list[z3.BoolRef]) -> PropositionTerm:
     """A proposition of any value. Facts about it are added to `facts`."""
     true, false, stale = (z3.Bool(f"{name}.{value}") for value in "TFS")
     facts.append(z3.AtMost(true, false, stale, 1))
-    return Fact(true, false, stale)
+    return PropositionTerm(true, false, stale)
 
 
-def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
+def choice(condition: z3.BoolRef, one: PropositionTerm, other: PropositionTerm) -> PropositionTerm:
     """The first proposition if the condition is true, else the other proposition."""
-    return Fact(
+    return PropositionTerm(
         z3.If(condition, one.true, other.true),
         z3.If(condition, one.false, other.false),
         z3.If(condition, one.stale, other.stale),
     )
 
 
-def negation(operand: Fact) -> Fact:
+def negation(operand: PropositionTerm) -> PropositionTerm:
     """The negation, `not` (S2)."""
-    return Fact(operand.false, operand.true, operand.stale)
+    return PropositionTerm(operand.false, operand.true, operand.stale)
 
 
-def conjunction(operands: Sequence[Fact]) -> Fact:
+def conjunction(operands: Sequence[PropositionTerm]) -> PropositionTerm:
     """The conjunction, `and` (S2)."""
     false = z3.Or([operand.false for operand in operands])
     stale = z3.And(z3.Not(false), z3.Or([operand.stale for operand in operands]))
-    return Fact(z3.And([operand.true for operand in operands]), false, stale)
+    return PropositionTerm(z3.And([operand.true for operand in operands]), false, stale)
 
 
-def disjunction(operands: Sequence[Fact]) -> Fact:
+def disjunction(operands: Sequence[PropositionTerm]) -> PropositionTerm:
     """The disjunction, `or` (S2)."""
     return negation(conjunction([negation(operand) for operand in operands]))
 
 
-def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
+def joined(node: Literal | Not | And | Or, operands: Sequence[PropositionTerm]) -> PropositionTerm:
     """The combination of some propositions (S2)."""
     match node:
         case Literal(value=value):

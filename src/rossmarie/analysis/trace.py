@@ -23,13 +23,13 @@ from rossmarie.analysis.state import shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
     NO,
-    Fact,
     NumberTerm,
+    PropositionTerm,
     choice,
     literal,
 )
 from rossmarie.analysis.times import SECOND, Times
-from rossmarie.core import View, sampling_row
+from rossmarie.core import SampleNumber, sampling_row
 from rossmarie.core.expressions import Operand
 from rossmarie.ir.calls import query_at
 
@@ -140,7 +140,7 @@ class LegMoment(Encoding):
             known = z3.And(brings, number.known) if declared.takes_time else NO
             return NumberTerm(known, at_rest)
         earlier = self._before.signal(index)
-        needed = [number.known] if View.NEWEST in declared.views else []
+        needed = [number.known] if SampleNumber.NEWEST in declared.views else []
         if self._is_end:
             known = z3.And(z3.If(brings, number.known, earlier.known), *needed)
             return NumberTerm(known, z3.If(brings, at_rest, earlier.value))
@@ -152,16 +152,22 @@ class LegMoment(Encoding):
         step = Formulas(views, exactly).term(declared.expression)
         return NumberTerm(known, z3.If(brings, step, earlier.value))
 
-    def _view(self, view: View, number: NumberTerm, last: NumberTerm) -> z3.ArithRef:
+    def _view(self, view: SampleNumber, number: NumberTerm, last: NumberTerm) -> z3.ArithRef:
         """The value of a view at the first message of a leg."""
         match view:
-            case View.NEWEST:
+            case SampleNumber.NEWEST:
                 return number.value
-            case View.BEFORE:
+            case SampleNumber.BEFORE:
                 return last.value
-            case View.SECONDS:
+            case SampleNumber.SECONDS:
                 return z3.Q(self._times.period_ns, SECOND)
-            case View.LOWER | View.UPPER | View.TOTAL | View.COUNT | View.CONSTANT:
+            case (
+                SampleNumber.LOWER
+                | SampleNumber.UPPER
+                | SampleNumber.TOTAL
+                | SampleNumber.COUNT
+                | SampleNumber.CONSTANT
+            ):
                 raise AssertionError("windows and filters are not looked into")
 
     def count(self, node: ir.Count) -> NumberTerm:
@@ -175,7 +181,7 @@ class LegMoment(Encoding):
         known = [z3.Implies(cell.is_there, z3.Or(one.true, one.false)) for cell, one in pairs]
         return NumberTerm(z3.And(cells[0].is_there, *known), z3.ToReal(z3.Sum(ones)))
 
-    def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
+    def held(self, _: int, node: ir.Held, operand: PropositionTerm) -> PropositionTerm:
         """True once the operand has been true for long enough; before that, the value that the
         operand had earlier.
         """
@@ -200,7 +206,7 @@ class LegMoment(Encoding):
             self._elapsed[operand] = begun
         return self._elapsed[operand]
 
-    def was(self, operand: int, initially: bool) -> Fact:
+    def was(self, operand: int, initially: bool) -> PropositionTerm:
         """The value that a proposition had before; the proposition is now true. Before the start,
         it is `initially`.
         """
@@ -209,11 +215,11 @@ class LegMoment(Encoding):
         before = self._before.proposition(operand)
         return choice(before.true, self._before.was(operand, initially), before)
 
-    def remembered(self, index: int) -> Fact:
+    def remembered(self, index: int) -> PropositionTerm:
         """The value at the moment before."""
         return FALSE if self._before is None else self._before.proposition(index)
 
-    def recurring(self, _: int, node: ir.Recurs) -> Fact:
+    def recurring(self, _: int, node: ir.Recurs) -> PropositionTerm:
         """True if enough of the moments so far are edges within the time."""
         near = [
             z3.If(z3.And(is_edge, since < node.window_ns), 1, 0)
@@ -232,7 +238,7 @@ class LegMoment(Encoding):
         earlier = [(is_edge, since + gap) for is_edge, since in self._before.edges(operand)]
         return [*earlier, (z3.And(self._before.proposition(operand).false, now), z3.IntVal(0))]
 
-    def oscillating(self, index: int) -> Fact:
+    def oscillating(self, index: int) -> PropositionTerm:
         """The value of an oscillation that the messages of the leg give."""
         if self._is_end:
             return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)

@@ -15,7 +15,7 @@ from dslkit.diagnostics import Collector, Label
 from dslkit.source import SourceFile
 from rossmarie.check.actions.commands import CommandChecker
 from rossmarie.check.actions.effects import EffectChecker
-from rossmarie.check.actions.targets import Targets
+from rossmarie.check.actions.targets import TargetResolver
 from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
@@ -47,7 +47,7 @@ from rossmarie.check.rules.order import LONGEST_CIRCLE, circle_of, in_order
 from rossmarie.check.rules.plans import check_escalations, check_latches, check_size
 from rossmarie.check.rules.priorities import order_of_rules
 from rossmarie.check.rules.unless import giving_way
-from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.context import Context, ItemUses
 from rossmarie.check.scopes.declarations import collect
 from rossmarie.check.scopes.errors import CircularCondition, CircularConstant
 from rossmarie.check.scopes.exemptions import is_of_exempted
@@ -83,7 +83,7 @@ class _Actions:
 
     effects: Mapping[str, tuple[CheckedEffect, ...]]
     commands: Mapping[str, CommandTopic]
-    confirmations: tuple[tuple[Label, Uses], ...]
+    confirmations: tuple[tuple[Label, ItemUses], ...]
     order: tuple[int, ...]
     unless: tuple[tuple[int, ...], ...]
     priorities: tuple[tuple[int, int], ...]
@@ -117,7 +117,7 @@ def check(
     feedback = tuple(check_feedback(rule, context) for rule in declarations.rules)
     keeps = tuple(check_kept(rule, context) for rule in declarations.rules)
     categories = tuple(check_categories(rule, context) for rule in declarations.rules)
-    targets = Targets(model, context, was_parsed)
+    targets = TargetResolver(model, context, was_parsed)
     actions = _check_actions(targets, context)
     _check_circles(conditions, context)
     check_read_units(stated_units, context)
@@ -188,8 +188,8 @@ def _check_constant(constant: ast.Constant, is_first: bool, context: Context) ->
         context.constants[constant.name.text] = type_ if is_known else Unknown()
 
 
-def _check_conditions(context: Context) -> dict[ConditionKey, Uses]:
-    found: dict[ConditionKey, Uses] = {}
+def _check_conditions(context: Context) -> dict[ConditionKey, ItemUses]:
+    found: dict[ConditionKey, ItemUses] = {}
     for entity in context.declarations.entities:
         for condition in entity.conditions:
             uses = context.enter(entity.name.text)
@@ -204,7 +204,7 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
     warn_of_decided(expression, context)
 
 
-def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
+def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, ItemUses]:
     """Check a rule. Returns its place and its uses. Parts that an exemption takes over from the
     exempted rule are checked with the exempted rule.
     """
@@ -224,7 +224,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
     return MissingTimeout.Rule().at(rule.head), uses
 
 
-def _check_actions(targets: Targets, context: Context) -> _Actions:
+def _check_actions(targets: TargetResolver, context: Context) -> _Actions:
     """The effects of all actions, and their combined results."""
     targets.gather()
     checker = EffectChecker(targets)
@@ -244,7 +244,7 @@ def _check_actions(targets: Targets, context: Context) -> _Actions:
     return _Actions(effects, checker.commands, confirmations, order, unless, priorities)
 
 
-def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> None:
+def _check_circles(conditions: dict[ConditionKey, ItemUses], context: Context) -> None:
     _, circles = in_order({key: tuple(uses.conditions) for key, uses in conditions.items()})
     for circle in circles:
         names = [".".join(key) for key in circle]

@@ -39,7 +39,7 @@ class CheckedFrame:
 
 
 @dataclass(frozen=True)
-class Leg:
+class FrameStep:
     """A step of a path between frames: from a frame to its parent, or back."""
 
     frame: CheckedFrame
@@ -67,7 +67,7 @@ class FrameTree:
         parents = (each.parent for each in self.frames.values())
         return tuple(dict.fromkeys((*self.aliases, *self.frames, *parents)))
 
-    def path(self, source: str, target: str) -> tuple[Leg, ...] | None:
+    def path(self, source: str, target: str) -> tuple[FrameStep, ...] | None:
         """The path from one frame to another; None if there is none. The tree has no circle."""
         up, down = self._above(source), self._above(target)
         above = {each.parent: number for number, each in enumerate(up, start=1)} | {source: 0}
@@ -75,8 +75,8 @@ class FrameTree:
         common = next((name for name in (source, *above) if name in meeting), None)
         if common is None:
             return None
-        there = [Leg(each, is_back=False) for each in up[: above[common]]]
-        back = [Leg(each, is_back=True) for each in reversed(down[: meeting[common]])]
+        there = [FrameStep(each, is_back=False) for each in up[: above[common]]]
+        back = [FrameStep(each, is_back=True) for each in reversed(down[: meeting[common]])]
         return (*there, *back)
 
     def _above(self, name: str) -> list[CheckedFrame]:

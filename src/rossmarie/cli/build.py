@@ -20,7 +20,7 @@ from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
 from rossmarie.ir import Category
 from rossmarie.report.review import render_review
-from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
+from rossmarie.targets.manifest import OWN_PACKAGE, Maintainer, Placement
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class PackageOptions:
     """The command line options for the package of a node."""
 
     licenses: tuple[str, ...]
-    maintainers: tuple[Person, ...]
+    maintainers: tuple[Maintainer, ...]
     part_of: str | None
 
     def given(self) -> list[str]:

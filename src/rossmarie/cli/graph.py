@@ -15,7 +15,7 @@ from dslkit.ownership import Comment
 from rossmarie.cli.choices import GraphFormat
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
-from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
+from rossmarie.report.wiring import NodeWiring, wiring_dot, wiring_of, wiring_svg, wiring_text
 from rossmarie.report.wiring.model import EffectUse
 
 _RULES = ".ross"
@@ -49,7 +49,7 @@ def run_graph(
             typer.echo(_drawn(wiring, form, width), nl=False)
 
 
-def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:
+def _drawn(wiring: NodeWiring, form: GraphFormat, width: int | None = None) -> str:
     match form:
         case GraphFormat.SVG:
             return wiring_svg(wiring)
@@ -61,7 +61,7 @@ def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:
             return json.dumps({"generator": output.tool, **wiring_result(wiring)}, indent=2) + "\n"
 
 
-def wiring_result(wiring: Wiring) -> Mapping[str, Json]:
+def wiring_result(wiring: NodeWiring) -> Mapping[str, Json]:
     """The topics, commands and other resources of a node. Times are in ns."""
     return {
         "node": wiring.node,

@@ -12,7 +12,7 @@ import typer
 from dslkit.completion import codes, folders
 from dslkit.options import ReportFormat
 from rossmarie.ir.filing import Category
-from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
+from rossmarie.targets.manifest import BadFieldError, Maintainer, parse_license, parse_maintainer
 
 
 def written(text: str) -> Path:
@@ -44,7 +44,7 @@ def _category(text: str) -> Category:
         raise typer.BadParameter(f"`{text}` is not one of {known}") from None
 
 
-def _maintainer(text: str) -> Person:
+def _maintainer(text: str) -> Maintainer:
     try:
         return parse_maintainer(text)
     except BadFieldError as error:
@@ -139,7 +139,7 @@ Licenses = Annotated[
     ),
 ]
 Maintainers = Annotated[
-    list[Person] | None,
+    list[Maintainer] | None,
     typer.Option(
         "--maintainer",
         metavar='"NAME <MAIL>"',

@@ -20,7 +20,7 @@ from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
-    Queries,
+    VerificationQueries,
     complaint,
     keep,
     prove,
@@ -74,7 +74,7 @@ def run_verify(
         raise typer.Exit(0 if proofs.is_complete else 1)
 
 
-def _keep(queries: Queries, folder: Path, rules: Path) -> None:
+def _keep(queries: VerificationQueries, folder: Path, rules: Path) -> None:
     try:
         with output.writing_to(folder):
             paths = keep(queries, folder, rules, replaces_others=output.permission.is_given)
@@ -84,7 +84,7 @@ def _keep(queries: Queries, folder: Path, rules: Path) -> None:
         output.tell(line)
 
 
-def _proofs(queries: Queries, timeout_s: int) -> Proofs:
+def _proofs(queries: VerificationQueries, timeout_s: int) -> Proofs:
     found = prover()
     try:
         with reported_progress("proving") as on_progress:

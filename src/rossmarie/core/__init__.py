@@ -15,7 +15,7 @@ from rossmarie.core.functions import (
     row,
 )
 from rossmarie.core.regions import Region, RegionFunction, RegionMeasure
-from rossmarie.core.sampling import MOST_SAMPLES, SAMPLINGS, Sampling, View, sampling_row
+from rossmarie.core.sampling import MOST_SAMPLES, SAMPLINGS, SampleNumber, Sampling, sampling_row
 from rossmarie.core.shapes import Circle, Polygon, Rectangle, Shape
 
 __all__ = [
@@ -31,9 +31,9 @@ __all__ = [
     "Region",
     "RegionFunction",
     "RegionMeasure",
+    "SampleNumber",
     "Sampling",
     "Shape",
-    "View",
     "defined",
     "may_be_infinite",
     "parameters",

@@ -18,7 +18,7 @@ MOST_SAMPLES = 64
 """The greatest number of samples in a window. The window keeps the newest samples."""
 
 
-class View(enum.Enum):
+class SampleNumber(enum.Enum):
     """Numbers that are derived from samples."""
 
     NEWEST = "newest"
@@ -56,7 +56,7 @@ class SamplingRow:
     """
 
     rule: str
-    views: tuple[View, ...]
+    views: tuple[SampleNumber, ...]
     define: Callable[..., Expression]
     phrase: str
     at_rest: Callable[[Expression], Expression]
@@ -111,7 +111,7 @@ def _low_pass(
 SAMPLINGS: Mapping[Sampling, SamplingRow] = {
     Sampling.RATE: SamplingRow(
         rule="S19",
-        views=(View.NEWEST, View.BEFORE, View.SECONDS),
+        views=(SampleNumber.NEWEST, SampleNumber.BEFORE, SampleNumber.SECONDS),
         define=_rate,
         phrase="the rate of change of {0}",
         at_rest=lambda _: ConstantNumber(0.0),
@@ -119,7 +119,7 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
     ),
     Sampling.PREVIOUS: SamplingRow(
         rule="S20",
-        views=(View.BEFORE,),
+        views=(SampleNumber.BEFORE,),
         define=lambda before: before,
         phrase="the sample before the last of {0}",
         at_rest=lambda x: x,
@@ -128,7 +128,7 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
     ),
     Sampling.MEDIAN: SamplingRow(
         rule="S43",
-        views=(View.LOWER, View.UPPER),
+        views=(SampleNumber.LOWER, SampleNumber.UPPER),
         define=_median,
         phrase="the median of {0} over {window}",
         at_rest=lambda x: x,
@@ -138,7 +138,7 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
     ),
     Sampling.MEAN: SamplingRow(
         rule="S49",
-        views=(View.TOTAL, View.COUNT),
+        views=(SampleNumber.TOTAL, SampleNumber.COUNT),
         define=_mean,
         phrase="the mean of {0} over {window}",
         at_rest=lambda x: x,
@@ -147,7 +147,12 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
     ),
     Sampling.LOW_PASS: SamplingRow(
         rule="S50",
-        views=(View.NEWEST, View.BEFORE, View.SECONDS, View.CONSTANT),
+        views=(
+            SampleNumber.NEWEST,
+            SampleNumber.BEFORE,
+            SampleNumber.SECONDS,
+            SampleNumber.CONSTANT,
+        ),
         define=_low_pass,
         phrase="{0} behind a low pass of {window}",
         at_rest=lambda x: x,

@@ -21,11 +21,11 @@ from rossmarie.report.spare import spares
 from rossmarie.targets import python
 from rossmarie.testing.cone import cone_of, reported_by
 from rossmarie.testing.coverage import Coverage, Watcher
-from rossmarie.testing.goals import Goal
+from rossmarie.testing.goals import TraceGoal
 from rossmarie.testing.history import History
 from rossmarie.testing.margins import (
+    MovableThreshold,
     Replay,
-    Threshold,
     ThresholdMargin,
     Verdicts,
     margin,
@@ -47,7 +47,7 @@ class Exercised:
     """
 
     coverage: Coverage
-    reasons: Mapping[Goal, str]
+    reasons: Mapping[TraceGoal, str]
     margins: tuple[ThresholdMargin, ...]
     findings: tuple[Diagnostic, ...]
     sources: tuple[SourceFile, ...]
@@ -148,7 +148,7 @@ def _margins(
 
 def _replay(
     machine: Machine,
-    threshold: Threshold,
+    threshold: MovableThreshold,
     traces: Sequence[Trace],
     histories: Sequence[History],
 ) -> Replay:

@@ -19,10 +19,10 @@ from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.testing import tested_rules, tests_beside
 from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
-from rossmarie.testing.goals import Goal
+from rossmarie.testing.goals import TraceGoal
 from rossmarie.testing.left_out import points_left_out
 from rossmarie.testing.play import steps_of
-from rossmarie.testing.propose import Proposal, propose
+from rossmarie.testing.propose import ProposedScript, propose
 from rossmarie.testing.run import expectations_of
 from rossmarie.testing.write import own_name, write_script
 
@@ -63,7 +63,7 @@ def generate_tests(
     )
     known = {script.name: script for script in read.tests}
     tests = []
-    reached: set[Goal] = set()
+    reached: set[TraceGoal] = set()
     for proposal in _telling(read, proposals, known, reached):
         script = known[proposal.script.name]
         expectations = tuple(expectations_of(read.machine, script, proposal.rule, script.end_ns))
@@ -74,7 +74,7 @@ def generate_tests(
     return Written(path, text, len(tests), tuple(points_left_out(read.machine, reached)))
 
 
-def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
+def _renamed(proposals: Iterator[ProposedScript]) -> Iterator[ProposedScript]:
     """The proposals with unique names."""
     seen: Counter[str] = Counter()
     for proposal in proposals:
@@ -84,10 +84,10 @@ def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
 
 def _telling(
     compiled: Compiled,
-    proposals: Sequence[Proposal],
+    proposals: Sequence[ProposedScript],
     known: dict[str, Script],
-    reached: set[Goal],
-) -> Iterator[Proposal]:
+    reached: set[TraceGoal],
+) -> Iterator[ProposedScript]:
     """The proposals that cover a new goal of their rule. `reached` gives the goals that a proposal
     covers.
     """

@@ -18,14 +18,14 @@ from rossmarie.driver.ownership import origins
 from rossmarie.driver.package_xml import (
     PACKAGE_XML,
     BadPackageXmlError,
-    Element,
     PackageXml,
+    XmlElement,
     read_package_xml,
 )
 from rossmarie.targets.manifest import (
     BadFieldError,
+    Maintainer,
     Manifest,
-    Person,
     parse_license,
     parse_maintainer,
 )
@@ -43,7 +43,7 @@ class DescribedManifest:
 
 
 def describe(
-    rules: Path, licenses: Sequence[str], maintainers: Sequence[Person]
+    rules: Path, licenses: Sequence[str], maintainers: Sequence[Maintainer]
 ) -> DescribedManifest:
     """The manifest of the package of some rules. Values from options are not searched for.
 
@@ -93,19 +93,19 @@ def _licenses(package: PackageXml | None) -> tuple[str, ...]:
     return tuple(_license(each) for each in elements)
 
 
-def _license(element: Element) -> str:
+def _license(element: XmlElement) -> str:
     try:
         return parse_license(element.text)
     except BadFieldError as error:
         raise _bad(element, "license", str(error)) from None
 
 
-def _maintainers(package: PackageXml | None) -> tuple[Person, ...]:
+def _maintainers(package: PackageXml | None) -> tuple[Maintainer, ...]:
     elements = () if package is None else package.all("maintainer")
     return tuple(_maintainer(each) for each in elements)
 
 
-def _maintainer(element: Element) -> Person:
+def _maintainer(element: XmlElement) -> Maintainer:
     mail = element.attributes.get("email", "")
     try:
         return parse_maintainer(f"{element.text} <{mail}>")
@@ -115,5 +115,5 @@ def _maintainer(element: Element) -> Person:
         raise _bad(element, "maintainer", form) from None
 
 
-def _bad(element: Element, field: str, form: str) -> BadPackageXmlError:
+def _bad(element: XmlElement, field: str, form: str) -> BadPackageXmlError:
     return BadPackageXmlError(BadPackageField(field=field, form=form).at(element.span))

@@ -12,8 +12,8 @@ from rossmarie.driver.ownership import is_of
 from rossmarie.driver.package_xml import (
     PACKAGE_XML,
     BadPackageXmlError,
-    Element,
     PackageXml,
+    XmlElement,
     parse_package_xml,
     read_package_xml,
 )
@@ -56,6 +56,6 @@ def _other_package(folder: Path, present: PackageXml, rules: Path) -> Diagnostic
     return finding.at(_place(present, name))
 
 
-def _place(present: PackageXml, element: Element | None) -> Span:
+def _place(present: PackageXml, element: XmlElement | None) -> Span:
     """An element, or the start of the file if there is none."""
     return Span(present.file, 0, 0) if element is None else element.span

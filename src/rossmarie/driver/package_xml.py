@@ -31,7 +31,7 @@ class Generation(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Element:
+class XmlElement:
     """An element below the root. `path` is `name` or `export/build_type`; `span` covers the whole
     element.
     """
@@ -55,17 +55,17 @@ class PackageXml:
     """The elements of a `package.xml`, in order."""
 
     file: SourceFile
-    elements: tuple[Element, ...]
+    elements: tuple[XmlElement, ...]
 
-    def all(self, path: str) -> Iterator[Element]:
+    def all(self, path: str) -> Iterator[XmlElement]:
         """The elements with this path."""
         return (each for each in self.elements if each.path == path)
 
-    def first(self, path: str) -> Element | None:
+    def first(self, path: str) -> XmlElement | None:
         """The first element with this path, None if there is none."""
         return next(self.all(path), None)
 
-    def build_system(self) -> Element | None:
+    def build_system(self) -> XmlElement | None:
         """The element with the build system of the package."""
         return self.first("export/build_type") or self.first("buildtool_depend")
 
@@ -133,7 +133,7 @@ class _Reader:
         self._file = file
         self._bytes = file.text.encode()
         self._open: list[_Open] = []
-        self.elements: list[Element] = []
+        self.elements: list[XmlElement] = []
         self.parser = expat.ParserCreate("utf-8")
         self.parser.StartElementHandler = self._begin
         self.parser.EndElementHandler = self._end
@@ -165,4 +165,4 @@ class _Reader:
         if path:
             end = self._bytes.index(b">", self.parser.CurrentByteIndex) + 1
             span = Span(self._file, self.offset(closed.start), self.offset(end))
-            self.elements.append(Element(path, closed.attributes, closed.text.strip(), span))
+            self.elements.append(XmlElement(path, closed.attributes, closed.text.strip(), span))

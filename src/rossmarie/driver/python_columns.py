@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import ChannelValues, Event, FieldKind, Machine
-from rossmarie.native import FLAG_VALUES, Columns
+from rossmarie.native import FLAG_VALUES, MachineColumns
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class PythonRun:
 class PythonColumns:
     """Columns for a monitor in Python."""
 
-    def __init__(self, machine: Machine, monitor: PythonMonitor, columns: Columns) -> None:
+    def __init__(self, machine: Machine, monitor: PythonMonitor, columns: MachineColumns) -> None:
         self._machine = machine
         self._monitor = monitor
         self._columns = columns

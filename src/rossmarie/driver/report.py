@@ -12,7 +12,7 @@ from rossmarie.driver.pipeline import CheckResult, check_file, compile_checked
 from rossmarie.driver.sources import name_of
 from rossmarie.ir import Category
 from rossmarie.report.safety import (
-    Declared,
+    DeclaredItem,
     Evidence,
     EvidenceKind,
     RulesFile,
@@ -110,17 +110,17 @@ def _strange(
 # --- the declarations of the rules -------------------------------------------------------
 
 
-def _constants(result: CheckResult) -> Iterator[Declared]:
+def _constants(result: CheckResult) -> Iterator[DeclaredItem]:
     for module in result.modules:
         for item in module.items:
             if isinstance(item, ast.Constant):
                 text = " ".join(item.value.span.text.split())
-                yield Declared(item.name.text, text, item.documentation, item.span)
+                yield DeclaredItem(item.name.text, text, item.documentation, item.span)
 
 
-def _priorities(result: CheckResult) -> Iterator[Declared]:
+def _priorities(result: CheckResult) -> Iterator[DeclaredItem]:
     for module in result.modules:
         for item in module.items:
             if isinstance(item, ast.Priority):
                 text = " ".join(item.span.text.split())
-                yield Declared("priority", text, None, item.span)
+                yield DeclaredItem("priority", text, None, item.span)

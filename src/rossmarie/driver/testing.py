@@ -21,7 +21,7 @@ from rossmarie.testing.commands import command_failures
 from rossmarie.testing.coverage import Coverage, cover
 from rossmarie.testing.errors import NoTests, NotRunInC
 from rossmarie.testing.findings import differences, failures
-from rossmarie.testing.goals import Goal
+from rossmarie.testing.goals import TraceGoal
 from rossmarie.testing.run import run
 from rossmarie.testing.unreachable import unreachable
 from rossmarie.testing.unread import unread
@@ -52,7 +52,7 @@ class RanTests:
     coverage: Coverage
     findings: tuple[Diagnostic, ...]
     has_c: bool
-    reasons: Mapping[Goal, str]
+    reasons: Mapping[TraceGoal, str]
 
 
 class UnknownTestError(Exception):

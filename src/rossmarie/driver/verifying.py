@@ -26,7 +26,7 @@ from rossmarie.verification.reactor_harness import reactor_harness
 
 
 @dataclass(frozen=True)
-class Queries:
+class VerificationQueries:
     """The queries about a rules file: `programs`, each with its checks. `files` are the files that
     the queries are about.
     """
@@ -46,7 +46,7 @@ def queries_of(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     only: Sequence[ir.Category] = (),
-) -> Queries:
+) -> VerificationQueries:
     """The queries about the rules of a file. With `only`, they are about the rules of these
     categories.
 
@@ -59,7 +59,7 @@ def queries_of(
         replace(program, text=f"{origin} */\n{program.text}")
         for program in _programs(compiled.machine)
     )
-    return Queries(compiled, files, programs)
+    return VerificationQueries(compiled, files, programs)
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
@@ -70,14 +70,14 @@ def _programs(machine: ir.Machine) -> Iterator[Harness]:
 
 
 def keep(
-    queries: Queries, folder: Path, rules: Path, *, replaces_others: bool = False
+    queries: VerificationQueries, folder: Path, rules: Path, *, replaces_others: bool = False
 ) -> list[Path]:
     """Write the prover's input files. Raises the errors of `build_files`."""
     return write_generated(queries.texts(), folder, rules, replaces_others=replaces_others)
 
 
 def prove(
-    queries: Queries,
+    queries: VerificationQueries,
     prover: Prover,
     *,
     seconds: int,
@@ -103,7 +103,7 @@ def prove(
     )
 
 
-def _unasked(queries: Queries) -> Iterator[str]:
+def _unasked(queries: VerificationQueries) -> Iterator[str]:
     """The sources that no program includes."""
     for name in queries.files:
         asked = any(f'"{name}"' in program.text for program in queries.programs)
@@ -138,7 +138,9 @@ def complaint(error: ProverError) -> str:
     return (reasons or lines[-1:] or ["it printed no reason"])[0]
 
 
-def verification_report(queries: Queries, proofs: Proofs, rules: Path, *, version: str) -> str:
+def verification_report(
+    queries: VerificationQueries, proofs: Proofs, rules: Path, *, version: str
+) -> str:
     """The report of `prove`, for a safety file."""
     return evidence_text(
         EvidenceKind.VERIFICATION,

@@ -22,9 +22,9 @@ from rossmarie.ir import (
     FieldBounds,
     Machine,
     Reported,
-    State,
     TaskCommand,
     TaskCommandKind,
+    TaskState,
     Wiring,
     reactions,
 )
@@ -74,7 +74,7 @@ class PythonGuard:
         return self._monitor.active
 
     @property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[TaskState, ...]:
         """The state of each task, by index."""
         return self._reactor.states
 

@@ -19,7 +19,7 @@ from rossmarie.ir import (
     FieldPart,
     Machine,
     Publication,
-    State,
+    TaskState,
     Wiring,
 )
 from rossmarie.ir.clouds import leave_out
@@ -34,7 +34,7 @@ class Stepped(Protocol):
         """The current instant in ns; before the first call, an instant out of range."""
 
     @property
-    def states(self) -> Sequence[State]:
+    def states(self) -> Sequence[TaskState]:
         """The state of each task, by index."""
 
     @property
@@ -153,7 +153,7 @@ class PythonSteps:
 
     def _publishes(self, publication: Publication, begun: set[int]) -> bool:
         if publication.is_lasting:
-            return self._guard.states[publication.task] is State.HOLDING
+            return self._guard.states[publication.task] is TaskState.HOLDING
         return publication.task in begun
 
     def _bound(

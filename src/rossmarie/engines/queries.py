@@ -6,7 +6,7 @@ from rossmarie.ir import Doing, Machine, Quantity
 from rossmarie.ir.skills import SkillMessage, answer
 
 
-class Queries:
+class MachineQueries:
     """The queries of one machine. `named` maps the words of each query, `doing Push(Object:
     Fragile)`, to its slots: several inputs may have the same query.
     """

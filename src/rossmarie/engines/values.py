@@ -8,7 +8,7 @@ from typing import TypeAlias, cast
 
 import numpy as np
 
-from rossmarie.engines.queries import Queries
+from rossmarie.engines.queries import MachineQueries
 from rossmarie.engines.scans import values_of_scan
 from rossmarie.ir import (
     AXES,
@@ -56,7 +56,7 @@ class NamedValues:
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
-        self.queries = Queries(machine)
+        self.queries = MachineQueries(machine)
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
         self._clouds = point_columns(machine)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from copy import copy
 
 from rossmarie.engines import NamedValues, Value, start_guard
-from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, as_instant, event_line
+from rossmarie.ir import Event, FieldBounds, Machine, Reported, TaskState, as_instant, event_line
 
 
 class Core:
@@ -39,7 +39,7 @@ class Core:
         return tuple(rule.name for rule, is_active in pairs if is_active)
 
     @property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[TaskState, ...]:
         """The state of each task, by index."""
         return self._engine.states
 

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from rossmarie.guard.feedback import FeedbackMeter
 from rossmarie.guard.mapping import ArrayMapping
-from rossmarie.interpreter import Filter, Force
+from rossmarie.interpreter import Filter, LimitState
 from rossmarie.ir import (
     NEVER_NS,
     CommandPart,
     FieldBounds,
     Machine,
-    State,
     TaskCommandKind,
+    TaskState,
     Verdict,
     Wiring,
     explain,
@@ -234,8 +234,8 @@ class Decision:
             case Limit() | Scale() if effect.topic == part.command:
                 return self._bounds(task, part).of(number) != number
             case Publish() if effect.command == part.command:
-                begun = self._state(task) is State.DONE and self._since_ns(task) == self._at_ns
-                return begun or self._state(task) is State.HOLDING
+                begun = self._state(task) is TaskState.DONE and self._since_ns(task) == self._at_ns
+                return begun or self._state(task) is TaskState.HOLDING
             case (
                 Limit() | Scale() | Publish() | Retrace() | Call() | SetParameter()
                 | SwitchControllers() | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
@@ -244,8 +244,8 @@ class Decision:
                 return False
 
     def _bounds(self, task: int, part: CommandPart) -> FieldBounds:
-        is_on, since_ns = self._state(task) is State.HOLDING, self._since_ns(task)
-        force = Force(is_on, None if is_on or since_ns == NEVER_NS else since_ns)
+        is_on, since_ns = self._state(task) is TaskState.HOLDING, self._since_ns(task)
+        force = LimitState(is_on, None if is_on or since_ns == NEVER_NS else since_ns)
         bounding = Filter.of(self._reasons.machine.reactions, task, force)
         return bounding.bounds(self._at_ns, part.command)[part.field]
 
@@ -256,6 +256,6 @@ class Decision:
         (since_ns,) = struct.unpack_from("=q", self._note, first + 8 * task)
         return since_ns
 
-    def _state(self, task: int) -> State:
+    def _state(self, task: int) -> TaskState:
         tasks = len(self._reasons.machine.reactions.tasks)
-        return State(self._note[len(self._note) - 9 * tasks + task])
+        return TaskState(self._note[len(self._note) - 9 * tasks + task])

@@ -18,7 +18,7 @@ from rossmarie.driver.monitor import Monitor, load
 from rossmarie.guard import FeedbackMeter, MappingError
 from rossmarie.gym.actions import Allows, actions_of
 from rossmarie.gym.observations import Array, Observations, Spots
-from rossmarie.gym.targets import Targets, with_speeds
+from rossmarie.gym.targets import ActionTargets, with_speeds
 
 Rules: TypeAlias = "str | PathLike[str] | Monitor"
 Latched: TypeAlias = Literal["hold", "truncate"]
@@ -67,7 +67,7 @@ class Interface:
         seen = {
             name: self.observations.number(name, spot) for name, spot in declared.targets.items()
         }
-        self.targets = Targets(seen, self.actions.declared, self.period_ns)
+        self.targets = ActionTargets(seen, self.actions.declared, self.period_ns)
         rules = declared.rules
         monitor = rules if isinstance(rules, Monitor) else load(rules)
         self.guard = monitor.guard(

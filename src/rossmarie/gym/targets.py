@@ -21,7 +21,7 @@ from rossmarie.gym.observations import Array
 Floats = NDArray[np.float64]
 
 
-class Targets:
+class ActionTargets:
     """The targets among the numbers of flat actions, and the last executed targets."""
 
     def __init__(self, targets: Mapping[str, int], act: Declared, period_ns: int) -> None:

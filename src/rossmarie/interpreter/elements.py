@@ -13,7 +13,7 @@ from functools import reduce
 from rossmarie import ir
 from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.arithmetic import NAN
-from rossmarie.interpreter.memory import Memory
+from rossmarie.interpreter.memory import MachineMemory
 from rossmarie.ir import TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
 
@@ -23,7 +23,7 @@ class ElementEvaluation:
     evaluation in which the elements arrive.
     """
 
-    def __init__(self, machine: ir.Machine, memory: Memory) -> None:
+    def __init__(self, machine: ir.Machine, memory: MachineMemory) -> None:
         self._machine = machine
         self._memory = memory
         self._arrays = ir.element_arrays(machine)

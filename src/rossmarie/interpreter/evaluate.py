@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 
 from rossmarie import ir
-from rossmarie.core import View, sampling_row
+from rossmarie.core import SampleNumber, sampling_row
 from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.interpreter.elements import ElementEvaluation
-from rossmarie.interpreter.memory import Memory, Samples
+from rossmarie.interpreter.memory import MachineMemory, Samples
 from rossmarie.ir import InputState, TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
 
@@ -21,7 +21,7 @@ from rossmarie.ir.comparison import compare, is_between, is_set
 class Evaluator:
     """Computes the signals and propositions of a machine into its memory."""
 
-    def __init__(self, machine: ir.Machine, memory: Memory) -> None:
+    def __init__(self, machine: ir.Machine, memory: MachineMemory) -> None:
         self._machine = machine
         self._memory = memory
         self._supports = ir.supports(machine)
@@ -111,7 +111,9 @@ class Evaluator:
             samples.take(self._memory.signals[node.signal], at_ns)
             if feeds_back:
                 samples.take(_of_samples(node.function, samples), at_ns)
-        return samples.view(View.NEWEST) if feeds_back else _of_samples(node.function, samples)
+        return (
+            samples.view(SampleNumber.NEWEST) if feeds_back else _of_samples(node.function, samples)
+        )
 
     # --- propositions
     # ------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ _BLOCKED = FieldBounds(1.0, 0.0, 0.0)
 
 
 @dataclass
-class Force:
+class LimitState:
     """The state of a limit: in force, or the instant since which it is being lifted."""
 
     is_on: bool = False
@@ -44,7 +44,7 @@ class Force:
         return ramp * (float(max(0, at_ns - self.lifted_ns)) / 1e9)
 
 
-_NOTHING = Force()
+_NOTHING = LimitState()
 
 
 class Filter:
@@ -53,14 +53,14 @@ class Filter:
     def __init__(self, reactions: Reactions) -> None:
         self._reactions = reactions
         self._forces = {
-            index: Force()
+            index: LimitState()
             for index, task in enumerate(reactions.tasks)
             if isinstance(task.effect, Limit | Scale)
         }
         self._is_open = False
 
     @classmethod
-    def of(cls, reactions: Reactions, task: int, force: Force) -> Filter:
+    def of(cls, reactions: Reactions, task: int, force: LimitState) -> Filter:
         """An open filter in which only this limit counts."""
         found = cls(reactions)
         found._forces[task] = force
@@ -81,12 +81,12 @@ class Filter:
     def start(self, task: int) -> None:
         """Note the start of a task. Only limits and scales matter."""
         if task in self._forces:
-            self._forces[task] = Force(is_on=True)
+            self._forces[task] = LimitState(is_on=True)
 
     def stop(self, task: int, at_ns: int) -> None:
         """Note the end of a task."""
         if task in self._forces:
-            self._forces[task] = Force(is_on=False, lifted_ns=at_ns)
+            self._forces[task] = LimitState(is_on=False, lifted_ns=at_ns)
 
     def set_back(self, now_ns: int, at_ns: int) -> None:
         """R14: move all instants back from `now_ns` to an earlier instant."""

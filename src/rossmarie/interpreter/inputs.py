@@ -6,14 +6,14 @@ from collections.abc import Mapping, Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
-from rossmarie.interpreter.memory import Memory
+from rossmarie.interpreter.memory import MachineMemory
 from rossmarie.ir import ChannelValues, InputState
 
 
-class Inputs:
+class InputUpdater:
     """Keeps the slots, arrays and input states in memory up to date."""
 
-    def __init__(self, machine: ir.Machine, memory: Memory) -> None:
+    def __init__(self, machine: ir.Machine, memory: MachineMemory) -> None:
         self._machine = machine
         self._memory = memory
         self._columns = [ir.columns_of(machine, each) for each in range(len(machine.lists))]

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter.evaluate import Evaluator
-from rossmarie.interpreter.inputs import Inputs
+from rossmarie.interpreter.inputs import InputUpdater
 from rossmarie.interpreter.memory import fresh_memory
 from rossmarie.interpreter.wake import next_wake
 from rossmarie.ir import (
@@ -33,7 +33,7 @@ class Interpreter:
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
         self._memory = fresh_memory(machine)
-        self._inputs = Inputs(machine, self._memory)
+        self._inputs = InputUpdater(machine, self._memory)
         self._evaluator = Evaluator(machine, self._memory)
         self._active = [False] * len(machine.rules)
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import reduce
 
 from rossmarie import ir
-from rossmarie.core import MOST_SAMPLES, View, sampling_row
+from rossmarie.core import MOST_SAMPLES, SampleNumber, sampling_row
 from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.ir import InputState, TruthValue, kleene
 
@@ -49,26 +49,26 @@ class Samples:
             self._kept.popleft()
         self._kept.append((at_ns, value))
 
-    def view(self, view: View) -> float:
+    def view(self, view: SampleNumber) -> float:
         """A number derived from the samples; NaN if samples are missing."""
         match view:
-            case View.NEWEST:
+            case SampleNumber.NEWEST:
                 return self._kept[-1][1] if self._kept else NAN
-            case View.BEFORE:
+            case SampleNumber.BEFORE:
                 return self._kept[-2][1] if len(self._kept) > 1 else NAN
-            case View.SECONDS:
+            case SampleNumber.SECONDS:
                 if len(self._kept) < 2:
                     return NAN
                 return float(self._kept[-1][0] - self._kept[-2][0]) / 1e9
-            case View.LOWER:
+            case SampleNumber.LOWER:
                 return self._ranked((len(self._kept) - 1) // 2)
-            case View.UPPER:
+            case SampleNumber.UPPER:
                 return self._ranked(len(self._kept) // 2)
-            case View.TOTAL:
+            case SampleNumber.TOTAL:
                 return self._total()
-            case View.COUNT:
+            case SampleNumber.COUNT:
                 return float(len(self._kept))
-            case View.CONSTANT:
+            case SampleNumber.CONSTANT:
                 return float(self._time_ns) / 1e9
 
     def _total(self) -> float:
@@ -188,7 +188,7 @@ class Oscillation:
 
 
 @dataclass
-class Memory:
+class MachineMemory:
     """The whole memory, by the indices of the machine. Elementwise signals and propositions have no
     entries of their own: their values stay NaN and None. `since` contains the value of each `since`
     at the last evaluation. An unknown array is None. `quantified` contains the results of
@@ -224,9 +224,9 @@ class Memory:
         self.truth_values = [None] * len(self.truth_values)
 
 
-def fresh_memory(machine: ir.Machine) -> Memory:
+def fresh_memory(machine: ir.Machine) -> MachineMemory:
     """The memory of a monitor in its initial state."""
-    return Memory(
+    return MachineMemory(
         slots=[NAN] * len(machine.slots),
         arrays=[None] * len(machine.arrays),
         inputs=[InputMemory() for _ in machine.inputs],

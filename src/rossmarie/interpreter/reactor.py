@@ -16,24 +16,24 @@ from rossmarie.interpreter.retracing import Retracing
 from rossmarie.ir import (
     FieldBounds,
     Reactions,
-    State,
     TaskCommand,
     TaskCommandKind,
+    TaskState,
     TruthValue,
     overruled,
     reactions,
 )
 
-_PASSED = frozenset((State.HOLDING, State.WAITING, State.OVERDUE, State.DONE))
-_WANTED = frozenset((State.WAITING, State.OVERDUE))
-_IN_FORCE = frozenset((State.RUNNING, State.HOLDING))
+_PASSED = frozenset((TaskState.HOLDING, TaskState.WAITING, TaskState.OVERDUE, TaskState.DONE))
+_WANTED = frozenset((TaskState.WAITING, TaskState.OVERDUE))
+_IN_FORCE = frozenset((TaskState.RUNNING, TaskState.HOLDING))
 
 
 @dataclass
 class Progress:
     """The memory of a task."""
 
-    state: State = State.IDLE
+    state: TaskState = TaskState.IDLE
     started_ns: int = 0
     is_reported: bool = False
 
@@ -72,7 +72,7 @@ class Reactor:
         self._failures: list[int] = []
 
     @property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[TaskState, ...]:
         """The state of each task, by index."""
         return tuple(progress.state for progress in self._tasks)
 
@@ -82,7 +82,9 @@ class Reactor:
         `NEVER_NS`, unless the task is a limit or scale that was lifted.
         """
         return tuple(
-            self._filter.lifted_ns(task) if progress.state is State.IDLE else progress.started_ns
+            self._filter.lifted_ns(task)
+            if progress.state is TaskState.IDLE
+            else progress.started_ns
             for task, progress in enumerate(self._tasks)
         )
 
@@ -121,7 +123,7 @@ class Reactor:
         (R6).
         """
         self._set_clock(at_ns)
-        if self._tasks[task].state is State.RUNNING:
+        if self._tasks[task].state is TaskState.RUNNING:
             if success:
                 self._tasks[task].is_reported = True
             else:
@@ -132,7 +134,7 @@ class Reactor:
         """The earliest future instant at which a task times out, or sends a pose (R13); None if
         there is none.
         """
-        ends = [due_ns for _, due_ns in self._deadlines(State.RUNNING, State.WAITING)]
+        ends = [due_ns for _, due_ns in self._deadlines(TaskState.RUNNING, TaskState.WAITING)]
         ends += self._retracing.wakes(self._holding())
         return min((due_ns for due_ns in ends if due_ns > self._now_ns), default=None)
 
@@ -159,7 +161,7 @@ class Reactor:
             self._retracing.set_back(self._now_ns - at_ns)
         self._now_ns = at_ns
 
-    def _deadlines(self, *states: State) -> list[tuple[int, int]]:
+    def _deadlines(self, *states: TaskState) -> list[tuple[int, int]]:
         """The awaited tasks in these states, each with the instant of its timeout."""
         return [
             (task, progress.started_ns + timeout_ns)
@@ -207,21 +209,21 @@ class Reactor:
         progress = self._tasks[task]
         if reactions.waits(self._effect(task)):
             self._wait(task)
-        elif progress.state is State.RUNNING:
+        elif progress.state is TaskState.RUNNING:
             self._fail(task)
         else:
-            progress.state = State.DONE
+            progress.state = TaskState.DONE
 
     def _wait(self, task: int) -> None:
         """R7, R8: the time of a running task goes on. A task without a time limit but with an
         `else` fails at once.
         """
         progress = self._tasks[task]
-        if progress.state is not State.RUNNING:
+        if progress.state is not TaskState.RUNNING:
             progress.started_ns = self._now_ns
-        progress.state = State.WAITING
+        progress.state = TaskState.WAITING
         if overruled.fails_at_once(self._reactions.tasks[task]):
-            self._fail(task, State.OVERDUE)
+            self._fail(task, TaskState.OVERDUE)
 
     # --- plans -------------------------------------------------------------------------------
 
@@ -238,7 +240,7 @@ class Reactor:
         has followed an earlier failure does not follow again (R6).
         """
         for task in tasks:
-            if self._tasks[task].state is not State.IDLE:
+            if self._tasks[task].state is not TaskState.IDLE:
                 continue
             by = self._overruler(task)
             if by is None:
@@ -257,11 +259,11 @@ class Reactor:
             started.remove(task)
         started.append(task)
         is_awaited = reactions.timeout_ns(effect) is not None
-        after = State.HOLDING if reactions.is_lasting(effect) else State.DONE
-        self._tasks[task] = Progress(State.RUNNING if is_awaited else after, self._now_ns)
+        after = TaskState.HOLDING if reactions.is_lasting(effect) else TaskState.DONE
+        self._tasks[task] = Progress(TaskState.RUNNING if is_awaited else after, self._now_ns)
         self._command(TaskCommandKind.START, task)
 
-    def _fail(self, task: int, state: State = State.FAILED) -> None:
+    def _fail(self, task: int, state: TaskState = TaskState.FAILED) -> None:
         self._tasks[task].state = state
         self._failures.append(task)
 
@@ -289,16 +291,16 @@ class Reactor:
         """Handle the ends of tasks (R4, R15), then start the next stages (R5). Returns all task
         commands of the call.
         """
-        for task, due_ns in self._deadlines(State.RUNNING):
+        for task, due_ns in self._deadlines(TaskState.RUNNING):
             is_over = self._tasks[task].is_reported and self._is_confirmed(task, watches)
             if is_over and self._now_ns <= due_ns:
                 is_lasting = reactions.is_lasting(self._effect(task))
-                self._tasks[task].state = State.HOLDING if is_lasting else State.DONE
+                self._tasks[task].state = TaskState.HOLDING if is_lasting else TaskState.DONE
             elif due_ns <= self._now_ns:
                 self._fail(task)
-        for task, due_ns in self._deadlines(State.WAITING):
+        for task, due_ns in self._deadlines(TaskState.WAITING):
             if due_ns <= self._now_ns and not self._is_answered(task, watches):
-                self._fail(task, State.OVERDUE)
+                self._fail(task, TaskState.OVERDUE)
         self._escalate()
         for rule in self._reactions.order:
             while self._is_stage_over(rule):
@@ -310,7 +312,7 @@ class Reactor:
 
     def _holding(self) -> list[int]:
         states = enumerate(self._tasks)
-        return [task for task, progress in states if progress.state is State.HOLDING]
+        return [task for task, progress in states if progress.state is TaskState.HOLDING]
 
     def _is_stage_over(self, rule: int) -> bool:
         stages = self._reactions.plans[rule].stages
@@ -332,7 +334,7 @@ class Reactor:
             return False
         resource = self._reactions.tasks[task].resource
         return any(
-            self._tasks[other].state is State.HOLDING
+            self._tasks[other].state is TaskState.HOLDING
             for other in self._reactions.plans[owner].tasks
             if self._reactions.tasks[other].resource == resource
         )

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.interpreter.memory import Memory, Recent
+from rossmarie.interpreter.memory import MachineMemory, Recent
 from rossmarie.ir import InputState, TruthValue
 
 
-def next_wake(machine: ir.Machine, memory: Memory) -> int | None:
+def next_wake(machine: ir.Machine, memory: MachineMemory) -> int | None:
     """The earliest instant after the last evaluation at which a timer is due."""
     return min((*_expiries(machine, memory), *_timers(machine, memory)), default=None)
 
 
-def _expiries(machine: ir.Machine, memory: Memory) -> Iterator[int]:
+def _expiries(machine: ir.Machine, memory: MachineMemory) -> Iterator[int]:
     for declared, present in zip(machine.inputs, memory.inputs, strict=True):
         if present.state is InputState.FRESH and declared.timeout_ns is not None:
             yield present.stamp_ns + declared.timeout_ns
 
 
-def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
+def _timers(machine: ir.Machine, memory: MachineMemory) -> Iterator[int]:
     for index, proposition in enumerate(machine.propositions):
         value = memory.truth_values[index]
         match proposition.node:

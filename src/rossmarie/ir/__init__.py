@@ -128,7 +128,13 @@ from rossmarie.ir.support import (
     signal_operands,
     supports,
 )
-from rossmarie.ir.task_commands import FieldBounds, Reported, State, TaskCommand, TaskCommandKind
+from rossmarie.ir.task_commands import (
+    FieldBounds,
+    Reported,
+    TaskCommand,
+    TaskCommandKind,
+    TaskState,
+)
 from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
@@ -239,13 +245,13 @@ __all__ = [
     "SkillStep",
     "Slot",
     "StaleInput",
-    "State",
     "Step",
     "Support",
     "Supports",
     "Taken",
     "TaskCommand",
     "TaskCommandKind",
+    "TaskState",
     "TimeJump",
     "TruthValue",
     "UnreadableMachine",

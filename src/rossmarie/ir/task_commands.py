@@ -10,7 +10,7 @@ from typing import NamedTuple
 from rossmarie.ir.verdict import Event
 
 
-class State(enum.IntEnum):
+class TaskState(enum.IntEnum):
     """The state of a task."""
 
     IDLE = 0

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rossmarie import ir
 from rossmarie.check.names.parts import MessagePart
-from rossmarie.lowering.inputs import InputPart, Inputs
+from rossmarie.lowering.inputs import InputLowering, InputPart
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.types import AXES, Quantity
 from rossmarie.units import parse_unit
@@ -21,7 +21,7 @@ def is_of_point(place: InputPart) -> bool:
 
 
 def coordinate(
-    place: InputPart, distance_type: Quantity, shown: Shown, inputs: Inputs, nodes: Nodes
+    place: InputPart, distance_type: Quantity, shown: Shown, inputs: InputLowering, nodes: Nodes
 ) -> int:
     """The signal of a coordinate of the current point, in the frame of the scanner."""
     *before, axis = place.path

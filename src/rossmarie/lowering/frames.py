@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rossmarie import ir
-from rossmarie.check.frames import CheckedFrame, Leg
+from rossmarie.check.frames import CheckedFrame, FrameStep
 from rossmarie.check.model import CheckedInput, CheckedProgram
 from rossmarie.check.names.frames import frame_field, is_reported
 from rossmarie.check.names.parts import MessagePart
-from rossmarie.lowering.inputs import InputPart, Inputs
+from rossmarie.lowering.inputs import InputLowering, InputPart
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.types import Quantity, Quaternion, Text, Vector
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
@@ -37,7 +37,7 @@ def is_in_frame(place: InputPart) -> bool:
 class FrameLowering:
     """Lowers transformations between frames."""
 
-    def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
+    def __init__(self, program: CheckedProgram, inputs: InputLowering, nodes: Nodes) -> None:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes
@@ -102,7 +102,7 @@ class FrameLowering:
 
     # --- ways --------------------------------------------------------------------------------
 
-    def _along(self, leg: Leg, parts: Axis, type_: Vector | Quaternion, shown: Shown) -> Axis:
+    def _along(self, leg: FrameStep, parts: Axis, type_: Vector | Quaternion, shown: Shown) -> Axis:
         """The same vector or orientation in the frame at the end of a leg (S78)."""
         if isinstance(type_, Quaternion):
             return self._composed(leg, parts, shown)
@@ -114,7 +114,7 @@ class FrameLowering:
         turned = self._turned(leg, parts, _METRE, shown)
         return self._moved(ir.Function.ADD, leg, turned, shown)
 
-    def _moved(self, function: ir.Function, leg: Leg, parts: Axis, shown: Shown) -> Axis:
+    def _moved(self, function: ir.Function, leg: FrameStep, parts: Axis, shown: Shown) -> Axis:
         mounted = leg.frame.mounted
         if mounted is not None and not any(mounted[:3]):
             return parts
@@ -123,7 +123,7 @@ class FrameLowering:
             function, (parts(n), self._offset(leg.frame, n, shown)), named[n]
         )
 
-    def _turned(self, leg: Leg, parts: Axis, unit: Unit | None, shown: Shown) -> Axis:
+    def _turned(self, leg: FrameStep, parts: Axis, unit: Unit | None, shown: Shown) -> Axis:
         if _is_upright(leg.frame):
             return parts
         named = _components(shown, "xyz", unit)
@@ -131,7 +131,7 @@ class FrameLowering:
             _TURNED[n], (*map(parts, range(3)), *self._turn(leg, shown)), named[n]
         )
 
-    def _composed(self, leg: Leg, parts: Axis, shown: Shown) -> Axis:
+    def _composed(self, leg: FrameStep, parts: Axis, shown: Shown) -> Axis:
         if _is_upright(leg.frame):
             return parts
         named = _components(shown, "xyzw", None)
@@ -149,7 +149,7 @@ class FrameLowering:
             return self._nodes.constant(frame.mounted[number], Shown(text, shown.span, _METRE))
         return self._read(frame, "translation", axis, _METRE, shown)
 
-    def _turn(self, leg: Leg, shown: Shown) -> tuple[int, ...]:
+    def _turn(self, leg: FrameStep, shown: Shown) -> tuple[int, ...]:
         """The rotation from one frame to the other; it is inverted if the leg leads backwards."""
         frame = leg.frame
         if frame.mounted is not None:

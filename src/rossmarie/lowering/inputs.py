@@ -68,7 +68,7 @@ class InputPart:
 
 
 @dataclass
-class Inputs:
+class InputLowering:
     """Collects the entries one by one. Every method returns the index of the requested entry.
     `gaps` are the times between messages, by topic.
     """

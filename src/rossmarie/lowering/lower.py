@@ -17,12 +17,12 @@ from rossmarie.check.scopes.exemptions import exempted_by
 from rossmarie.ir.calls import query_at
 from rossmarie.lowering.calls import calls_of
 from rossmarie.lowering.contracts import Contract, contract_of
-from rossmarie.lowering.inputs import Inputs
+from rossmarie.lowering.inputs import InputLowering
 from rossmarie.lowering.margins import Margins
 from rossmarie.lowering.nodes import Nodes
 from rossmarie.lowering.prohibitions import with_prohibitions
 from rossmarie.lowering.propositions import Propositions
-from rossmarie.lowering.reactions import Plans
+from rossmarie.lowering.reactions import PlanLowering
 from rossmarie.units import DIMENSIONLESS
 
 
@@ -32,7 +32,7 @@ class Lowered:
 
     machine: ir.Machine
     contracts: Sequence[Contract]
-    inputs: Inputs
+    inputs: InputLowering
     nodes: Nodes
     propositions: Propositions
 
@@ -44,10 +44,10 @@ def lower(program: CheckedProgram) -> ir.Machine:
 
 def lowered(program: CheckedProgram) -> Lowered:
     """The machine of a checked program, with its builders."""
-    inputs, nodes = Inputs(program.gaps), Nodes()
+    inputs, nodes = InputLowering(program.gaps), Nodes()
     propositions = Propositions(program, inputs, nodes)
     contracts = [contract_of(rule, propositions, nodes, program) for rule in program.rules]
-    plans = Plans(program, propositions)
+    plans = PlanLowering(program, propositions)
     reactions = plans.lower()
     # Margins come after everything that monitors need, so that `ir.without_margins` can cut them
     # off.
@@ -82,7 +82,7 @@ def lowered(program: CheckedProgram) -> Lowered:
     return Lowered(machine, contracts, inputs, nodes, propositions)
 
 
-def _calls(program: CheckedProgram, inputs: Inputs) -> tuple[ir.SkillCall, ...]:
+def _calls(program: CheckedProgram, inputs: InputLowering) -> tuple[ir.SkillCall, ...]:
     asked = (query_at(slot.path) for slot in inputs.slots)
     steps = dict.fromkeys(step for step in asked if step is not None)
     return () if program.skills is None else calls_of(program.skills, tuple(steps))

@@ -20,7 +20,7 @@ from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
 from rossmarie.lowering.braking import stopping_distance
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.frames import Axis, FrameLowering, is_in_frame
-from rossmarie.lowering.inputs import InputPart, Inputs
+from rossmarie.lowering.inputs import InputLowering, InputPart
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.places import PartPlaces
 from rossmarie.lowering.wording import unit_of, words
@@ -78,7 +78,7 @@ class NumberLowering:
     def __init__(
         self,
         program: CheckedProgram,
-        inputs: Inputs,
+        inputs: InputLowering,
         nodes: Nodes,
         proposition: Callable[[ast.Expression], int],
     ) -> None:

@@ -14,7 +14,7 @@ from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.core import RegionFunction, RegionMeasure
 from rossmarie.lowering.durations import duration_ns
-from rossmarie.lowering.inputs import Inputs
+from rossmarie.lowering.inputs import InputLowering
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.numbers import NumberLowering
 from rossmarie.lowering.references import conditions_in, referred_condition
@@ -39,7 +39,7 @@ _COMPARISONS = {
 class Propositions:
     """Lowers conditions of one program. `skills` lowers their queries about skills."""
 
-    def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
+    def __init__(self, program: CheckedProgram, inputs: InputLowering, nodes: Nodes) -> None:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes

@@ -50,7 +50,7 @@ class _Escalation:
 
 
 @dataclass
-class Plans:
+class PlanLowering:
     """Lowers the plans of all rules. `watches` are the propositions that confirmations use,
     `readings` the signals that memories of poses use.
     """

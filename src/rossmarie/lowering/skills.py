@@ -12,7 +12,7 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedDoing, CheckedInput, CheckedProgram, CheckedSkills
 from rossmarie.check.names.parts import MessagePart
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.lowering.inputs import InputPart, Inputs
+from rossmarie.lowering.inputs import InputLowering, InputPart
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean
@@ -24,7 +24,7 @@ CONTEXT = "skill_context"
 class SkillLowering:
     """Lowers queries about skills. Equal queries share a slot."""
 
-    def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
+    def __init__(self, program: CheckedProgram, inputs: InputLowering, nodes: Nodes) -> None:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes

@@ -1,7 +1,7 @@
 """Monitors and guards in C, built with the system's compiler and run in this process."""
 
 from rossmarie.native.build import BuildError, NoCompilerError, build
-from rossmarie.native.columns import FLAG_VALUES, ColumnError, Columns, fit
+from rossmarie.native.columns import FLAG_VALUES, ColumnError, MachineColumns, fit
 from rossmarie.native.guard import NativeGuard, load_native_guard
 from rossmarie.native.monitor import BoundColumns, NativeMonitor, load_native
 from rossmarie.native.result import RunResult
@@ -28,7 +28,7 @@ __all__ = [
     "BoundColumns",
     "BuildError",
     "ColumnError",
-    "Columns",
+    "MachineColumns",
     "NativeGuard",
     "NativeMonitor",
     "NativeRow",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.ir import Batch
-from rossmarie.native.library import Library
+from rossmarie.native.library import NativeLibrary
 
 _ROOM = 1024
 """The samples that the memory can hold in addition to one per update, for timers."""
@@ -17,7 +17,7 @@ _ROOM = 1024
 class BatchTable:
     """A batch in C. The table must live while `pointer` is used."""
 
-    def __init__(self, library: Library, batch: Batch) -> None:
+    def __init__(self, library: NativeLibrary, batch: Batch) -> None:
         elements = [library.pointer("double[]", array.values) for array in batch.arrays]
         ends = [library.pointer("int64_t[]", array.ends) for array in batch.arrays]
         known = [library.pointer("unsigned char[]", array.known) for array in batch.arrays]
@@ -43,7 +43,7 @@ class BatchTable:
 class SampleTable:
     """Memory for samples of some signals while a batch is processed."""
 
-    def __init__(self, library: Library, updates: int, signals: Sequence[int]) -> None:
+    def __init__(self, library: NativeLibrary, updates: int, signals: Sequence[int]) -> None:
         self._times_ns = np.empty(updates + _ROOM, np.int64)
         self._values = np.empty((len(self._times_ns), len(signals)))
         self._members = {

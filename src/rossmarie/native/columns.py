@@ -29,7 +29,7 @@ class ColumnError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class Columns:
+class MachineColumns:
     """Columns that fit a machine.
 
     `times_ns` has the shape (rows,), in ns. `slots` has a column of the same shape for each slot:
@@ -46,7 +46,7 @@ class Columns:
 
 def fit(
     machine: ir.Machine, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
-) -> Columns:
+) -> MachineColumns:
     """The columns in the form for engines.
 
     Raises `ColumnError` if a column is missing or unused, if its shape differs from that of the
@@ -63,7 +63,7 @@ def fit(
     arrivals = ir.arrival_names(machine)
     if unknown := sorted(given.keys() - {*slot_names, *array_names, *arrivals}):
         raise ColumnError(f"no rule reads the column {unknown[0]}")
-    return Columns(
+    return MachineColumns(
         instants,
         tuple(
             _scalars(machine, name, slot.kind, given[name])

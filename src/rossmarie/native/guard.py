@@ -21,14 +21,14 @@ from rossmarie.ir import (
     Event,
     FieldBounds,
     Reported,
-    State,
     TaskCommand,
     TaskCommandKind,
+    TaskState,
     Wiring,
     require_instant,
 )
 from rossmarie.native.events import EventReader
-from rossmarie.native.library import Library
+from rossmarie.native.library import NativeLibrary
 from rossmarie.native.monitor import MOST_FIELDS, Mains, NativeMonitor, load_library
 from rossmarie.native.signatures import Fields, declarations, fields_of
 from rossmarie.native.steps import (
@@ -44,7 +44,7 @@ from rossmarie.native.steps import (
 
 _MAINS = Mains("guarding.c", "fastguard.c")
 _KINDS = tuple(TaskCommandKind)
-_STATES = tuple(State)
+_STATES = tuple(TaskState)
 _NEVER = 2**63 - 1
 _BYTES = "unsigned char[]"
 
@@ -84,7 +84,7 @@ class NativeGuard:
     `ir.LATEST_NS`, except `bounds`.
     """
 
-    def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
+    def __init__(self, machine: ir.Machine, library: NativeLibrary, reader: EventReader) -> None:
         """Raises `OSError` if the arithmetic of the library does not follow IEEE 754."""
         self._machine = machine
         self._reader = reader
@@ -106,7 +106,7 @@ class NativeGuard:
         return self._monitor.active
 
     @property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[TaskState, ...]:
         """The state of each task, by index."""
         state = self.library.function("guard_task_state")
         tasks = range(len(self._machine.reactions.tasks))

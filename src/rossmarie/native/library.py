@@ -21,7 +21,7 @@ import cffi
 Pointer = Any
 
 
-class Library:
+class NativeLibrary:
     """A library of one machine, and the memory that is passed to it."""
 
     def __init__(self, content: bytes, declarations: str) -> None:

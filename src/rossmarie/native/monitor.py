@@ -21,9 +21,9 @@ from rossmarie import ir
 from rossmarie.ir import Batch, ChannelValues, Event, Taken
 from rossmarie.native.batches import BatchTable, SampleTable
 from rossmarie.native.build import BuildError, build
-from rossmarie.native.columns import Columns, fit
+from rossmarie.native.columns import MachineColumns, fit
 from rossmarie.native.events import EventReader
-from rossmarie.native.library import Library, Pointer
+from rossmarie.native.library import NativeLibrary, Pointer
 from rossmarie.native.result import RunResult
 from rossmarie.native.signatures import declarations, fields_of
 
@@ -69,13 +69,13 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
 
 def load_library(
     mains: Mains, files: Mapping[str, str], declared: str, reader: EventReader
-) -> Library:
+) -> NativeLibrary:
     """Build the files and load the result. Raises the errors of `load_native`."""
     built = _built(mains, files)
     try:
-        return _checked(Library(built, declared), reader)
+        return _checked(NativeLibrary(built, declared), reader)
     except OSError:
-        return _checked(Library(_built(mains, files, rebuild=True), declared), reader)
+        return _checked(NativeLibrary(_built(mains, files, rebuild=True), declared), reader)
 
 
 def _built(mains: Mains, files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
@@ -101,7 +101,7 @@ def with_own(files: Mapping[str, str]) -> dict[str, str]:
     return {**files, **own}
 
 
-def _checked(library: Library, reader: EventReader) -> Library:
+def _checked(library: NativeLibrary, reader: EventReader) -> NativeLibrary:
     """The library. Raises `OSError` if the library belongs to another machine."""
     if library.function("host_event_size")() != reader.size:
         raise OSError("the library logs events of another size")
@@ -114,7 +114,7 @@ class NativeMonitor:
     """
 
     def __init__(
-        self, machine: ir.Machine, library: Library, reader: EventReader, kind: str = "host"
+        self, machine: ir.Machine, library: NativeLibrary, reader: EventReader, kind: str = "host"
     ) -> None:
         """`kind` is the object that C creates: the monitor alone, or a `guard`, which also has a
         reactor.
@@ -347,7 +347,7 @@ class NativeMonitor:
 class BoundColumns:
     """Columns that a monitor has checked. They must not change while the monitor uses them."""
 
-    def __init__(self, monitor: NativeMonitor, columns: Columns) -> None:
+    def __init__(self, monitor: NativeMonitor, columns: MachineColumns) -> None:
         self._monitor = monitor
         self._rows = len(columns.times_ns)
         library = monitor.library

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.ir import FieldPart, Machine, Wiring, margins_of, require_instant
-from rossmarie.native.library import Library, Pointer
+from rossmarie.native.library import NativeLibrary, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
 StepCall: TypeAlias = Callable[[int, "NDArray[Any] | None", "NDArray[Any] | None"], "bytes | None"]
@@ -89,7 +89,7 @@ commands; nothing passes yet.
 class WiringTable:
     """A wiring in C. The table must live while `pointer` is used."""
 
-    def __init__(self, library: Library, wiring: Wiring, channels: int, fields: int) -> None:
+    def __init__(self, library: NativeLibrary, wiring: Wiring, channels: int, fields: int) -> None:
         """Reserve memory for the given number of channels, and for the largest number of fields of
         a command.
         """
@@ -151,7 +151,9 @@ def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
     return found
 
 
-def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCall) -> StepCall:
+def plain_step(
+    library: NativeLibrary, host: Pointer, table: WiringTable, note: NoteCall
+) -> StepCall:
     """A step that works without Python's headers."""
     call = library.function("guard_step")
 
@@ -219,7 +221,7 @@ class NativeRow:
 
     def __init__(
         self,
-        library: Library,
+        library: NativeLibrary,
         count: int,
         machine: Machine,
         table_of: Callable[[Wiring], WiringTable],

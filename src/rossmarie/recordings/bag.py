@@ -44,7 +44,7 @@ from rossmarie.recordings.matching import (
 )
 from rossmarie.recordings.model import FramesFound, Observe, RecordedTopic, Survey
 from rossmarie.recordings.storage import Storage
-from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
+from rossmarie.recordings.stored import READER_FAILURES, Packed, RecordedConnection
 from rossmarie.recordings.survey import survey_of
 from rossmarie.recordings.transforms import TransformDecoder, holds_transforms
 
@@ -201,7 +201,7 @@ class BagRecording:
             readings[connection.topic].unfit[reason] += 1
         return ~is_unfit
 
-    def _odd_type(self, connection: Connection) -> str | None:
+    def _odd_type(self, connection: RecordedConnection) -> str | None:
         """The reason why messages of a connection are skipped; None if they are read."""
         expected = self._connections[connection.topic][0].message_type
         found = connection.message_type
@@ -277,7 +277,7 @@ class _Last:
 
 
 def _decoder(
-    connection: Connection, store: Typestore, matches: Sequence[Match], machine: Machine
+    connection: RecordedConnection, store: Typestore, matches: Sequence[Match], machine: Machine
 ) -> Decoder | None:
     slots = {index: slot for match in matches for index, slot in match.slots.items()}
     arrays = {index: array for match in matches for index, array in match.arrays.items()}
@@ -310,16 +310,16 @@ def _is_on(topic: str, messages: Packed) -> NDArray[np.bool_]:
     return is_there[messages.senders]
 
 
-def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
+def _by_topic(connections: Sequence[RecordedConnection]) -> dict[str, list[RecordedConnection]]:
     """The connections of each topic; connections with a definition come first."""
-    found: dict[str, list[Connection]] = {}
+    found: dict[str, list[RecordedConnection]] = {}
     for connection in sorted(connections, key=lambda connection: not connection.definition.data):
         found.setdefault(connection.topic, []).append(connection)
     return found
 
 
 def _report_missing(
-    missing: Slot | Array, connection: Connection, machine: Machine, collector: Collector
+    missing: Slot | Array, connection: RecordedConnection, machine: Machine, collector: Collector
 ) -> None:
     finding = FieldNotRecorded(
         topic=connection.topic,

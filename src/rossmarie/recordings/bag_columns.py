@@ -14,7 +14,7 @@ from rosbags.rosbag1.reader import IndexData, read_bytes
 from rossmarie.recordings.bag_index import IndexedBag
 from rossmarie.recordings.bag_records import message_places
 from rossmarie.recordings.chunks import ROW, Contents, Places, Rows, pack
-from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed, Stored, packed
+from rossmarie.recordings.stored import READER_FAILURES, Packed, RecordedConnection, Stored, packed
 
 
 class BagChunks:
@@ -23,7 +23,7 @@ class BagChunks:
     """
 
     def __init__(
-        self, bag: IndexedBag, asked: Sequence[tuple[RosbagsConnection, Connection]]
+        self, bag: IndexedBag, asked: Sequence[tuple[RosbagsConnection, RecordedConnection]]
     ) -> None:
         self._bag = bag
         self._opened = [opened for opened, _ in asked]

@@ -12,7 +12,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
+from rossmarie.recordings.stored import READER_FAILURES, Packed, RecordedConnection
 
 _MOST_MESSAGES = 4096
 _MOST_BYTES = 1 << 20
@@ -137,7 +137,7 @@ class Contents:
 
 def pack(
     rows: Rows,
-    connections: Sequence[Connection],
+    connections: Sequence[RecordedConnection],
     contents: Contents,
     find: Callable[[bytes, Rows], Places],
 ) -> Packed:

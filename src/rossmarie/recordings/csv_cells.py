@@ -20,7 +20,7 @@ from rossmarie.ir import (
     Listed,
     Machine,
 )
-from rossmarie.recordings.csv_columns import Columns
+from rossmarie.recordings.csv_columns import SlotColumns
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.errors import MessagesUnreadable
 from rossmarie.recordings.matching import Match, Unreadable, input_span, listed
@@ -71,7 +71,7 @@ class ChannelReader:
     def __init__(
         self,
         match: Match,
-        columns: Columns,
+        columns: SlotColumns,
         machine: Machine,
         names: Sequence[str],
         unreadable: Unreadable,

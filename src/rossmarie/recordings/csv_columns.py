@@ -21,7 +21,7 @@ _ALIKE = 0.7
 
 
 @dataclass(frozen=True)
-class Columns:
+class SlotColumns:
     """The columns of slots, and of the elements of arrays, by index. For a slot that is an element
     with a declared name, `listed` contains the columns of the whole array.
 
@@ -90,7 +90,7 @@ def _key(name: str) -> str:
     return re.sub(r"\[(\d+)\]", r".\1", name)
 
 
-def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Columns:
+def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> SlotColumns:
     """The columns with the fields that a channel reads."""
     slots: dict[int, int] = {}
     listed: dict[int, tuple[int, ...]] = {}
@@ -112,12 +112,12 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
         arrays[index] = next((columns for columns in elements if columns), ())
         if not arrays[index]:
             missing.append(array)
-    taken = Columns(slots, listed, arrays, (), None).used()
+    taken = SlotColumns(slots, listed, arrays, (), None).used()
     arrival = next(
         (keys[name] for name in _arrivals(match, machine, bool(taken)) if name in keys), None
     )
     is_free = arrival not in taken
-    return Columns(slots, listed, arrays, tuple(missing), arrival if is_free else None)
+    return SlotColumns(slots, listed, arrays, tuple(missing), arrival if is_free else None)
 
 
 def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]:

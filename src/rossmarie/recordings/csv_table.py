@@ -32,7 +32,7 @@ from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.csv_cells import ChannelReader, Clock, clock, unreadable_cells
 from rossmarie.recordings.csv_columns import (
-    Columns,
+    SlotColumns,
     column_keys,
     duplicate_column,
     expected_column,
@@ -135,7 +135,7 @@ class CsvRecording:
     def __exit__(self, *reason: object) -> None:
         """Do nothing: no file is open."""
 
-    def _reader(self, match: Match, columns: Columns, machine: Machine) -> ChannelReader:
+    def _reader(self, match: Match, columns: SlotColumns, machine: Machine) -> ChannelReader:
         names = [self._names[column] for column in columns.used()]
         filled = sum(self._filled[column] for column in columns.used())
         unreadable = unreadable_cells(match, names, filled, self.start_ns, machine)
@@ -144,7 +144,7 @@ class CsvRecording:
     def _report_missing(
         self,
         match: Match,
-        columns: Columns,
+        columns: SlotColumns,
         unread: Sequence[str],
         machine: Machine,
         collector: Collector,

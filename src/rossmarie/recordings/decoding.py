@@ -22,8 +22,8 @@ from rossmarie.recordings.extraction import Message, WantedParts, compile_extrac
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.planning import plan_for
-from rossmarie.recordings.sheet import Found, nothing_found
-from rossmarie.recordings.stored import Connection, Packed
+from rossmarie.recordings.sheet import SheetValues, nothing_found
+from rossmarie.recordings.stored import Packed, RecordedConnection
 from rossmarie.recordings.walking import walk
 
 DECODE_FAILURES: tuple[type[Exception], ...] = (
@@ -58,7 +58,11 @@ class Decoder:
     """
 
     def __init__(
-        self, connection: Connection, store: Typestore, wanted: WantedParts, texts: Sequence[str]
+        self,
+        connection: RecordedConnection,
+        store: Typestore,
+        wanted: WantedParts,
+        texts: Sequence[str],
     ) -> None:
         self._name = full_type(connection.message_type)
         self._message = decoding_of(connection, store)
@@ -88,7 +92,7 @@ class Decoder:
                 failures.append((row, reason))
         return Decoded(found.slots, found.arrays, failures)
 
-    def _walked(self, messages: Packed) -> Found:
+    def _walked(self, messages: Packed) -> SheetValues:
         if self._plan is None:
             return nothing_found(len(messages), self._found.slots, self._found.arrays)
         starts, ends = messages.starts, messages.ends
@@ -96,7 +100,7 @@ class Decoder:
             ends = np.where(ends - starts > self._most, starts, ends)
         return walk(self._plan, self._texts, messages.content, starts, ends)
 
-    def _decode_alone(self, content: bytes, row: int, found: Found) -> str | None:
+    def _decode_alone(self, content: bytes, row: int, found: SheetValues) -> str | None:
         """Decode one message with rosbags. Returns the reason if that is not possible."""
         try:
             message = self._message(content)
@@ -111,7 +115,7 @@ class Decoder:
             found.arrays[array][row] = np.array(elements, np.float64)
         return self._take_sensed(message, row, found)
 
-    def _take_sensed(self, message: Message, row: int, found: Found) -> str | None:
+    def _take_sensed(self, message: Message, row: int, found: SheetValues) -> str | None:
         """Take the points of clouds and the beams of scans. Returns the reason if some are unknown
         (S56, S70).
         """
@@ -126,7 +130,7 @@ class Decoder:
         return reason
 
 
-def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], Message]:
+def decoding_of(connection: RecordedConnection, store: Typestore) -> Callable[[bytes], Message]:
     """The decoder of rosbags for messages of a connection, or of other connections on its topic.
     The decoder raises one of `DECODE_FAILURES`, also for a message that is too large.
     """

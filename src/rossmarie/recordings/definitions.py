@@ -23,7 +23,7 @@ from rosbags.typesys import (
 from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.message_sizes import Sizes
-from rossmarie.recordings.stored import Connection, plain_type
+from rossmarie.recordings.stored import RecordedConnection, plain_type
 from rossmarie.types.definitions import own_texts
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
@@ -58,7 +58,7 @@ def is_standard(message_type: str) -> bool:
     )
 
 
-def own_definitions(connections: Iterable[Connection]) -> dict[str, str]:
+def own_definitions(connections: Iterable[RecordedConnection]) -> dict[str, str]:
     """The .msg texts that connections contain, for their types and the types inside these, by names
     such as `my_msgs/Wheel`. Standard types and unreadable texts are left out. The first of several
     texts for one type counts.
@@ -77,7 +77,7 @@ def own_definitions(connections: Iterable[Connection]) -> dict[str, str]:
     return found
 
 
-def _texts(connection: Connection, store: Typestore) -> Iterator[tuple[str, str]]:
+def _texts(connection: RecordedConnection, store: Typestore) -> Iterator[tuple[str, str]]:
     """The recorded text of each type; a definition in IDL is converted to .msg."""
     text = connection.definition.data
     if connection.definition.format is not MessageDefinitionFormat.MSG:
@@ -88,7 +88,7 @@ def _texts(connection: Connection, store: Typestore) -> Iterator[tuple[str, str]
         yield plain_type(name), other
 
 
-def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Typestore:
+def typestore_for(connection: RecordedConnection, message_folders: Sequence[Path]) -> Typestore:
     """A store with the type of a connection, and all types that it contains.
 
     `message_folders` contain `<package>/msg/Type.msg` or `<package>/Type.msg`. Raises

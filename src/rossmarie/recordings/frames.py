@@ -13,7 +13,7 @@ from rossmarie.ir import bare_frame
 from rossmarie.recordings.decoding import DECODE_FAILURES, decoding_of
 from rossmarie.recordings.definitions import UndefinedTypeError, full_type
 from rossmarie.recordings.model import FramesFound, Transforms
-from rossmarie.recordings.stored import Connection, Packed
+from rossmarie.recordings.stored import Packed, RecordedConnection
 from rossmarie.recordings.transforms import holds_transforms
 
 _STATIC = "tf_static"
@@ -60,8 +60,8 @@ class FrameSearch:
 
     def __init__(
         self,
-        connections: Mapping[str, Sequence[Connection]],
-        store_of: Callable[[Connection], Typestore],
+        connections: Mapping[str, Sequence[RecordedConnection]],
+        store_of: Callable[[RecordedConnection], Typestore],
         headers_of: Collection[str] | None = None,
     ) -> None:
         self._of_transforms: dict[str, Read] = {}
@@ -124,8 +124,8 @@ class FrameSearch:
 
 
 def frames_in(
-    connections: Mapping[str, Sequence[Connection]],
-    store_of: Callable[[Connection], Typestore],
+    connections: Mapping[str, Sequence[RecordedConnection]],
+    store_of: Callable[[RecordedConnection], Typestore],
     batches: Callable[[Iterable[str]], Iterable[Packed]],
 ) -> FramesFound:
     """Read the frames of a recording. Messages that cannot be decoded are skipped."""

@@ -14,7 +14,7 @@ from rossmarie.recordings.chunks import in_order
 from rossmarie.recordings.clock import Arrivals
 from rossmarie.recordings.limits import Allowance
 from rossmarie.recordings.readers import open_bag_reader
-from rossmarie.recordings.stored import Connection, Packed, Stored, plain_type, unpacked
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, plain_type, unpacked
 
 
 class IntactBag:
@@ -61,8 +61,8 @@ class IntactBag:
         self._bag.close()
 
 
-def _connection(opened: RosbagsConnection) -> Connection:
-    return Connection(
+def _connection(opened: RosbagsConnection) -> RecordedConnection:
+    return RecordedConnection(
         id=opened.id,
         topic=opened.topic,
         message_type=plain_type(opened.msgtype),

@@ -16,7 +16,7 @@ from rosbags.rosbag2.storage_mcap import ChunkInfo, McapReader
 from rossmarie.ir import LATEST_NS
 from rossmarie.recordings.chunks import ROW, Contents, Places, Rows, pack
 from rossmarie.recordings.gathering import values_at
-from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed, clipped
+from rossmarie.recordings.stored import READER_FAILURES, Packed, RecordedConnection, clipped
 
 _MESSAGE = 0x05
 _RECORD = struct.Struct("<BQ")
@@ -34,7 +34,7 @@ class McapChunks:
     """
 
     def __init__(
-        self, file: McapReader, asked: Sequence[tuple[RosbagsConnection, Connection]]
+        self, file: McapReader, asked: Sequence[tuple[RosbagsConnection, RecordedConnection]]
     ) -> None:
         self._file = file
         self._connections = [ours for _, ours in asked]

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from rossmarie.recordings.clock import Arrivals, by_topic
 from rossmarie.recordings.compression import decompress_prefix
 from rossmarie.recordings.limits import Allowance, LimitError
-from rossmarie.recordings.stored import Connection, Packed, Stored, packed
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, packed
 
 OUTSIDE = -1
 """The chunk number of a message outside any chunk: the message is in the file itself."""
@@ -49,7 +49,7 @@ class SalvageScan:
     """
 
     allowance: Allowance
-    connections: dict[int, Connection] = field(default_factory=dict)
+    connections: dict[int, RecordedConnection] = field(default_factory=dict)
     chunks: list[Chunk] = field(default_factory=list)
     places: list[MessagePlace] = field(default_factory=list)
     loss: str | None = None

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.salvage import OUTSIDE, Chunk, MessagePlace, SalvagedStorage, SalvageScan
-from rossmarie.recordings.stored import Connection
+from rossmarie.recordings.stored import RecordedConnection
 
 _MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE, _CHUNK, _CONNECTION = b"\x02", b"\x05", b"\x07"
@@ -126,7 +126,7 @@ def _is_complete(fields: dict[bytes, bytes]) -> bool:
     )
 
 
-def _connection(fields: dict[bytes, bytes], data: bytes) -> Connection:
+def _connection(fields: dict[bytes, bytes], data: bytes) -> RecordedConnection:
     (number,) = _LENGTH.unpack(fields[b"conn"])
     try:
         about = _fields(data)
@@ -135,7 +135,7 @@ def _connection(fields: dict[bytes, bytes], data: bytes) -> Connection:
     text = about.get(b"message_definition", b"").decode(errors="replace")
     has_text = b"message_definition" in about
     form = MessageDefinitionFormat.MSG if has_text else MessageDefinitionFormat.NONE
-    return Connection(
+    return RecordedConnection(
         id=number,
         topic=fields[b"topic"].decode(errors="replace"),
         message_type=about.get(b"type", b"unknown/Unknown").decode(errors="replace"),

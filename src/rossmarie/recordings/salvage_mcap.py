@@ -19,7 +19,7 @@ from typing import NamedTuple
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.salvage import OUTSIDE, Chunk, MessagePlace, SalvagedStorage, SalvageScan
-from rossmarie.recordings.stored import Connection, plain_type
+from rossmarie.recordings.stored import RecordedConnection, plain_type
 
 _MAGIC = b"\x89MCAP0\r\n"
 _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 2, 3, 4, 5, 6
@@ -133,13 +133,15 @@ def _records(
         position += length
 
 
-def _connection(content: bytes, schemas: dict[int, _Schema]) -> Connection:
+def _connection(content: bytes, schemas: dict[int, _Schema]) -> RecordedConnection:
     number, schema_number = _NUMBERS.unpack_from(content)
     topic, position = _string(content, _NUMBERS.size)
     encoding, _ = _string(content, position)
     without = _Schema("unknown/Unknown", MessageDefinition(MessageDefinitionFormat.NONE, ""))
     schema = schemas.get(schema_number, without)
-    return Connection(number, topic, plain_type(schema.name), encoding, schema.definition, 0)
+    return RecordedConnection(
+        number, topic, plain_type(schema.name), encoding, schema.definition, 0
+    )
 
 
 def _schema(content: bytes) -> tuple[int, _Schema]:

@@ -14,7 +14,7 @@ from pathlib import Path
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.clock import Arrivals, by_topic
-from rossmarie.recordings.stored import Connection, Packed, Stored, packed, plain_type
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, packed, plain_type
 from rossmarie.recordings.tables import check_tables
 
 _FORMATS = {"ros2msg": MessageDefinitionFormat.MSG, "ros2idl": MessageDefinitionFormat.IDL}
@@ -101,14 +101,16 @@ class SalvagedRows:
         except sqlite3.Error as error:
             self.loss = f"its database breaks off ({error})"
 
-    def _read_connections(self) -> Iterator[Connection]:
+    def _read_connections(self) -> Iterator[RecordedConnection]:
         definitions = dict(self._read_definitions())
         for number, topic, message_type, encoding in self._database.execute(
             "SELECT id, name, type, serialization_format FROM topics WHERE typeof(id) = 'integer' "
             "AND typeof(name) = 'text' AND typeof(type) = 'text'"
         ):
             definition = definitions.get(message_type, _UNDEFINED)
-            yield Connection(number, topic, plain_type(message_type), str(encoding), definition, 0)
+            yield RecordedConnection(
+                number, topic, plain_type(message_type), str(encoding), definition, 0
+            )
 
     def _read_definitions(self) -> Iterator[tuple[str, MessageDefinition]]:
         """The definitions in the database. ROS 2 writes them since Iron."""

@@ -19,7 +19,7 @@ _NOTHING: NDArray[np.generic] = np.empty(0)
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class SheetValues:
     """A value for each message. `is_done` marks the messages that the walk has completed; the
     values of other messages are unknown.
     """
@@ -29,9 +29,9 @@ class Found:
     arrays: Mapping[int, list[NDArray[np.generic] | None]]
 
 
-def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> Found:
+def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> SheetValues:
     """The results without a walk."""
-    return Found(
+    return SheetValues(
         np.zeros(count, np.bool_),
         {slot: np.full(count, np.nan) for slot in slots},
         {array: [_NOTHING] * count for array in arrays},
@@ -117,7 +117,7 @@ class Sheet:
         """Mark messages as completed."""
         self._done[rows] = True
 
-    def found(self) -> Found:
+    def found(self) -> SheetValues:
         """The results for the completed messages."""
         slots = {slot: self._slot(slot) for slot in self._plan.slots}
         slots |= {slot: self._text(slot) for slot in self._plan.texts}
@@ -127,7 +127,7 @@ class Sheet:
         for filled in self._arrays.values():
             for row in left_behind.tolist():
                 filled[row] = _NOTHING
-        return Found(self._done, slots, self._arrays)
+        return SheetValues(self._done, slots, self._arrays)
 
     def _column(self, target: SlotTarget) -> NDArray[np.float64]:
         if target not in self._columns:

@@ -23,14 +23,14 @@ from rossmarie.recordings.compression import decompress
 from rossmarie.recordings.limits import Allowance
 from rossmarie.recordings.mcap_columns import McapChunks, has_chunks
 from rossmarie.recordings.readers import open_ros2_reader, parts_of
-from rossmarie.recordings.stored import Connection, Packed, Stored, packed, plain_type
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, packed, plain_type
 
 
 class Storage(Protocol):
     """Stored messages, in the order of their stamps."""
 
     @property
-    def connections(self) -> Sequence[Connection]:
+    def connections(self) -> Sequence[RecordedConnection]:
         """The sources of messages. Several sources may send on one topic."""
 
     def span(self) -> tuple[int, int] | None:
@@ -111,7 +111,7 @@ class IntactStorage:
 
 def _asked(
     part: McapReader, chosen: Sequence[RosbagsConnection]
-) -> list[tuple[RosbagsConnection, Connection]]:
+) -> list[tuple[RosbagsConnection, RecordedConnection]]:
     """The chosen connections in one of the files, in the forms of rosbags and of this package."""
     found = []
     for opened in part.connections:
@@ -128,10 +128,10 @@ def _is_same(one: RosbagsConnection, other: RosbagsConnection) -> bool:
     return not (one.digest and other.digest) or one.digest == other.digest
 
 
-def _connection(opened: RosbagsConnection) -> Connection:
+def _connection(opened: RosbagsConnection) -> RecordedConnection:
     ext = opened.ext
     assert isinstance(ext, ConnectionExtRosbag2), "a reader of ROS 2 opened it"
-    return Connection(
+    return RecordedConnection(
         id=opened.id,
         topic=opened.topic,
         message_type=plain_type(opened.msgtype),

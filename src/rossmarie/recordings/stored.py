@@ -44,7 +44,7 @@ content, so a wrong byte can cause almost any Python exception.
 
 
 @dataclass(frozen=True)
-class Connection:
+class RecordedConnection:
     """One source of messages on a topic; `id` is its number in the file.
 
     `message_type` is, for example, `sensor_msgs/Imu`. `encoding` is `ros1`, `cdr`, or an encoding
@@ -67,7 +67,7 @@ def plain_type(name: str) -> str:
 class Stored(NamedTuple):
     """One message as it is stored."""
 
-    connection: Connection
+    connection: RecordedConnection
     at_ns: int
     content: bytes
 
@@ -78,7 +78,7 @@ class Packed:
     `connections[senders[i]]`. Stamps out of range are set to the end of the 64-bit range.
     """
 
-    connections: Sequence[Connection]
+    connections: Sequence[RecordedConnection]
     senders: NDArray[np.intp]
     times_ns: NDArray[np.int64]
     content: bytes

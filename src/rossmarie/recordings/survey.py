@@ -15,7 +15,7 @@ from rossmarie.recordings.decoding import DECODE_FAILURES, decoding_of
 from rossmarie.recordings.definitions import UndefinedTypeError
 from rossmarie.recordings.frames import FrameSearch, Read
 from rossmarie.recordings.model import Observe, Rhythm, Survey
-from rossmarie.recordings.stored import Connection, Packed
+from rossmarie.recordings.stored import Packed, RecordedConnection
 
 _MOST_SAMPLES = 2000
 """The most messages of a topic that are decoded."""
@@ -58,8 +58,8 @@ class _Listening:
 
 
 def survey_of(
-    connections: Mapping[str, Sequence[Connection]],
-    store_of: Callable[[Connection], Typestore],
+    connections: Mapping[str, Sequence[RecordedConnection]],
+    store_of: Callable[[RecordedConnection], Typestore],
     batches: Callable[[Iterable[str]], Iterable[Packed]],
     observers: Mapping[str, Observe],
     seconds: float,

@@ -17,7 +17,7 @@ from rossmarie.recordings.decoding import DECODE_FAILURES, decoding_of
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.errors import NameNeverRecorded
 from rossmarie.recordings.matching import Match, input_span, listed
-from rossmarie.recordings.stored import Connection, Packed
+from rossmarie.recordings.stored import Packed, RecordedConnection
 
 _MOST_OTHERS = 64
 """The transforms that are kept for a message. A reader needs no more."""
@@ -76,7 +76,7 @@ class TransformDecoder:
     other transforms in the messages.
     """
 
-    connection: Connection
+    connection: RecordedConnection
     store: Typestore
     matches: Sequence[Match]
     machine: Machine

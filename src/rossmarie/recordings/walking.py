@@ -23,7 +23,7 @@ from rossmarie.recordings.plan import (
     StretchNumber,
     TextBytes,
 )
-from rossmarie.recordings.sheet import Found, Sheet
+from rossmarie.recordings.sheet import Sheet, SheetValues
 
 _HEADER = 4
 """The bytes before a message in CDR: its encoding, and options."""
@@ -45,7 +45,7 @@ def walk(
     content: bytes,
     starts: NDArray[np.int64],
     ends: NDArray[np.int64],
-) -> Found:
+) -> SheetValues:
     """The results of the plan for messages; message i is `content[starts[i] : ends[i]]`. `texts`
     are the numbers of the texts that slots are compared with.
     """

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from rossmarie import ir
 from rossmarie.testing.coverage import Coverage
-from rossmarie.testing.goals import Aspect, Goal, edges
+from rossmarie.testing.goals import Aspect, TraceGoal, edges
 
 _UNBROKEN = 1_000_000
 """A width, in columns, at which plain lines need no line break."""
@@ -23,7 +23,7 @@ _CHANGES = (Aspect.ACTIVE, Aspect.CLEARED)
 
 
 def write_coverage(
-    coverage: Coverage, out: TextIO, reasons: Mapping[Goal, str] | None = None
+    coverage: Coverage, out: TextIO, reasons: Mapping[TraceGoal, str] | None = None
 ) -> None:
     """Write a row for each rule and each of its conditions, and the sums. `reasons` gives the
     reasons why goals cannot be reached.
@@ -45,7 +45,7 @@ def print_table(table: Table, out: TextIO) -> None:
         out.writelines(line.rstrip() + "\n" for line in capture.get().splitlines())
 
 
-def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> Table:
+def _table(coverage: Coverage, reasons: Mapping[TraceGoal, str], *, styled: bool) -> Table:
     table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
     table.add_column("Rule", overflow="fold", min_width=8)
     table.add_column("Condition", overflow="fold", min_width=20)
@@ -58,7 +58,9 @@ def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> 
     return table
 
 
-def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterator[tuple[str, ...]]:
+def _rows(
+    coverage: Coverage, rule: int, reasons: Mapping[TraceGoal, str]
+) -> Iterator[tuple[str, ...]]:
     for place, (text, found) in enumerate(queries(coverage, rule)):
         name = coverage.machine.rules[rule].name if place == 0 else ""
         deciding = [goal for goal in found if goal.aspect in _DECIDING]
@@ -67,11 +69,11 @@ def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterato
         yield name, text, *counts, missing(coverage, found, reasons)
 
 
-def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
+def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[TraceGoal]]]:
     """The queries about a rule, in words, with the goals that answer each query."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
     yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
-    groups: dict[tuple[int, int], list[Goal]] = {}
+    groups: dict[tuple[int, int], list[TraceGoal]] = {}
     for goal in own:
         if goal.aspect in (*_DECIDING, *_BOUNDARIES):
             groups.setdefault((goal.subject, goal.decision), []).append(goal)
@@ -82,13 +84,15 @@ def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
         yield "stale inputs", stale
 
 
-def counted(coverage: Coverage, found: Sequence[Goal]) -> str:
+def counted(coverage: Coverage, found: Sequence[TraceGoal]) -> str:
     """The number of reached goals, as `2/3`; empty if there are no goals."""
     reached = sum(goal in coverage.reached for goal in found)
     return f"{reached}/{len(found)}" if found else ""
 
 
-def missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, str]) -> str:
+def missing(
+    coverage: Coverage, found: Sequence[TraceGoal], reasons: Mapping[TraceGoal, str]
+) -> str:
     """The goals that were not reached, in words, with the known reasons."""
     words: dict[str, list[str]] = {}
     for goal in found:
@@ -100,7 +104,7 @@ def missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, st
     return "; ".join(parts)
 
 
-def describe(machine: ir.Machine, goal: Goal) -> str:
+def describe(machine: ir.Machine, goal: TraceGoal) -> str:
     """A goal in a word or two: `true`, `just under 10 deg`, `imu stale`."""
     if goal.aspect is Aspect.STALE:
         return f"{machine.inputs[goal.subject].name} stale"

@@ -17,7 +17,7 @@ from rossmarie.report.rehearsal import Rehearsed
 
 
 @dataclass(frozen=True)
-class Threshold:
+class PlotThreshold:
     """The place of a condition on the axis of a plot, in the unit of the plot.
 
     `limits` are the values at which its proposition changes. `regions` are the closed intervals
@@ -44,7 +44,7 @@ class Plot:
     unit: str
     times_s: NDArray[np.float64]
     values: NDArray[np.float64]
-    thresholds: tuple[Threshold, ...]
+    thresholds: tuple[PlotThreshold, ...]
 
 
 @dataclass(frozen=True, eq=False)

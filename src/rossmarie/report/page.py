@@ -20,7 +20,7 @@ from rossmarie.ir import Rule, TaskCommand, TaskCommandKind, TimeJump, Verdict, 
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.envelope import envelope, share
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
-from rossmarie.report.model import Plot, Replay, Threshold
+from rossmarie.report.model import Plot, PlotThreshold, Replay
 from rossmarie.report.rehearsal import task_words
 from rossmarie.report.runs import NamedReplay, rule_line
 from rossmarie.report.spans import ActiveSpan, active_spans
@@ -182,7 +182,7 @@ def _base64(array: NDArray[np.uint32] | NDArray[np.float32]) -> str:
     return base64.b64encode(array.tobytes()).decode("ascii")
 
 
-def _threshold(threshold: Threshold) -> _Data:
+def _threshold(threshold: PlotThreshold) -> _Data:
     return {
         "limits": threshold.limits,
         "regions": [[json_number(low), json_number(high)] for low, high in threshold.regions],

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
-from rossmarie.report.model import Plot, Threshold
+from rossmarie.report.model import Plot, PlotThreshold
 
 _ABOVE = (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL)
 _BELOW = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
@@ -28,7 +28,7 @@ class PlotPlan:
     unit: str
     scale: float
     offset: float
-    thresholds: tuple[Threshold, ...]
+    thresholds: tuple[PlotThreshold, ...]
 
     def plot(self, times_s: NDArray[np.float64], values_si: NDArray[np.float64]) -> Plot:
         """The plot of samples at ascending times on the axis of the replay."""
@@ -114,13 +114,13 @@ def _plan(machine: ir.Machine, index: int, uses: list[_Use]) -> PlotPlan:
             text = name or machine.propositions[leaf].text
             limits = tuple(limit * signal.scale + signal.offset for limit in shape)
             regions = _regions(machine.propositions[leaf].node, index, limits, positive)
-            found.append(Threshold(limits, regions, text, tuple(rules), releases))
+            found.append(PlotThreshold(limits, regions, text, tuple(rules), releases))
     return PlotPlan(
         index, signal.text, signal.unit, signal.scale, signal.offset, _drawn_once(found)
     )
 
 
-def _drawn_once(found: list[Threshold]) -> tuple[Threshold, ...]:
+def _drawn_once(found: list[PlotThreshold]) -> tuple[PlotThreshold, ...]:
     """The thresholds, except a release that is only the negation of the condition."""
     limits = {threshold.limits for threshold in found if not threshold.releases}
     return tuple(

@@ -30,7 +30,7 @@ class SkillSource:
 
 
 @dataclass(frozen=True)
-class SkillClass:
+class OntologyClass:
     """A class of things, `skiros.Product`, and its parent classes."""
 
     name: str
@@ -39,7 +39,7 @@ class SkillClass:
 
 
 @dataclass(frozen=True)
-class Property:
+class ThingProperty:
     """A data property of things: `float`, `int`, `bool` or `str`; `of` are its classes. Numbers of
     a property with a `unit` arrive in SI.
     """
@@ -221,7 +221,7 @@ class SkillFile:
     topic: str
     message_type: str
     period_ns: int
-    classes: Mapping[str, SkillClass]
-    properties: Mapping[str, Property]
+    classes: Mapping[str, OntologyClass]
+    properties: Mapping[str, ThingProperty]
     skills: Mapping[str, Skill]
     locations: tuple[Location, ...] = ()

@@ -19,16 +19,16 @@ from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
     ChildSkill,
     Node,
+    OntologyClass,
     Permission,
     PermissionLimit,
-    Property,
     Skill,
-    SkillClass,
     SkillCondition,
     SkillConditions,
     SkillFile,
     SkillParameter,
     SkillSource,
+    ThingProperty,
     Use,
     UseKind,
 )
@@ -153,7 +153,7 @@ def _require_no_circle(
         items.fail(f"derive `{name}` from itself")
 
 
-def _require_known(skills: Json, classes: Mapping[str, SkillClass]) -> None:
+def _require_known(skills: Json, classes: Mapping[str, OntologyClass]) -> None:
     """Require that the class of each thing parameter is in the file."""
     for skill in skills.elements():
         for parameter in skill.get("parameters").elements():
@@ -193,13 +193,13 @@ def _source(source: Json) -> SkillSource:
     )
 
 
-def _class(item: Json) -> SkillClass:
+def _class(item: Json) -> OntologyClass:
     parents = item.get("parents").each(_class_name)
-    return SkillClass(_class_name(item.get("name")), parents, place_of(item))
+    return OntologyClass(_class_name(item.get("name")), parents, place_of(item))
 
 
-def _property(item: Json) -> Property:
-    return Property(
+def _property(item: Json) -> ThingProperty:
+    return ThingProperty(
         name=_class_name(item.get("name")),
         type=item.get("type").one_of("float", "int", "bool", "str"),
         of=item.get("of").each(_class_name),

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_up
-from rossmarie.starter.robot import Proposal, RobotTopics, Watched
+from rossmarie.starter.robot import ProposedRules, RobotTopics, WatchedTopic
 
 _ROOM = 1.2
 _UNITS = {"position": "rad", "velocity": "rad/s", "effort": "Nm"}
@@ -48,14 +48,14 @@ class Joints:
         inputs = {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled}
         return inputs or {f"{name}_state": ""}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for fast and loaded joints. If the names of the joints identify an arm, also
         the rules of the library.
         """
         commands, filled = robot.commands, self.largest or {}
         if filled.get("velocity"):
             limit = rounded_up(max(filled["velocity"] * _ROOM, 0.1))
-            yield Proposal(
+            yield ProposedRules(
                 f"The fastest joint in the recording: {plain(filled['velocity'])} rad/s.",
                 f"rule {robot.rule(watched, 'fast_joint')}:"
                 f" if any(abs({watched.name}_velocity) > {plain(limit)} rad/s) for 0.05 sec"
@@ -63,7 +63,7 @@ class Joints:
             )
         if filled.get("effort"):
             limit = rounded_up(max(filled["effort"] * _ROOM, 1.0))
-            yield Proposal(
+            yield ProposedRules(
                 f"The largest torque in the recording: {plain(filled['effort'])} Nm. Some drivers"
                 " give currents: then the unit of the input is A.",
                 f"rule {robot.rule(watched, 'strained_joint')}:"
@@ -73,7 +73,7 @@ class Joints:
         if not commands.is_twist:
             yield from self._imports(watched, robot)
 
-    def _imports(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def _imports(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         named = _by_parameter(self.names)
         filled = self.largest or {}
         if {"position", "velocity"} <= filled.keys() and len(named) >= len(_PARAMETERS) - 1:
@@ -86,11 +86,11 @@ class Joints:
         file: str,
         parameters: Sequence[str],
         named: Mapping[str, str],
-        watched: Watched,
+        watched: WatchedTopic,
         robot: RobotTopics,
-    ) -> Proposal:
+    ) -> ProposedRules:
         names = ", ".join(f'{each} = "{named[each]}"' for each in parameters)
-        return Proposal(
+        return ProposedRules(
             "Set the limits to those of your arm.",
             f'import "rossmarie/arm/{file}.ross" with joints = {watched.topic},'
             f" servo = {robot.commands.topic}, {names} as {robot.rule(watched, f'arm_{file}')};",
@@ -114,7 +114,7 @@ def _by_parameter(names: Sequence[str]) -> dict[str, str]:
     return {name: numbered[each] for name, each in zip(_PARAMETERS, numbers, strict=False)}
 
 
-class Force:
+class WristForces:
     """The forces at a wrist. `path` leads to them from a message."""
 
     word = "wrench"
@@ -134,17 +134,17 @@ class Force:
         """The inputs for force and torque."""
         return {name: self._path}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for contact."""
         commands = robot.commands
         limit = rounded_up(max(self.largest * _ROOM, 1.0))
-        yield Proposal(
+        yield ProposedRules(
             f"The largest force in the recording: {plain(self.largest)} N.",
             f"rule {robot.rule(watched, 'contact')}: if norm({watched.name}.force) >"
             f" {plain(limit)} N then {{ {commands.stop}; }} clear for 1 sec;",
         )
         if self._path and not commands.is_twist:
-            yield Proposal(
+            yield ProposedRules(
                 "Contact, clamping and collisions. Set the limits to those of your task.",
                 f'import "rossmarie/arm/force.ross" with wrench = {watched.topic},'
                 f" servo = {commands.topic}, contact = {plain(limit)} N"

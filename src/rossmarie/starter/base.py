@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_down, rounded_up
-from rossmarie.starter.robot import Proposal, RobotTopics, Watched
+from rossmarie.starter.robot import ProposedRules, RobotTopics, WatchedTopic
 
 _ROOM = 1.2
 """The factor by which a limit exceeds the normal values of the recording."""
@@ -42,12 +42,12 @@ class Odometry:
         """A speed limit in m/s, above all speeds in the recording."""
         return rounded_up(max(self.fastest * _ROOM, 0.1))
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for a speed limit, and for stalled wheels, if another odometry measures the
         body.
         """
         rule = robot.rule(watched, "too_fast")
-        yield Proposal(
+        yield ProposedRules(
             f"The fastest in the recording: {plain(self.fastest)} m/s.",
             f"rule {rule}: if norm({watched.name}.twist.twist.linear) > {plain(self.limit())} m/s"
             f" then {{ {robot.commands.slow}; }} clear for 1 sec;",
@@ -56,7 +56,7 @@ class Odometry:
         filtered = [each for each in others if "filtered" in each.topic]
         if filtered and robot.commands.is_twist:
             commands, entry = robot.commands.topic, robot.commands.entry
-            yield Proposal(
+            yield ProposedRules(
                 "Wheels that turn while the body stands, and the other way round. The planner's"
                 f" commands enter the filter as {entry}, which is not recorded: give"
                 f" `replay` --topic-map {entry}={commands}.",
@@ -99,7 +99,7 @@ class Inertia:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for the tilt if the IMU measures it, else for the turn rate."""
         commands, name = robot.commands, watched.name
         first = self.first_tilt or 0.0
@@ -108,14 +108,14 @@ class Inertia:
             if not self.has_orientation:
                 reason = "tells no orientation"
             limit = rounded_up(max(self.turn * _ROOM, 0.5))
-            yield Proposal(
+            yield ProposedRules(
                 f"This IMU {reason}. The fastest turn in the recording: {plain(self.turn)} rad/s.",
                 f"rule {robot.rule(watched, 'spinning')}: if norm({name}.angular_velocity) >"
                 f" {plain(limit)} rad/s for 0.1 sec then {{ {commands.stop}; }} clear for 1 sec;",
             )
             return
         limit = min(max(_LEAST_TILT_DEG, math.ceil(self.tilt * _ROOM)), _MOST_TILT_DEG)
-        yield Proposal(
+        yield ProposedRules(
             f"The steepest in the recording: {plain(self.tilt)} deg.",
             f"rule {robot.rule(watched, 'tilted')}:"
             f" if ({name}.orientation.pitch() not in [-{limit}, {limit}] deg"
@@ -123,7 +123,7 @@ class Inertia:
             f" then {{ {commands.stop}; }} clear for 2 sec;",
         )
         if commands.is_twist:
-            yield Proposal(
+            yield ProposedRules(
                 "Slopes, bumps and falls: six rules of the library.",
                 f'import "rossmarie/base/tilt.ross" with imu = {watched.topic},'
                 f" cmd_vel = {commands.topic} as {robot.rule(watched, 'tilt')};",
@@ -154,7 +154,7 @@ class ScannerDistances:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for near objects, in a visible sector, and for a blind scanner."""
         if self.sector is None:
             return
@@ -163,7 +163,7 @@ class ScannerDistances:
         nearest = "The recording has nothing in reach."
         if math.isfinite(self.nearest):
             nearest = f"The nearest in the recording: {plain(self.nearest)} m."
-        yield Proposal(
+        yield ProposedRules(
             f"{nearest} The sector is by the angles of the scanner; 0 deg is where it looks.",
             f"rule {robot.rule(watched, 'near')}:"
             f" if min({watched.name}.ranges[{right} deg .. {left} deg]) < {plain(limit)} m"
@@ -173,13 +173,13 @@ class ScannerDistances:
             yield from self._imports(watched, robot, right, left)
 
     def _imports(
-        self, watched: Watched, robot: RobotTopics, right: int, left: int
-    ) -> Iterator[Proposal]:
+        self, watched: WatchedTopic, robot: RobotTopics, right: int, left: int
+    ) -> Iterator[ProposedRules]:
         odometries = robot.of_word(Odometry.word)
         cmd_vel = robot.commands.topic
         if odometries and isinstance(odometries[0].kind, Odometry):
             fastest = odometries[0].kind.limit()
-            yield Proposal(
+            yield ProposedRules(
                 "Keep the stopping distance. Set `braking`, `acceleration`, `latency` and `margin`"
                 " to those of your robot.",
                 f'import "rossmarie/base/separation.ross" with scan = {watched.topic},'
@@ -189,7 +189,7 @@ class ScannerDistances:
                 f" as {robot.rule(watched, 'separation')};",
             )
         if self.beams <= _MOST_BEAMS and watched.timeout < _LATEST_SCAN_S:
-            yield Proposal(
+            yield ProposedRules(
                 "A scanner that is covered, stuck or dirty.",
                 f'import "rossmarie/scan/health.ross" with scan = {watched.topic},'
                 f" cmd_vel = {cmd_vel}, right = {right} deg, left = {left} deg,"

@@ -21,7 +21,13 @@ from rossmarie.starter.errors import NothingToWatch
 from rossmarie.starter.kinds import ARM, KINDS, OWN
 from rossmarie.starter.names import UniqueNames, name_of
 from rossmarie.starter.numbers import FEWEST, is_steady, timeout_s
-from rossmarie.starter.robot import Commands, MessageRules, Proposal, RobotTopics, Watched
+from rossmarie.starter.robot import (
+    BoundedCommands,
+    MessageRules,
+    ProposedRules,
+    RobotTopics,
+    WatchedTopic,
+)
 from rossmarie.starter.writing import SourceRecording, write_rules
 
 READING_S = 20.0
@@ -65,7 +71,7 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
         raise _nothing(recording, watched)
     commands, recorded = _commands(topics, watched)
     robot = RobotTopics(watched, commands, names)
-    proposals: dict[str, list[Proposal]] = {
+    proposals: dict[str, list[ProposedRules]] = {
         each.topic: list(each.kind.proposals(each, robot)) for each in watched
     }
     types = {_absolute(each.name): each.message_type for each in topics}
@@ -103,7 +109,7 @@ def _watched(
     kinds: Mapping[str, MessageRules],
     survey: Survey,
     names: UniqueNames,
-) -> Iterator[Watched]:
+) -> Iterator[WatchedTopic]:
     types = {each.name: each.message_type or "" for each in topics}
     for recorded, kind in kinds.items():
         rhythm = survey.rhythms.get(recorded)
@@ -112,7 +118,7 @@ def _watched(
         topic = _absolute(recorded)
         alike = [_absolute(name) for name, each in kinds.items() if each.word == kind.word]
         name = names.take(name_of(topic, kind.word, alike))
-        yield Watched(
+        yield WatchedTopic(
             topic,
             recorded,
             types[recorded],
@@ -125,8 +131,8 @@ def _watched(
 
 
 def _commands(
-    topics: Sequence[RecordedTopic], watched: Sequence[Watched]
-) -> tuple[Commands, str | None]:
+    topics: Sequence[RecordedTopic], watched: Sequence[WatchedTopic]
+) -> tuple[BoundedCommands, str | None]:
     """The actions that bound commands, and the recorded topic of these commands, or None."""
     found = [each for each in topics if are_commands(each)]
     topic = chosen(found)
@@ -137,7 +143,7 @@ def _commands(
     return commands_on(_absolute(topic.name), topic.message_type or "", others), topic.name
 
 
-def _is_free(commands: Commands, types: Mapping[str, str | None]) -> bool:
+def _is_free(commands: BoundedCommands, types: Mapping[str, str | None]) -> bool:
     """Say whether no message of another type uses the topic on which commands enter the filter."""
     return types.get(commands.entry, commands.message_type) == commands.message_type
 
@@ -154,7 +160,7 @@ def _unread(recording: Recording, survey: Survey) -> str | None:
     return f"the first {read:.0f} s of {whole:.0f} s"
 
 
-def _nothing(recording: Recording, watched: Sequence[Watched]) -> RecordingError:
+def _nothing(recording: Recording, watched: Sequence[WatchedTopic]) -> RecordingError:
     reason = "it holds none of the messages that a rule watches for silence"
     if watched or any(each.message_type in KINDS for each in recording.topics.values()):
         reason = f"no topic has {FEWEST} messages or more, one about as long after the other"

@@ -9,7 +9,7 @@ from typing import Any
 
 from rossmarie.recordings.model import RecordedTopic
 from rossmarie.starter.numbers import plain, rounded_up
-from rossmarie.starter.robot import UNFILTERED, Commands, Proposal, RobotTopics
+from rossmarie.starter.robot import UNFILTERED, BoundedCommands, ProposedRules, RobotTopics
 
 TYPES = ("geometry_msgs/Twist", "geometry_msgs/TwistStamped")
 _TWIST, _STAMPED = TYPES
@@ -52,29 +52,29 @@ def chosen(topics: Sequence[RecordedTopic]) -> RecordedTopic | None:
     return max(topics, key=rank, default=None)
 
 
-def commands_on(name: str, message_type: str, others: Sequence[str]) -> Commands:
+def commands_on(name: str, message_type: str, others: Sequence[str]) -> BoundedCommands:
     """The actions that bound the commands on a recorded topic."""
     about = "The commands of the planner pass through the filter of the rules on this topic."
     if others:
         about += f" Also recorded: {', '.join(others)}. Name the one that the robot itself obeys."
     if message_type == _TWIST:
         declared = f'import "rossmarie/deros.ross" with cmd_vel = {name};'
-        return Commands(name, message_type, about, declared, "stop", "lowSpeed")
+        return BoundedCommands(name, message_type, about, declared, "stop", "lowSpeed")
     declared = f'import "rossmarie/commands.ross" with commands = {name};'
-    return Commands(name, message_type, about, declared, "hold", "slow")
+    return BoundedCommands(name, message_type, about, declared, "hold", "slow")
 
 
-def commands_of_nobody(is_arm: bool, others: Collection[str]) -> Commands:
+def commands_of_nobody(is_arm: bool, others: Collection[str]) -> BoundedCommands:
     """The actions for commands that are not recorded. `others` are the recorded topics."""
     if is_arm:
         name = _free("/servo_node/delta_twist_cmds", others)
         about = f"The recording has no commands; {name} is that of MoveIt Servo: name yours."
         declared = f'import "rossmarie/arm.ross" with servo = {name};'
-        return Commands(name, _STAMPED, about, declared, "standStill", "constrainedMotion")
+        return BoundedCommands(name, _STAMPED, about, declared, "standStill", "constrainedMotion")
     name = _free("/cmd_vel", others)
     about = f"The recording has no commands; {name} is the usual topic of a base: name yours."
     declared = f'import "rossmarie/deros.ross" with cmd_vel = {name};'
-    return Commands(name, _TWIST, about, declared, "stop", "lowSpeed")
+    return BoundedCommands(name, _TWIST, about, declared, "stop", "lowSpeed")
 
 
 def _free(topic: str, others: Collection[str]) -> str:
@@ -84,14 +84,16 @@ def _free(topic: str, others: Collection[str]) -> str:
     return topic
 
 
-def proposal(robot: RobotTopics, wanted: Mapping[str, FastestCommand], recorded: str) -> Proposal:
+def proposal(
+    robot: RobotTopics, wanted: Mapping[str, FastestCommand], recorded: str
+) -> ProposedRules:
     """A proposal for a limit of commands."""
     commands = robot.commands
     fastest = wanted[recorded].fastest
     name, rule = robot.names.take("command"), robot.names.take("commanded_too_fast")
     limit = rounded_up(max(fastest * _ROOM, 0.1))
     path = ".linear" if commands.is_twist else ".twist.linear"
-    return Proposal(
+    return ProposedRules(
         f"The fastest command in the recording: {plain(fastest)} m/s. Commands enter the filter as"
         f" {commands.entry}: give `replay` --topic-map {commands.entry}={recorded}."
         " A planner that is silent longer than the timeout is held.",

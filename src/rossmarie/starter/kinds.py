@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from rossmarie.starter.arm import Force, Joints
+from rossmarie.starter.arm import Joints, WristForces
 from rossmarie.starter.base import Inertia, Odometry, ScannerDistances
 from rossmarie.starter.robot import MessageRules
 from rossmarie.starter.supply import Battery, Diagnostics, Heat
@@ -14,8 +14,8 @@ KINDS: Mapping[str, Callable[[], MessageRules]] = {
     "sensor_msgs/Imu": Inertia,
     "sensor_msgs/LaserScan": ScannerDistances,
     "sensor_msgs/JointState": Joints,
-    "geometry_msgs/WrenchStamped": lambda: Force(".wrench"),
-    "geometry_msgs/Wrench": lambda: Force(""),
+    "geometry_msgs/WrenchStamped": lambda: WristForces(".wrench"),
+    "geometry_msgs/Wrench": lambda: WristForces(""),
     "sensor_msgs/BatteryState": Battery,
     "sensor_msgs/Temperature": Heat,
     "diagnostic_msgs/DiagnosticArray": Diagnostics,

@@ -14,7 +14,7 @@ UNFILTERED = "unfil_"
 
 
 @dataclass(frozen=True)
-class Proposal:
+class ProposedRules:
     """Rules that may fit a robot, and a sentence or two about the rules."""
 
     about: str
@@ -22,7 +22,7 @@ class Proposal:
 
 
 @dataclass(frozen=True)
-class Commands:
+class BoundedCommands:
     """The topic of the commands that rules bound, and the actions that bound them.
 
     `declared` brings the actions into a rules file. `field` is a field of the messages, with the
@@ -66,12 +66,12 @@ class MessageRules(Protocol):
     def fields(self, name: str) -> Mapping[str, str]:
         """The inputs by name, each with its field and unit."""
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """Proposals for rules that may fit the robot."""
 
 
 @dataclass(frozen=True)
-class Watched:
+class WatchedTopic:
     """A topic whose messages rules read. `recorded` is its name in the recording."""
 
     topic: str
@@ -92,14 +92,14 @@ class Watched:
 class RobotTopics:
     """The topics of a robot that rules read, and the topic of its commands."""
 
-    watched: Sequence[Watched]
-    commands: Commands
+    watched: Sequence[WatchedTopic]
+    commands: BoundedCommands
     names: UniqueNames = field(default_factory=UniqueNames)
 
-    def of_word(self, word: str) -> Sequence[Watched]:
+    def of_word(self, word: str) -> Sequence[WatchedTopic]:
         """The topics with messages of a kind."""
         return [each for each in self.watched if each.kind.word == word]
 
-    def rule(self, watched: Watched, word: str) -> str:
+    def rule(self, watched: WatchedTopic, word: str) -> str:
         """A unique name for a rule or an import about a topic."""
         return self.names.take(watched.named(word))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rossmarie.starter.numbers import plain, rounded_down
-from rossmarie.starter.robot import Proposal, RobotTopics, Watched
+from rossmarie.starter.robot import ProposedRules, RobotTopics, WatchedTopic
 
 _FEWEST_STATUSES = 16
 
@@ -34,7 +34,7 @@ class Battery:
         """An input for the whole message."""
         return {name: ""}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """A proposal for a low battery, by its charge or, if the charge is unknown, by its
         voltage.
         """
@@ -43,18 +43,18 @@ class Battery:
         rule = robot.rule(watched, "battery_low")
         then = f"then {{ {commands.slow}; }} clear for 10 sec;"
         if self.is_share and math.isfinite(self.lowest):
-            yield Proposal(
+            yield ProposedRules(
                 f"The lowest charge in the recording: {self.lowest * 100:.0f} %.",
                 f"rule {rule}: if {name}.percentage < 15 % for 5 sec {then}",
             )
         elif volts is not None:
-            yield Proposal(
+            yield ProposedRules(
                 "This battery does not tell its charge as a share from 0 to 1. Its lowest voltage"
                 f" in the recording: {plain(self.weakest)} V.",
                 f"rule {rule}: if {name}.voltage < {plain(volts)} V for 5 sec {then}",
             )
         if self.is_share and volts is not None:
-            yield Proposal(
+            yield ProposedRules(
                 "An empty, a hot and a strained battery. Set the limits to those of your battery.",
                 f'import "rossmarie/power/battery.ross" with battery_state = {watched.topic},'
                 f" commands = {commands.topic}, weakest = {plain(volts)} V"
@@ -79,18 +79,18 @@ class Heat:
         """An input for the temperature."""
         return {name: ".temperature"}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """A proposal for a hot part."""
         if not math.isfinite(self.hottest):
             return
         commands = robot.commands
         limit = max(60, 5 * math.ceil((self.hottest + 10) / 5))
-        yield Proposal(
+        yield ProposedRules(
             f"The hottest in the recording: {plain(self.hottest)} degC.",
             f"rule {robot.rule(watched, 'hot')}: if {watched.name} > {limit} degC for 2 sec"
             f" then {{ {commands.slow}; }} clear for 10 sec;",
         )
-        yield Proposal(
+        yield ProposedRules(
             "Hot parts, and sensors that are broken.",
             f'import "rossmarie/health/temperature.ross" with sensor = {watched.topic},'
             f" commands = {commands.topic}, warm = {limit} degC, hot = {limit + 20} degC"
@@ -117,15 +117,15 @@ class Diagnostics:
             bound *= 2
         return {name: f".status up to {bound}"}
 
-    def proposals(self, watched: Watched, robot: RobotTopics) -> Iterator[Proposal]:
+    def proposals(self, watched: WatchedTopic, robot: RobotTopics) -> Iterator[ProposedRules]:
         """A proposal for a part with an error."""
         commands = robot.commands
-        yield Proposal(
+        yield ProposedRules(
             f"The most statuses in a message of the recording: {self.most}.",
             f"rule {robot.rule(watched, 'defective')}: if any(part in {watched.name}:"
             f" part.level == DiagnosticStatus.ERROR) then {{ {commands.slow}; }} clear for 2 sec;",
         )
-        yield Proposal(
+        yield ProposedRules(
             "Parts that are defective, or silent.",
             f'import "rossmarie/health/diagnostics.ross" with diagnostics = {watched.topic},'
             f" commands = {commands.topic} as {robot.rule(watched, 'parts')};",

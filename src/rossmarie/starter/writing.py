@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from rossmarie.driver.formatting import format_text
 from rossmarie.starter.numbers import GAPS, MOST_PERIODS, PERIODS, SHORTEST_S, plain, rounded_down
-from rossmarie.starter.robot import Proposal, RobotTopics, Watched
+from rossmarie.starter.robot import ProposedRules, RobotTopics, WatchedTopic
 
 _WIDTH = 100
 _CLEAR_S = 1
@@ -33,7 +33,7 @@ class SourceRecording:
 
 
 def write_rules(
-    source: SourceRecording, robot: RobotTopics, proposals: Mapping[str, Sequence[Proposal]]
+    source: SourceRecording, robot: RobotTopics, proposals: Mapping[str, Sequence[ProposedRules]]
 ) -> str:
     """Rules in canonical layout: inputs, a rule about their silence with its tests, and `proposals`
     by topic, as comments.
@@ -68,13 +68,13 @@ def _opening(source: SourceRecording) -> str:
     return "\n//\n".join(map(_prose, paragraphs))
 
 
-def _inputs(steady: Sequence[Watched], silent: str) -> Iterator[str]:
+def _inputs(steady: Sequence[WatchedTopic], silent: str) -> Iterator[str]:
     for each in steady:
         yield _prose(_rhythm(each, silent))
         yield _declarations(each)[_first_input(each)]
 
 
-def _rhythm(watched: Watched, silent: str | None) -> str:
+def _rhythm(watched: WatchedTopic, silent: str | None) -> str:
     """The rhythm of a topic, in a sentence or two."""
     rhythm = watched.rhythm
     longest = rhythm.longest_ns / 1e9
@@ -85,7 +85,7 @@ def _rhythm(watched: Watched, silent: str | None) -> str:
     return text
 
 
-def _declarations(watched: Watched) -> dict[str, str]:
+def _declarations(watched: WatchedTopic) -> dict[str, str]:
     """The inputs of a topic by their names."""
     return {
         name: f"input {name} = topic {watched.topic} : {watched.message_type} {field}"
@@ -94,11 +94,11 @@ def _declarations(watched: Watched) -> dict[str, str]:
     }
 
 
-def _first_input(watched: Watched) -> str:
+def _first_input(watched: WatchedTopic) -> str:
     return next(iter(watched.kind.fields(watched.name)))
 
 
-def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: RobotTopics) -> str:
+def _rule_of_silence(silent: str, steady: Sequence[WatchedTopic], robot: RobotTopics) -> str:
     late = " or ".join(f"age({_first_input(each)}) > {plain(each.timeout)} sec" for each in steady)
     return (
         "'''\nThe robot stops when a sensor falls silent. At the start the rule is active until all"
@@ -107,7 +107,7 @@ def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: RobotTopics)
     )
 
 
-def _proposed(watched: Watched, proposals: Sequence[Proposal]) -> Iterator[str]:
+def _proposed(watched: WatchedTopic, proposals: Sequence[ProposedRules]) -> Iterator[str]:
     """Proposals about a topic, with the additional inputs that they need."""
     declared = _declarations(watched)
     code = "\n".join(each.code for each in proposals)
@@ -123,16 +123,16 @@ def _proposed(watched: Watched, proposals: Sequence[Proposal]) -> Iterator[str]:
             about = (
                 f"{watched.topic} comes irregularly: {_rhythm(watched, None)} Choose the timeout."
             )
-        yield _comment(Proposal(about, "\n".join(needed)))
+        yield _comment(ProposedRules(about, "\n".join(needed)))
     yield from map(_comment, proposals)
 
 
-def _comment(proposal: Proposal) -> str:
+def _comment(proposal: ProposedRules) -> str:
     lines = format_text(proposal.code).strip().split("\n")
     return "\n".join([_prose(proposal.about), *(f"//{line}" if line else "" for line in lines)])
 
 
-def _tests(silent: str, steady: Sequence[Watched], robot: RobotTopics) -> Iterator[str]:
+def _tests(silent: str, steady: Sequence[WatchedTopic], robot: RobotTopics) -> Iterator[str]:
     """The tests of the rule about silence."""
     soonest = min(steady, key=lambda each: each.timeout)
     step = f"{plain(rounded_down(soonest.timeout / 2))} s"

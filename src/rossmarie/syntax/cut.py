@@ -36,7 +36,7 @@ _BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
 
 
-class Piece(NamedTuple):
+class TokenRange(NamedTuple):
     """The tokens from `first` up to, not including, `last`.
 
     `kind` is the start rule of the grammar; None if no item begins like this. `head` is the correct
@@ -49,7 +49,7 @@ class Piece(NamedTuple):
     head: str | None
 
 
-def cut(source: ScannedFile) -> Iterator[Piece]:
+def cut(source: ScannedFile) -> Iterator[TokenRange]:
     """All items of a file, in order; semicolons between items are dropped."""
     cutter = _Cutter(source)
     index = 0
@@ -67,12 +67,12 @@ class _Cutter:
         self._source = source
         self._tokens = source.tokens
 
-    def piece(self, first: int) -> Piece:
+    def piece(self, first: int) -> TokenRange:
         word = self._tokens[first].text
         is_item = word in ITEM_WORDS or word in CONTEXTUAL_ITEM_WORDS
         head = None if is_item else self._meant(first)
         kind = ITEM_WORDS.get(head or word) or CONTEXTUAL_ITEM_WORDS.get(word)
-        return Piece(kind, first, self._end(first, kind, head or word), head)
+        return TokenRange(kind, first, self._end(first, kind, head or word), head)
 
     def _end(self, first: int, kind: str | None, word: str) -> int:
         if self._tokens[first].text == "}":

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.syntax.limits import MAXIMUM_ERRORS
 
 
-class Findings:
+class LimitedFindings:
     """Passes findings on to a collector, each once, up to the limit of shown findings."""
 
     def __init__(self, collector: Collector) -> None:

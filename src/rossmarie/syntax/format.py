@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
+from rossmarie.syntax.layout import Atom, TrailingComment, indented, lay_out
 from rossmarie.syntax.scan import ScannedFile, Token, documentation_text, scan
 from rossmarie.syntax.style import Style, collect_style
 
@@ -236,11 +236,11 @@ class _Formatter:
             yield Atom(word.text, self._is_glued(before, word), break_before, comments)
             before = word
 
-    def _inner_comments(self, start: int, end: int) -> Iterator[Comment]:
+    def _inner_comments(self, start: int, end: int) -> Iterator[TrailingComment]:
         is_first = True
         for trivium in self._take(end):
             is_beside = is_first and "\n" not in self._text[start : trivium.start]
-            yield Comment(self._shown(trivium), is_beside and trivium.kind == "comment")
+            yield TrailingComment(self._shown(trivium), is_beside and trivium.kind == "comment")
             is_first = False
 
     def _is_glued(self, before: Token | None, token: Token) -> bool:

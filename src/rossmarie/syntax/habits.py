@@ -18,7 +18,7 @@ from typing import NamedTuple
 from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, Write
 from dslkit.source import Span
 from rossmarie.syntax import errors
-from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.findings import LimitedFindings
 from rossmarie.syntax.habit_table import ANY_NAME, HABITS, NEAR_MISSES, PAIRS, Habit, NearMiss
 from rossmarie.syntax.scan import ScannedFile, Token, ends_line, tokens_of
 from rossmarie.syntax.words import MEMBER_WORDS, PART_WORDS, RESERVED, nearest
@@ -41,7 +41,9 @@ class _Change(NamedTuple):
 _Remedy = Callable[[], tuple[tuple[_Change, ...], Diagnostic]]
 
 
-def mend(source: ScannedFile, kinds: Sequence[str | None], findings: Findings) -> ScannedFile:
+def mend(
+    source: ScannedFile, kinds: Sequence[str | None], findings: LimitedFindings
+) -> ScannedFile:
     """The file with its habits corrected; each habit is reported.
 
     `kinds` is the kind of the item around each token; None if the item parses.

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, Remark
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.cut import Piece, cut
+from rossmarie.syntax.cut import TokenRange, cut
 from rossmarie.syntax.explain import (
     explain_token,
     is_name,
@@ -20,7 +20,7 @@ from rossmarie.syntax.explain import (
     unopened_bracket,
     unterminated_text,
 )
-from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.findings import LimitedFindings
 from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.limits import MAXIMUM_ERRORS
 from rossmarie.syntax.part import PartParser
@@ -33,7 +33,7 @@ from rossmarie.syntax.words import EFFECT_WORDS, MEMBER_WORDS
 class _Reading(NamedTuple):
     """The first reading of an item: its place, its tokens, and the result."""
 
-    piece: Piece
+    piece: TokenRange
     tokens: tuple[Token, ...]
     result: Any
 
@@ -43,11 +43,11 @@ class _Reading(NamedTuple):
         return self.result is None or isinstance(self.result, ParseFailure)
 
 
-def read_items(source: ScannedFile, findings: Findings) -> list[ast.Item]:
+def read_items(source: ScannedFile, findings: LimitedFindings) -> list[ast.Item]:
     """All items, in order. Errors are reported, and as little text as possible is lost."""
     part = PartParser(source, findings)
     readings, kinds = _first_readings(part)
-    pieces: Iterable[Piece] = (reading.piece for reading in readings.values())
+    pieces: Iterable[TokenRange] = (reading.piece for reading in readings.values())
     if any(reading.is_broken for reading in readings.values()):
         from rossmarie.syntax.habits import mend  # this import compiles many patterns
 
@@ -93,7 +93,7 @@ def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | N
     return readings, kinds
 
 
-def _attempt(part: PartParser, piece: Piece) -> Any:
+def _attempt(part: PartParser, piece: TokenRange) -> Any:
     """The item; or the `ParseFailure` or None from `PartParser.attempt`."""
     if piece.kind is None:
         return None
@@ -101,7 +101,7 @@ def _attempt(part: PartParser, piece: Piece) -> Any:
 
 
 def _item(
-    part: PartParser, piece: Piece, kind: str, readings: Mapping[int, _Reading]
+    part: PartParser, piece: TokenRange, kind: str, readings: Mapping[int, _Reading]
 ) -> ast.Item | None:
     source = part.source
     if piece.head is not None:
@@ -119,7 +119,7 @@ def _item(
     return node  # type: ignore[no-any-return]
 
 
-def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
+def _undeclared(part: PartParser, piece: TokenRange) -> Iterator[ast.Constant]:
     """Constants for `NAME = VALUE`, which is intended as a constant."""
     tokens = part.source.tokens
     name, value = piece.first, piece.first + 2
@@ -134,7 +134,7 @@ def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
     yield ast.Constant(ast.Name(tokens[name].text, span), node, documentation, whole)
 
 
-def _before_stray(part: PartParser, piece: Piece, kind: str, failure: ParseFailure) -> Any:
+def _before_stray(part: PartParser, piece: TokenRange, kind: str, failure: ParseFailure) -> Any:
     """The item, if it is complete before the word at which it failed, and if this word begins a
     line. Then the word, which is reported, is not part of the item. Otherwise the failure.
     """
@@ -146,18 +146,18 @@ def _before_stray(part: PartParser, piece: Piece, kind: str, failure: ParseFailu
     node = part.attempt(kind, piece.first, stray, piece.head)
     if node is None or isinstance(node, ParseFailure):
         return failure
-    part.findings.add(_unknown(source, Piece(None, stray, piece.last, None)))
+    part.findings.add(_unknown(source, TokenRange(None, stray, piece.last, None)))
     return node
 
 
-def _misspelt(source: ScannedFile, piece: Piece, meant: str) -> Diagnostic:
+def _misspelt(source: ScannedFile, piece: TokenRange, meant: str) -> Diagnostic:
     found = source.tokens[piece.first]
     fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
     finding = errors.UnknownItem(found=found.text)
     return finding.at(source.span(found), help=DidYouMean(near=meant), fix=fix)
 
 
-def _unknown(source: ScannedFile, piece: Piece) -> Diagnostic:
+def _unknown(source: ScannedFile, piece: TokenRange) -> Diagnostic:
     """A range at the outermost level that is not an item."""
     found = source.tokens[piece.first]
     after = source.tokens[piece.first + 1].text if piece.first + 1 < piece.last else ""

@@ -26,7 +26,7 @@ class Break:
 
 
 @dataclass(frozen=True)
-class Comment:
+class TrailingComment:
     """A comment after an atom: on the atom's line, or on lines of its own."""
 
     text: str
@@ -40,7 +40,7 @@ class Atom:
     text: str
     is_glued: bool
     break_before: Break | None = None
-    comments: tuple[Comment, ...] = ()
+    comments: tuple[TrailingComment, ...] = ()
 
 
 _Piece = tuple[Sequence[Atom], int]

@@ -18,7 +18,7 @@ from dslkit.diagnostics import Collector, Diagnostic, Edit, Fix
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import hash_comment
-from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.findings import LimitedFindings
 from rossmarie.syntax.hidden import hidden_characters
 from rossmarie.syntax.items import read_items
 from rossmarie.syntax.limits import MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
@@ -36,7 +36,7 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     topic without text. A topic declaration that could not be parsed has a type without text. A file
     with too many errors is not read to its end, and has no items.
     """
-    findings = Findings(collector)
+    findings = LimitedFindings(collector)
     size = len(file.text.encode("utf-8", errors="surrogatepass"))
     if size > MAXIMUM_FILE_SIZE:
         findings.add(_too_large(file, size, "bytes", MAXIMUM_FILE_SIZE))
@@ -57,7 +57,7 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     return ast.Module(file, items)
 
 
-def _report_trivia(source: ScannedFile, findings: Findings) -> None:
+def _report_trivia(source: ScannedFile, findings: LimitedFindings) -> None:
     for trivium in source.trivia:
         if findings.is_full:
             break

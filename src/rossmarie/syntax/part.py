@@ -12,7 +12,7 @@ from dslkit.source import Span
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.build import Builder
 from rossmarie.syntax.explain import explain
-from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.findings import LimitedFindings
 from rossmarie.syntax.grammar import ParseFailure, Recognizer
 from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_LENGTH, MAXIMUM_NESTING, too_deep
 from rossmarie.syntax.scan import ScannedFile
@@ -39,7 +39,7 @@ _NODES = (*_ITEMS, *ast.Effect.__args__, *ast.Statement.__args__)
 class PartParser:
     """Parses parts of one file."""
 
-    def __init__(self, source: ScannedFile, findings: Findings) -> None:
+    def __init__(self, source: ScannedFile, findings: LimitedFindings) -> None:
         self.source = source
         self.findings = findings
         self._builder = Builder(source, findings.add)

@@ -16,7 +16,7 @@ from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover_action import recover_action
 from rossmarie.syntax.recover_parts import (
-    Member,
+    MemberTokens,
     TokenStretch,
     check_closed,
     name_of,
@@ -152,7 +152,7 @@ def _recover_system(
 ) -> ast.System | None:
     tokens = part.source.tokens
 
-    def kind(member: Member) -> str:
+    def kind(member: MemberTokens) -> str:
         return MEMBER_WORDS.get(tokens[member.first].text, "topic_declaration")
 
     before = part.findings.count
@@ -168,7 +168,7 @@ def _recover_system(
     return ast.System(name, tuple(members), documentation, span)
 
 
-def _conditions(part: PartParser, first: int, last: int) -> Iterator[Member]:
+def _conditions(part: PartParser, first: int, last: int) -> Iterator[MemberTokens]:
     """Cut at `;`, before `NAME :`, and at `}`."""
     tokens = part.source.tokens
     start = first
@@ -176,13 +176,13 @@ def _conditions(part: PartParser, first: int, last: int) -> Iterator[Member]:
         text = tokens[index].text
         if text in (";", "}"):
             if start < index:
-                yield Member(start, index, text == ";")
+                yield MemberTokens(start, index, text == ";")
             start = index + 1
         elif start < index and _begins_condition(tokens, index, last):
-            yield Member(start, index, False)
+            yield MemberTokens(start, index, False)
             start = index
     if start < last:
-        yield Member(start, last, False)
+        yield MemberTokens(start, last, False)
 
 
 def _begins_condition(tokens: Sequence[Token], index: int, last: int) -> bool:
@@ -190,7 +190,7 @@ def _begins_condition(tokens: Sequence[Token], index: int, last: int) -> bool:
     return has_colon and tokens[index].kind == "word"
 
 
-def _declarations(part: PartParser, first: int, last: int) -> Iterator[Member]:
+def _declarations(part: PartParser, first: int, last: int) -> Iterator[MemberTokens]:
     """Cut at `;`, at the `}` of a node, and before a word that begins a declaration."""
     tokens = part.source.tokens
     start = first
@@ -198,23 +198,23 @@ def _declarations(part: PartParser, first: int, last: int) -> Iterator[Member]:
     for index in range(first, last):
         text = tokens[index].text
         if text in MEMBER_WORDS and start < index and part.source.begins_line(index):
-            yield Member(start, index, False)
+            yield MemberTokens(start, index, False)
             start, is_node = index, False
         if start == index:
             is_node = text == "node"
         if text == "}":
             if start < index:
-                yield Member(start, index + is_node, is_node)
+                yield MemberTokens(start, index + is_node, is_node)
             start, is_node = index + 1, False
         elif text == ";" and not is_node:
             if start < index:
-                yield Member(start, index, True)
+                yield MemberTokens(start, index, True)
             start = index + 1
     if start < last:
-        yield Member(start, last, False)
+        yield MemberTokens(start, last, False)
 
 
-def _broken_condition(part: PartParser, member: Member) -> ast.Condition | None:
+def _broken_condition(part: PartParser, member: MemberTokens) -> ast.Condition | None:
     token = part.source.tokens[member.first]
     if not is_name(token):
         return None
@@ -224,7 +224,7 @@ def _broken_condition(part: PartParser, member: Member) -> ast.Condition | None:
     return ast.Condition(name, value, part.source.documentation.get(token.start), span)
 
 
-def _broken_topic(part: PartParser, member: Member) -> ast.TopicDeclaration | None:
+def _broken_topic(part: PartParser, member: MemberTokens) -> ast.TopicDeclaration | None:
     """`topic /imu/data : ...` and `topic Wrench = ...`: a declaration with an unknown type."""
     tokens = part.source.tokens
     if tokens[member.first].text != "topic" or member.last - member.first < 2:

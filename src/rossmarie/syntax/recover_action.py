@@ -10,7 +10,7 @@ from rossmarie.syntax.explain import explain_token, missing_sign
 from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover_parts import (
-    Member,
+    MemberTokens,
     TokenStretch,
     check_closed,
     name_of,
@@ -69,7 +69,7 @@ def _effects(part: PartParser, first: int, last: int) -> Iterator[ast.Effect]:
             yield effect
 
 
-def _effect(part: PartParser, member: Member) -> ast.Effect | None:
+def _effect(part: PartParser, member: MemberTokens) -> ast.Effect | None:
     """The effect in a range, even if its first word is misspelt."""
     token = part.source.tokens[member.first]
     meant = None
@@ -101,7 +101,7 @@ def _report_unknown(part: PartParser, index: int, meant: str | None) -> None:
     part.findings.add(finding.at(span, help=help, fix=fix))
 
 
-def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
+def _members(part: PartParser, first: int, last: int) -> Iterator[MemberTokens]:
     """Cut at each `;` outside of inner braces, and before an effect on a line of its own."""
     tokens = part.source.tokens
     start = first
@@ -109,16 +109,16 @@ def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
     for index in range(first, last):
         text = tokens[index].text
         if start < index and _begins_effect(part, index):
-            yield Member(start, index, False)
+            yield MemberTokens(start, index, False)
             start, depth = index, 0
         depth += (text == "{") - (text == "}")
         if text == ";" and depth <= 0:
             if start < index:
-                yield Member(start, index, True)
+                yield MemberTokens(start, index, True)
             start, depth = index + 1, 0
     if start < last:
         is_cut_off = last == len(tokens) or tokens[last].text != "}"
-        yield Member(start, last, is_cut_off)
+        yield MemberTokens(start, last, is_cut_off)
 
 
 def _begins_effect(part: PartParser, index: int) -> bool:

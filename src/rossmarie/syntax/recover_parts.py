@@ -26,7 +26,7 @@ class TokenStretch(NamedTuple):
     head: str | None
 
 
-class Member(NamedTuple):
+class MemberTokens(NamedTuple):
     """The tokens of a part inside braces, without its `;`."""
 
     first: int
@@ -62,9 +62,9 @@ def check_closed(part: PartParser, item: TokenStretch, start: int) -> None:
 
 def parse_members(
     part: PartParser,
-    members: Iterator[Member],
-    kind: Callable[[Member], str],
-    rescue: Callable[[PartParser, Member], _Node | None],
+    members: Iterator[MemberTokens],
+    kind: Callable[[MemberTokens], str],
+    rescue: Callable[[PartParser, MemberTokens], _Node | None],
 ) -> list[_Node]:
     """The nodes of all members. For a broken member, it is the result of `rescue`."""
     nodes = []

@@ -9,7 +9,7 @@ from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import explain_token, missing_sign
 from rossmarie.syntax.grammar import ParseFailure
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.recover_parts import Member, TokenStretch, check_closed, start_of_body
+from rossmarie.syntax.recover_parts import MemberTokens, TokenStretch, check_closed, start_of_body
 from rossmarie.syntax.words import STATEMENT_WORDS, nearest
 
 
@@ -39,24 +39,24 @@ def _statements(part: PartParser, first: int, last: int) -> Iterator[ast.Stateme
             yield statement
 
 
-def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:
+def _members(part: PartParser, first: int, last: int) -> Iterator[MemberTokens]:
     """Cut at each `;`, at `}`, and before a statement on a line of its own."""
     tokens = part.source.tokens
     start = first
     for index in range(first, last):
         text = tokens[index].text
         if start < index and text in STATEMENT_WORDS and part.source.begins_line(index):
-            yield Member(start, index, False)
+            yield MemberTokens(start, index, False)
             start = index
         if text in (";", "}"):
             if start < index:
-                yield Member(start, index, text == ";")
+                yield MemberTokens(start, index, text == ";")
             start = index + 1
     if start < last:
-        yield Member(start, last, True)
+        yield MemberTokens(start, last, True)
 
 
-def _statement(part: PartParser, member: Member) -> ast.Statement | None:
+def _statement(part: PartParser, member: MemberTokens) -> ast.Statement | None:
     """The statement in a range, even if its first word is misspelt."""
     token = part.source.tokens[member.first]
     meant = None

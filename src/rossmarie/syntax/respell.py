@@ -14,7 +14,7 @@ from itertools import chain
 
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Write
 from rossmarie.syntax import errors
-from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.findings import LimitedFindings
 from rossmarie.syntax.scan import ScannedFile, Token, ends_line
 from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, PART_WORDS, RESERVED
 
@@ -32,7 +32,7 @@ _BEHIND_WORD = {
 _THOUSANDS = 3  # digits after a comma that may separate thousands
 
 
-def respell(source: ScannedFile, findings: Findings) -> ScannedFile:
+def respell(source: ScannedFile, findings: LimitedFindings) -> ScannedFile:
     """The file with keywords in small letters and numbers with all digits. Each change is
     reported.
     """

@@ -35,7 +35,7 @@ _INFIX = {
 
 
 @dataclass(frozen=True)
-class Dialect:
+class Notation:
     """The notation of one language, for everything in which languages differ.
 
     `calls` are the functions for operations. An operation is missing there if the language has an
@@ -49,10 +49,10 @@ class Dialect:
     either: str
 
 
-class Formulas:
+class FormulaWriter:
     """Writes expressions in a dialect. The texts of the operands are atoms."""
 
-    def __init__(self, dialect: Dialect, operands: Sequence[str]) -> None:
+    def __init__(self, dialect: Notation, operands: Sequence[str]) -> None:
         self._dialect = dialect
         self._operands = operands
 
@@ -122,10 +122,10 @@ class FunctionDefinition:
             case ConstantNumber() | Chosen() | Local() | Applied():
                 return False
 
-    def call(self, dialect: Dialect, operands: Sequence[str]) -> str:
+    def call(self, dialect: Notation, operands: Sequence[str]) -> str:
         """The function applied to operands that are atoms of the language, before S4 applies."""
         if self.is_inline:
-            return Formulas(dialect, operands).text(self.expression)
+            return FormulaWriter(dialect, operands).text(self.expression)
         return f"{self.name}({', '.join(operands)})"
 
 

@@ -14,7 +14,7 @@ _PERSON = re.compile(r"\s*([^<>\s][^<>]*?)\s*<([^\s@<>]+@[^\s@<>]+)>\s*")
 
 
 @dataclass(frozen=True)
-class Person:
+class Maintainer:
     """A maintainer of a package."""
 
     name: str
@@ -32,14 +32,14 @@ def parse_license(text: str) -> str:
     return text.strip()
 
 
-def parse_maintainer(text: str) -> Person:
+def parse_maintainer(text: str) -> Maintainer:
     """A maintainer, from `Ada Lovelace <ada@example.org>`. Raises `BadFieldError` if it is not
     valid.
     """
     match = _PERSON.fullmatch(text)
     if match is None:
         raise BadFieldError("a maintainer has a name and a mail address: `Name <name@example.org>`")
-    return Person(match[1], match[2])
+    return Maintainer(match[1], match[2])
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Manifest:
 
     version: str | None = None
     licenses: tuple[str, ...] = ()
-    maintainers: tuple[Person, ...] = ()
+    maintainers: tuple[Maintainer, ...] = ()
 
 
 UNKNOWN = Manifest()

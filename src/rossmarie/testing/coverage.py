@@ -15,8 +15,8 @@ from rossmarie.ir import InputState, TruthValue, kleene
 from rossmarie.ir.script import Script
 from rossmarie.testing.goals import (
     Aspect,
-    Edge,
-    Goal,
+    ComparisonEdge,
+    TraceGoal,
     atoms,
     deadline_ns,
     deadline_step_ns,
@@ -25,7 +25,7 @@ from rossmarie.testing.goals import (
     goals,
     stays,
 )
-from rossmarie.testing.history import History, Recorder
+from rossmarie.testing.history import History, HistoryRecorder
 from rossmarie.testing.play import InstantEvents, steps_of
 
 _ROUNDING = 1.000001
@@ -36,8 +36,8 @@ class Coverage:
     """The goals of a machine in their order, and the reached goals."""
 
     machine: ir.Machine
-    goals: tuple[Goal, ...]
-    reached: frozenset[Goal]
+    goals: tuple[TraceGoal, ...]
+    reached: frozenset[TraceGoal]
 
 
 def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
@@ -63,7 +63,7 @@ class Watcher:
     """Watches traces, one after another. Their histories contain the signals `kept`."""
 
     machine: ir.Machine
-    reached: set[Goal] = field(default_factory=set)
+    reached: set[TraceGoal] = field(default_factory=set)
     kept: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
@@ -83,7 +83,7 @@ class Watcher:
         self, steps: Iterable[InstantEvents], end_ns: int, *, from_zero: bool = True
     ) -> History:
         """Watch one trace, from 0 s or from its first step on. Returns its history."""
-        recorder = Recorder(self._watching, self.kept)
+        recorder = HistoryRecorder(self._watching, self.kept)
         trace = _Trace(self._watching, self._decisions, self.reached, recorder, not from_zero)
         for step in steps:
             trace.begin(step.at_ns)
@@ -151,8 +151,8 @@ class _Trace:
         self,
         machine: ir.Machine,
         decisions: Sequence[_Decision],
-        reached: set[Goal],
-        recorder: Recorder,
+        reached: set[TraceGoal],
+        recorder: HistoryRecorder,
         has_begun: bool,
     ) -> None:
         self._machine = machine
@@ -223,7 +223,7 @@ class _Trace:
             if isinstance(node, ir.AgeReaches) and node.input == used:
                 left_ns = node.age_ns - age_ns
                 if 0 < left_ns <= deadline_step_ns(node.age_ns) + 1:
-                    goal = Goal(decision.rule, Aspect.UNDER, atom, decision.decision)
+                    goal = TraceGoal(decision.rule, Aspect.UNDER, atom, decision.decision)
                     self._reached.add(goal)
 
     # --- after an evaluation -----------------------------------------------------------------
@@ -235,7 +235,7 @@ class _Trace:
         active = self._interpreter.active
         for rule, (before, now) in enumerate(zip(self._before, active, strict=True)):
             if now is not before:
-                self._reached.add(Goal(rule, Aspect.ACTIVE if now else Aspect.CLEARED))
+                self._reached.add(TraceGoal(rule, Aspect.ACTIVE if now else Aspect.CLEARED))
         self._before = active
         self._look_at_stale(propositions)
         running = {held: self._elapsed(held, propositions, at_ns) for held in self._held}
@@ -250,7 +250,7 @@ class _Trace:
                 self._look_at_deadline(decision, atom, propositions, at_ns, running)
 
     def _add(self, decision: _Decision, aspect: Aspect, atom: int, edge: int = 0) -> None:
-        self._reached.add(Goal(decision.rule, aspect, atom, decision.decision, edge))
+        self._reached.add(TraceGoal(decision.rule, aspect, atom, decision.decision, edge))
 
     def _look_at_stale(self, propositions: Sequence[TruthValue]) -> None:
         states = self._interpreter.input_states
@@ -260,7 +260,7 @@ class _Trace:
                     is_late = stays(self._machine.inputs[used])
                     stale = InputState.NEVER if is_late else InputState.EXPIRED
                     if states[used] is stale:
-                        self._reached.add(Goal(index, Aspect.STALE, used))
+                        self._reached.add(TraceGoal(index, Aspect.STALE, used))
 
     def _look_at_edges(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
         for number, edge in enumerate(decision.edges[atom]):
@@ -269,7 +269,9 @@ class _Trace:
                 if aspect is not None:
                     self._add(decision, aspect, atom, number)
 
-    def _compared(self, atom: int, edge: Edge, signals: Sequence[float]) -> Sequence[float]:
+    def _compared(
+        self, atom: int, edge: ComparisonEdge, signals: Sequence[float]
+    ) -> Sequence[float]:
         """The values that were compared with a threshold: one number, or the elements of an
         array.
         """
@@ -319,7 +321,7 @@ class _Trace:
             self._add(decision, Aspect.AT, atom)
 
 
-def side_of(edge: Edge, value: float) -> Aspect | None:
+def side_of(edge: ComparisonEdge, value: float) -> Aspect | None:
     """The aspect of a value that is at a threshold, or within a step of it; None for other
     values.
     """

@@ -50,7 +50,7 @@ class Aspect(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Goal:
+class TraceGoal:
     """An aspect that a trace has to show. `subject` is a proposition, or an input for STALE, or -1
     for the rule itself. `decision` is the proposition that the subject decides. `edge` tells the
     two ends of a range apart.
@@ -64,7 +64,7 @@ class Goal:
 
 
 @dataclass(frozen=True)
-class Edge:
+class ComparisonEdge:
     """A signal and the constant that it is compared with. `step` is a small visible distance, in
     SI. Usually it is a thousandth, rounded to a power of ten of the unit that the user sees. With
     `is_whole`, it is the distance of two neighbors among the possible values of the signal.
@@ -77,18 +77,18 @@ class Edge:
     is_whole: bool = False
 
 
-def goals(machine: ir.Machine) -> Iterator[Goal]:
+def goals(machine: ir.Machine) -> Iterator[TraceGoal]:
     """All goals, rule by rule."""
     for index, rule in enumerate(machine.rules):
-        yield Goal(index, Aspect.ACTIVE)
-        yield Goal(index, Aspect.CLEARED)
+        yield TraceGoal(index, Aspect.ACTIVE)
+        yield TraceGoal(index, Aspect.CLEARED)
         for decision in decisions(machine, rule):
             for atom in atoms(machine, decision):
-                yield Goal(index, Aspect.TRUE, atom, decision)
-                yield Goal(index, Aspect.FALSE, atom, decision)
+                yield TraceGoal(index, Aspect.TRUE, atom, decision)
+                yield TraceGoal(index, Aspect.FALSE, atom, decision)
                 yield from _edges_of(machine, index, atom, decision)
         for used in losable_inputs(machine, rule):
-            yield Goal(index, Aspect.STALE, used)
+            yield TraceGoal(index, Aspect.STALE, used)
 
 
 def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
@@ -103,13 +103,13 @@ def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
     return [used for used in sorted(read) if machine.inputs[used].timeout_ns is not None]
 
 
-def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Iterator[Goal]:
+def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Iterator[TraceGoal]:
     for number, _ in enumerate(edges(machine, atom)):
         for aspect in (Aspect.UNDER, Aspect.AT, Aspect.OVER):
-            yield Goal(rule, aspect, atom, decision, number)
+            yield TraceGoal(rule, aspect, atom, decision, number)
     if deadline_ns(machine, atom) is not None:
-        yield Goal(rule, Aspect.UNDER, atom, decision)
-        yield Goal(rule, Aspect.AT, atom, decision)
+        yield TraceGoal(rule, Aspect.UNDER, atom, decision)
+        yield TraceGoal(rule, Aspect.AT, atom, decision)
 
 
 def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
@@ -163,7 +163,7 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
 # --- thresholds and deadlines ----------------------------------------------------------------
 
 
-def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
+def edges(machine: ir.Machine, proposition: int) -> list[ComparisonEdge]:
     """The thresholds of an atom: constants that it compares with a variable signal."""
     node = machine.propositions[proposition].node
     if isinstance(node, ir.Quantified):
@@ -175,7 +175,7 @@ def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
         if isinstance(value, ir.Constant) and is_number and not _is_constant(machine, signal):
             whole = whole_step(machine, signal)
             step = _step(machine, constant, value.value) if whole is None else whole
-            found.append(Edge(signal, value.value, step, constant, whole is not None))
+            found.append(ComparisonEdge(signal, value.value, step, constant, whole is not None))
     return found
 
 

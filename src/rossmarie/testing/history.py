@@ -46,7 +46,7 @@ def backwards(at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
     return np.append(False, np.diff(at_ns) < 0)
 
 
-class Recorder:
+class HistoryRecorder:
     """Keeps the history of one trace. The machine watches all its propositions. `signals` are the
     signals whose values are recorded.
     """

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Set
 
 from rossmarie import ir
 from rossmarie.ir.support import supports
-from rossmarie.testing.goals import Aspect, Goal, goals
+from rossmarie.testing.goals import Aspect, TraceGoal, goals
 
 
-def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
+def points_left_out(machine: ir.Machine, reached: Set[TraceGoal]) -> Iterator[str]:
     """The values that no generated test gives to a condition on points of a scan, with the
     reason.
     """

@@ -30,7 +30,7 @@ Replay = Callable[[ir.Machine], Verdicts]
 
 
 @dataclass(frozen=True)
-class Threshold:
+class MovableThreshold:
     """A value that can be moved: the constant of a leaf, or the duration of a proposition.
     `constant` is a signal; a named constant moves wherever it is used. `propositions` are those
     that use the value.
@@ -56,12 +56,12 @@ class ThresholdMargin:
     `as_often`, every rule becomes active and is cleared equally often, earlier or later.
     """
 
-    threshold: Threshold
+    threshold: MovableThreshold
     same: ValueRange
     as_often: ValueRange
 
 
-def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
+def thresholds(machine: ir.Machine) -> Iterator[MovableThreshold]:
     """All thresholds and durations that rules depend on, in the order of the machine."""
     named: dict[int, list[int]] = {}
     reached = {
@@ -81,7 +81,7 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
             case ir.Held(duration_ns=due_ns) | ir.AgeReaches(age_ns=due_ns):
                 reported = machine.propositions[wholes.get(proposition, proposition)]
                 text = f"the time of {' '.join(reported.text.split())}"
-                yield Threshold((proposition,), None, text, due_ns / 1e9)
+                yield MovableThreshold((proposition,), None, text, due_ns / 1e9)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
                 | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
@@ -93,14 +93,16 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
                 named.setdefault(edge.constant, []).append(proposition)
             else:
                 text = f"{shown.text} in {' '.join(found.text.split())}"
-                yield Threshold((proposition,), edge.constant, text, edge.threshold)
+                yield MovableThreshold((proposition,), edge.constant, text, edge.threshold)
     for constant, propositions in named.items():
         value = machine.signals[constant].node
         assert isinstance(value, ir.Constant)
-        yield Threshold(tuple(propositions), constant, machine.signals[constant].text, value.value)
+        yield MovableThreshold(
+            tuple(propositions), constant, machine.signals[constant].text, value.value
+        )
 
 
-def moved(machine: ir.Machine, threshold: Threshold, value: float) -> ir.Machine:
+def moved(machine: ir.Machine, threshold: MovableThreshold, value: float) -> ir.Machine:
     """The machine with a threshold moved to a value in SI."""
     if threshold.constant is None:
         (proposition,) = threshold.propositions
@@ -149,7 +151,7 @@ def _with_constant(node: ir.PropositionNode, old: int, new: int) -> ir.Propositi
 
 
 def margin(
-    machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
+    machine: ir.Machine, threshold: MovableThreshold, seen: Sequence[float], replay: Replay
 ) -> ThresholdMargin:
     """The margin of a threshold. `seen` are the observed values or lengths, the candidates."""
     usual = replay(machine)
@@ -184,7 +186,9 @@ def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
 class _Side:
     """The candidates on one side of a threshold, the nearest first."""
 
-    def __init__(self, threshold: Threshold, seen: Sequence[float], direction: float) -> None:
+    def __init__(
+        self, threshold: MovableThreshold, seen: Sequence[float], direction: float
+    ) -> None:
         self._threshold = threshold
         self._direction = direction
         places = {each for each in seen if each * direction >= threshold.value * direction}

@@ -14,7 +14,7 @@ from rossmarie.ir import TruthValue
 from rossmarie.ir.support import compared_signals
 from rossmarie.testing.goals import edges
 from rossmarie.testing.history import History, backwards
-from rossmarie.testing.margins import Threshold
+from rossmarie.testing.margins import MovableThreshold
 
 
 def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
@@ -32,7 +32,7 @@ def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
     )
 
 
-def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list[float]:
+def seen_by(machine: ir.Machine, threshold: MovableThreshold, history: History) -> list[float]:
     """The values in SI, or the lengths in s, at which a threshold would change a result."""
     found: set[float] = set()
     for proposition in threshold.propositions:

@@ -17,7 +17,7 @@ from rossmarie import ir
 from rossmarie.ir.script import Script
 from rossmarie.testing.before import wanted_before
 from rossmarie.testing.goals import (
-    Edge,
+    ComparisonEdge,
     atoms,
     deadline_step_ns,
     decisions,
@@ -37,14 +37,14 @@ _MOST_BEFORE = 3  # the most phases that lead to another phase
 
 
 @dataclass(frozen=True)
-class Proposal:
+class ProposedScript:
     """A script for the goals of one rule."""
 
     rule: int
     script: Script
 
 
-def propose(machine: ir.Machine, rules: Sequence[int] | None = None) -> Iterator[Proposal]:
+def propose(machine: ir.Machine, rules: Sequence[int] | None = None) -> Iterator[ProposedScript]:
     """Proposals for all rules, or for the rules with these numbers, in this order. Their messages
     can exist, and they are no longer than tests may be.
     """
@@ -77,7 +77,7 @@ class _Proposer:
         self._hold_ns = round_up(settled_ns + 4 * self._beat_ns, self._beat_ns)
         self._condition = self._world.formula(self._rule.condition)
 
-    def all(self) -> Iterator[Proposal]:
+    def all(self) -> Iterator[ProposedScript]:
         """All proposals; none if the rule cannot be inactive, or if a trace takes too long."""
         if self._hold_ns > _MOST_BEATS * self._beat_ns:
             return
@@ -119,7 +119,7 @@ class _Proposer:
 
     # --- leaves ------------------------------------------------------------------------------
 
-    def _leaf(self, leaf: int, calm: Values) -> Iterator[Proposal]:
+    def _leaf(self, leaf: int, calm: Values) -> Iterator[ProposedScript]:
         node = self._machine.propositions[leaf].node
         hangs = self._hangs_on(leaf)
         if isinstance(node, ir.AgeReaches):
@@ -134,7 +134,9 @@ class _Proposer:
             false = self._world.solve([hangs, z3.Not(formula)], true or calm, leaf)
             yield from self._made(leaf, self._text(leaf), calm, [true, false, true])
 
-    def _edge(self, leaf: int, edge: Edge, hangs: z3.BoolRef, calm: Values) -> Iterator[Proposal]:
+    def _edge(
+        self, leaf: int, edge: ComparisonEdge, hangs: z3.BoolRef, calm: Values
+    ) -> Iterator[ProposedScript]:
         is_array = isinstance(self._machine.propositions[leaf].node, ir.Quantified)
         term = self._world.signal(edge.signal, 0 if is_array else None)
         near, found = calm, []
@@ -149,7 +151,7 @@ class _Proposer:
         around = f"{number:.9g} {shown.unit}".strip()
         yield from self._made(leaf, f"{self._text(leaf)}, around {around}", calm, found)
 
-    def _age(self, leaf: int, node: ir.AgeReaches, hangs: z3.BoolRef) -> Iterator[Proposal]:
+    def _age(self, leaf: int, node: ir.AgeReaches, hangs: z3.BoolRef) -> Iterator[ProposedScript]:
         formula = self._world.formula(leaf)
         old = self._world.solve([hangs, formula])
         young = self._world.solve([hangs, z3.Not(formula)], old)
@@ -169,7 +171,7 @@ class _Proposer:
 
     # --- durations ---------------------------------------------------------------------------
 
-    def _held(self, atom: int, decision: int, calm: Values) -> Iterator[Proposal]:
+    def _held(self, atom: int, decision: int, calm: Values) -> Iterator[ProposedScript]:
         held = ir.held_of(self._machine, atom)
         node = None if held is None else self._machine.propositions[held].node
         if held is None or not isinstance(node, ir.Held):
@@ -200,7 +202,7 @@ class _Proposer:
 
     def _recurs(
         self, recurs: int, node: ir.Recurs, decision: int, calm: Values
-    ) -> Iterator[Proposal]:
+    ) -> Iterator[ProposedScript]:
         """The condition with counted edges alternates as often as required, as fast as it can."""
         formula = self._world.formula(node.operand)
         hangs = self._hangs_on(recurs, decision)
@@ -218,7 +220,7 @@ class _Proposer:
 
     # --- stale inputs -------------------------------------------------------------------------
 
-    def _silence(self, used: int) -> Iterator[Proposal]:
+    def _silence(self, used: int) -> Iterator[ProposedScript]:
         declared = self._machine.inputs[used]
         assert declared.timeout_ns is not None
         rests_on = ir.supports(self._machine).propositions
@@ -248,7 +250,7 @@ class _Proposer:
 
     def _made(
         self, leaf: int, name: str, calm: Values, values: Sequence[Values | None]
-    ) -> Iterator[Proposal]:
+    ) -> Iterator[ProposedScript]:
         """A calm phase, then phases with the values, then a calm phase. If the rule has a release
         of its own, another phase comes before each value: a calm phase, or a phase that activates
         the rule if the leaf belongs to the release.
@@ -283,10 +285,10 @@ class _Proposer:
         channels = {self._machine.inputs[used].channel for used in old}
         return Phase(values, length_ns, silent | channels)
 
-    def _proposal(self, name: str, phases: Sequence[Phase]) -> Proposal:
+    def _proposal(self, name: str, phases: Sequence[Phase]) -> ProposedScript:
         cleaned = f"{self._rule.name}: {name}".replace('"', "'")
         led = [each for phase in phases for each in self._led_to(phase)]
-        return Proposal(self._index, self._stage.script(cleaned, led))
+        return ProposedScript(self._index, self._stage.script(cleaned, led))
 
     def _led_to(self, phase: Phase) -> list[Phase]:
         """A phase, preceded by the phases that give each `since` the value that the phase

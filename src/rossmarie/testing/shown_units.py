@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from rossmarie import ir
-from rossmarie.testing.goals import Edge, edges
+from rossmarie.testing.goals import ComparisonEdge, edges
 from rossmarie.units import Unit, parse_unit
 
 
@@ -24,7 +24,10 @@ def unit_of_field(machine: ir.Machine, kind: str, index: int) -> Unit:
 
 
 def unit_of_edge(
-    machine: ir.Machine, propositions: Iterable[int], own: Unit, reads: Callable[[Edge], bool]
+    machine: ir.Machine,
+    propositions: Iterable[int],
+    own: Unit,
+    reads: Callable[[ComparisonEdge], bool],
 ) -> Unit | None:
     """The unit of the first threshold that `reads` accepts, if its dimension is that of `own`; None
     if there is none.

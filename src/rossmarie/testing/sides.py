@@ -8,13 +8,15 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.terms import constant
-from rossmarie.testing.goals import Edge
+from rossmarie.testing.goals import ComparisonEdge
 from rossmarie.units import parse_unit
 
 _BETWEEN = 1e-3  # of a step: a value nearer to a whole number is rounded to it
 
 
-def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, side: int) -> Iterator[z3.BoolRef]:
+def beside(
+    machine: ir.Machine, edge: ComparisonEdge, term: z3.ArithRef, side: int
+) -> Iterator[z3.BoolRef]:
     """Formulas that a term is at a threshold (`side` is 0), just under it (-1) or just over it (1).
     The first satisfiable formula is the best.
     """
@@ -31,12 +33,12 @@ def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, side: int) -> Ite
         yield distance > 0
 
 
-def is_apart(edge: Edge, distance: z3.ArithRef) -> z3.BoolRef:
+def is_apart(edge: ComparisonEdge, distance: z3.ArithRef) -> z3.BoolRef:
     """A formula: a value on one side of a threshold differs from the threshold."""
     return distance >= constant(edge.step * _BETWEEN) if edge.is_whole else distance > 0
 
 
-def _point(machine: ir.Machine, edge: Edge, steps: int) -> float:
+def _point(machine: ir.Machine, edge: ComparisonEdge, steps: int) -> float:
     """The round number that lies some steps beside a threshold, in SI."""
     unit = parse_unit(machine.signals[edge.constant].unit or "1")
     shown = unit.from_si(edge.threshold)

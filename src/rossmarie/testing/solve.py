@@ -39,7 +39,7 @@ from rossmarie.core import (
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.beams import angle, coordinate, is_column, list_of_share, sides
-from rossmarie.testing.goals import Edge, edges
+from rossmarie.testing.goals import ComparisonEdge, edges
 from rossmarie.testing.shown_units import unit_of_edge, unit_of_field
 from rossmarie.testing.variables import Ramp, Values, Variable
 from rossmarie.testing.whole import slot_behind
@@ -387,7 +387,7 @@ class RuleFormulas:
             self.units[variable] = own if found is None else found
         return self.units[variable]
 
-    def _reads(self, edge: Edge, variable: Variable) -> bool:
+    def _reads(self, edge: ComparisonEdge, variable: Variable) -> bool:
         if variable not in self.variables:
             return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)

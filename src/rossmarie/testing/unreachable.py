@@ -12,7 +12,7 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.terms import constant
-from rossmarie.testing.goals import Aspect, Goal, atoms, edges
+from rossmarie.testing.goals import Aspect, TraceGoal, atoms, edges
 from rossmarie.testing.sides import is_apart
 from rossmarie.testing.solve import RuleFormulas
 
@@ -20,12 +20,12 @@ NO_VALUES = "no values make the rule hang on it"
 STALE_ONLY = "only a stale input ends it sooner"
 
 
-def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, str]:
+def unreachable(machine: ir.Machine, missing: Iterable[TraceGoal]) -> Mapping[TraceGoal, str]:
     """The reasons, for those goals that have a known reason."""
     return dict(_reasons(machine, missing))
 
 
-def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goal, str]]:
+def _reasons(machine: ir.Machine, missing: Iterable[TraceGoal]) -> Iterator[tuple[TraceGoal, str]]:
     worlds: dict[int, RuleFormulas] = {}
     for goal in missing:
         if goal.decision < 0:
@@ -52,7 +52,7 @@ def _ends_late(machine: ir.Machine, proposition: int) -> bool:
     return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
 
 
-def _wanted(world: RuleFormulas, goal: Goal) -> list[z3.BoolRef]:
+def _wanted(world: RuleFormulas, goal: TraceGoal) -> list[z3.BoolRef]:
     true, false = (world.formula(goal.decision, {goal.subject: value}) for value in (True, False))
     wanted = [true != false]
     atom = world.formula(goal.subject)

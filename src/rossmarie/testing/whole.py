@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
-from rossmarie.core import AnyFunction, View, defined, sampling_row
+from rossmarie.core import AnyFunction, SampleNumber, defined, sampling_row
 from rossmarie.core.expressions import (
     Applied,
     Chosen,
@@ -22,7 +22,7 @@ from rossmarie.core.expressions import (
 from rossmarie.ir.carried import carries
 from rossmarie.ir.script import FieldValue, Script, ScriptedArrival
 
-_PLAIN = frozenset({View.SECONDS, View.COUNT, View.CONSTANT})
+_PLAIN = frozenset({SampleNumber.SECONDS, SampleNumber.COUNT, SampleNumber.CONSTANT})
 """Views that are not samples, and can be any number."""
 
 

@@ -30,7 +30,7 @@ class Check:
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenCheck:
     """A check with the body of its function."""
 
     check: Check

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie.ir import reactions
-from rossmarie.verification.check import Check, Passes, Written
+from rossmarie.verification.check import Check, Passes, WrittenCheck
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.program import obligation
 from rossmarie.verification.reactor_invariants import in_force
@@ -63,31 +63,31 @@ class CommandChecks:
         self._found = found
         self._name = name
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks; none if the machine has no commands."""
         if not self._found.commands:
             return
         text = _BOUNDED.format(name=self._name)
         about = "a number of a command stays in its bounds"
-        yield Written(Check("bounded", about), text + _STAYS)
+        yield WrittenCheck(Check("bounded", about), text + _STAYS)
         about = "a number of a command is scaled, then bounded"
-        yield Written(Check("scaled", about, is_arithmetic=True), text + _IS_SCALED)
+        yield WrittenCheck(Check("scaled", about, is_arithmetic=True), text + _IS_SCALED)
         for task, ramp in sorted(self._ramps()):
             about = f"how far a limit has moved: {self._said(task)}"
             name = f"moved_{task}_{_word(ramp)}"
-            yield Written(Check(name, about), self._moved(task, ramp))
+            yield WrittenCheck(Check(name, about), self._moved(task, ramp))
         for index, command in enumerate(self._found.commands):
             for place, field in enumerate(command.fields):
                 path = ".".join(map(str, field.path))
                 about = f"the bounds of {command.topic}.{path}"
                 check = Check(f"bounds_{index}_{place}", about, _MOVED, self._loops(index))
-                yield Written(check, self._bounds(index, place))
+                yield WrittenCheck(check, self._bounds(index, place))
             about = f"the bounds of {command.topic} are zero until the reactor is opened"
-            yield Written(
+            yield WrittenCheck(
                 Check(f"shut_{index}", about, _MOVED, self._loops(index)), self._shut(index)
             )
         about = "commands that do not exist have no bounds"
-        yield Written(Check("no_command", about, _MOVED), self._no_command())
+        yield WrittenCheck(Check("no_command", about, _MOVED), self._no_command())
 
     def _said(self, task: int) -> str:
         found = self._found.tasks[task]

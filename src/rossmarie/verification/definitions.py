@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 
-from rossmarie.core import AnyFunction, View, may_be_infinite, sampling_row
+from rossmarie.core import AnyFunction, SampleNumber, may_be_infinite, sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.verification import elements, formulas, supports
 from rossmarie.verification.basics import CONSTANTS, HELPERS
@@ -107,29 +107,29 @@ class Definitions:
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
-    def _view(self, index: int, node: ir.Sampled, view: View) -> str:
+    def _view(self, index: int, node: ir.Sampled, view: SampleNumber) -> str:
         """The result of a search among samples. The order of samples in windows is not proved. A
         function that feeds back remembers its results (S50), so its newest sample is the number
         itself.
         """
         feeds_back = sampling_row(node.function).feeds_back
         match view:
-            case View.NEWEST:
+            case SampleNumber.NEWEST:
                 newest = f"m->latest[{self._last_two(index, node)}]"
                 return self.number(node.signal) if feeds_back else newest
-            case View.BEFORE:
+            case SampleNumber.BEFORE:
                 return f"m->before[{self._last_two(index, node)}]"
-            case View.SECONDS:
+            case SampleNumber.SECONDS:
                 k = self._last_two(index, node)
                 return f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 0x1.dcd65p+29)"
-            case View.LOWER | View.UPPER:
-                is_upper = int(view is View.UPPER)
+            case SampleNumber.LOWER | SampleNumber.UPPER:
+                is_upper = int(view is SampleNumber.UPPER)
                 return f"__CPROVER_uninterpreted_middle({self._window(node)}, {is_upper})"
-            case View.TOTAL:
+            case SampleNumber.TOTAL:
                 return f"__CPROVER_uninterpreted_total({self._window(node)})"
-            case View.COUNT:
+            case SampleNumber.COUNT:
                 return f"((double)m->window_count[{self._window(node)}])"
-            case View.CONSTANT:
+            case SampleNumber.CONSTANT:
                 return literal(float(node.window_ns) / 1e9)
 
     def _last_two(self, index: int, node: ir.Sampled) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.ir import model as ir
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.events import Events
 from rossmarie.verification.frames import FrameChecks
@@ -39,25 +39,27 @@ class EngineChecks:
         self._machine = layout.machine
         self._definitions = definitions
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks of evaluation, rules and the interface."""
         yield from self._visits()
         parts = (("visit", "contract_visit"),)
         about = "everything that is marked is evaluated, in order, and that ends"
-        yield Written(Check("evaluate", about, parts), f"{_EVALUATE}\n{self._frames.evaluated()}")
+        yield WrittenCheck(
+            Check("evaluate", about, parts), f"{_EVALUATE}\n{self._frames.evaluated()}"
+        )
         yield from self._public()
 
     # --- evaluation --------------------------------------------------------------------------
 
-    def _visits(self) -> Iterator[Written]:
+    def _visits(self) -> Iterator[WrittenCheck]:
         for proposition in (*self._layout.oscillations, *self._layout.derived):
             node = self._layout.node_of_proposition[proposition]
             about = f"`{self._machine.propositions[proposition].text}` is evaluated"
-            yield Written(Check(f"visit_{node}", about), self._visit(node))
+            yield WrittenCheck(Check(f"visit_{node}", about), self._visit(node))
         for index, rule in enumerate(self._machine.rules):
             node = self._layout.proposition_count + index
             about = f"rule {rule.name} is judged"
-            yield Written(Check(f"visit_{node}", about), self._visit(node))
+            yield WrittenCheck(Check(f"visit_{node}", about), self._visit(node))
 
     def _visit(self, node: int) -> str:
         rule = node - self._layout.proposition_count
@@ -129,7 +131,7 @@ class EngineChecks:
 
     # --- the interface -----------------------------------------------------------------------
 
-    def _public(self) -> Iterator[Written]:
+    def _public(self) -> Iterator[WrittenCheck]:
         name = self._layout.name
         advance, reset = (
             f"{name}_advance(m, t_ns)",
@@ -146,15 +148,15 @@ class EngineChecks:
         count = " + ".join(["changes", *(f"(int){self._events.changed(rule)}" for rule in rules)])
         lines.append(obligation(f"events == {count}", "what is cleared is counted"))
         lines += self._events.reported(set(rules))
-        yield Written(Check("reset", about, parts), "\n".join(lines))
+        yield WrittenCheck(Check("reset", about, parts), "\n".join(lines))
         refused = Check("reset_refused", "an instant out of range is refused by a reset", parts)
-        yield Written(
+        yield WrittenCheck(
             refused, f"{ANY}\n    const int rule = nondet_integer();\n{REFUSED.format(call=reset)}"
         )
-        yield Written(Check("init", "a monitor that has not started"), self._init())
-        yield Written(Check("latch", "a rule is told to be latched"), self._latch())
+        yield WrittenCheck(Check("init", "a monitor that has not started"), self._init())
+        yield WrittenCheck(Check("latch", "a rule is told to be latched"), self._latch())
         about = "the changes are counted when time passes"
-        yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
+        yield WrittenCheck(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
         queries = f"""\
     const int64_t wake_ns = {name}_next_wake(m);
     __CPROVER_assert(!m->started || wake_ns > m->now_ns, "what comes next lies ahead");
@@ -166,7 +168,7 @@ class EngineChecks:
         "where the short path is taken, time goes forward and nothing is due");
     must_be_same(m, &old);"""
         about = "queries that change nothing"
-        yield Written(Check("queries", about), f"{begin(self._layout)}\n{queries}")
+        yield WrittenCheck(Check("queries", about), f"{begin(self._layout)}\n{queries}")
 
     def _init(self) -> str:
         name = self._layout.name

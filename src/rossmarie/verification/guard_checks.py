@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
 from rossmarie.verification.layout import ProofLayout
-from rossmarie.verification.places import Watched
+from rossmarie.verification.places import WatchedGuard
 from rossmarie.verification.program import ANY, assertions, assumptions, obligation, predicate
 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
@@ -43,7 +43,7 @@ class GuardChecks:
         """The replaced parts in the checks of other functions."""
         return _LOOKS if self._layout.guards else ()
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """Two checks for each guard, and one check of `set_truth_value`."""
         for number, guard in enumerate(self._layout.guards):
             remark = remark_of(self._layout.values[guard.value])
@@ -52,12 +52,12 @@ class GuardChecks:
             most = guard.limit_count + 2
             loops = tuple((loop, most) for loop in _LOOPS_OVER_LIMITS)
             check = Check(f"cross_{number}", about, parts, loops)
-            yield Written(check, self._check(number, guard))
+            yield WrittenCheck(check, self._check(number, guard))
             about = f"a new `{remark}` inside its guard changes nothing"
-            yield Written(Check(f"inside_{number}", about), self._inside(number, guard))
+            yield WrittenCheck(Check(f"inside_{number}", about), self._inside(number, guard))
         if self._layout.guards:
             about = "a proposition has a value, and what depends on it is marked"
-            yield Written(Check("set_truth_value", about), self._check_set_proposition())
+            yield WrittenCheck(Check("set_truth_value", about), self._check_set_proposition())
 
     def text(self) -> str:
         """The predicates, the contract, and the functions that the checks compare with."""
@@ -110,7 +110,7 @@ class GuardChecks:
                 remark = remark_of(self._layout.values[value])
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
-    def _probe(self, number: int, guard: Watched) -> str:
+    def _probe(self, number: int, guard: WatchedGuard) -> str:
         """State that propositions are right for the largest number inside a guard."""
         right = " && ".join(
             f"{self._definitions.proposition(proposition)} == "
@@ -128,7 +128,7 @@ class GuardChecks:
             f"    return {right};\n}}\n"
         )
 
-    def _kept(self, number: int, guard: Watched) -> Sentence:
+    def _kept(self, number: int, guard: WatchedGuard) -> Sentence:
         place, low, high = f"m->place[{number}]", f"m->low[{number}]", f"m->high[{number}]"
         first, last = self._invariants.places(number)
         propositions = [self._definitions.proposition(proposition) for proposition in guard.leaves]
@@ -152,7 +152,7 @@ class GuardChecks:
 
     # --- what changes ------------------------------------------------------------------------
 
-    def _change(self, number: int, guard: Watched) -> str:
+    def _change(self, number: int, guard: WatchedGuard) -> str:
         """The contract of a test of a number that may have left its guard. The guard's propositions
         change, and the nodes that depend on them are marked. Nothing else changes. A number inside
         its guard changes nothing; the contract includes this case.
@@ -188,7 +188,7 @@ class GuardChecks:
         ]
         return "\n".join(["    if (!isfinite(x)) {", *lines, "    }"]) if lines else "    (void)x;"
 
-    def _consequences(self, guard: Watched) -> Iterator[str]:
+    def _consequences(self, guard: WatchedGuard) -> Iterator[str]:
         for proposition in guard.leaves:
             node = self._layout.node_of_proposition[proposition]
             yield f"    if (m->truth_value[{node}] != old.truth_value[{node}]) {{"
@@ -228,7 +228,7 @@ class GuardChecks:
 
     # --- the check ---------------------------------------------------------------------------
 
-    def _check(self, number: int, guard: Watched) -> str:
+    def _check(self, number: int, guard: WatchedGuard) -> str:
         """The check that a test leaves the result that the contract makes of the memory before."""
         nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
@@ -256,7 +256,7 @@ class GuardChecks:
             ]
         )
 
-    def _inside(self, number: int, guard: Watched) -> str:
+    def _inside(self, number: int, guard: WatchedGuard) -> str:
         """The check that memory already satisfies the result of `look` if the number is inside its
         guard.
         """

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.layout import ProofLayout, Value
-from rossmarie.verification.places import Watched
+from rossmarie.verification.layout import KeptNumber, ProofLayout
+from rossmarie.verification.places import WatchedGuard
 from rossmarie.verification.recent import enough, first_recent, recent, window_end
 from rossmarie.verification.supports import propositions_of
 
@@ -43,7 +43,7 @@ def users_of(layout: ProofLayout, proposition: int) -> list[int]:
     return found
 
 
-def remark_of(value: Value) -> str:
+def remark_of(value: KeptNumber) -> str:
     """The description of a value, without the remark about its place."""
     return value.remark.split("  ", 1)[-1]
 
@@ -163,7 +163,7 @@ class Invariants:
         for proposition in self._layout.literals:
             yield self._is_right(proposition)
 
-    def guard(self, number: int, guard: Watched) -> Iterator[Sentence]:
+    def guard(self, number: int, guard: WatchedGuard) -> Iterator[Sentence]:
         """A guard encloses its number, and its propositions have the values for this number."""
         for proposition in guard.leaves:
             yield self._is_right(proposition)
@@ -187,7 +187,7 @@ class Invariants:
         about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
-    def tests(self, guard: Watched) -> Iterator[Sentence]:
+    def tests(self, guard: WatchedGuard) -> Iterator[Sentence]:
         """A guarded value may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
         x = f"m->value[{guard.value}]"
         for proposition in guard.leaves:
@@ -363,7 +363,7 @@ class Invariants:
             about = f"the window of `{self._machine.propositions[proposition].text}` ends ahead"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
 
-    def guards(self) -> dict[str, Watched]:
+    def guards(self) -> dict[str, WatchedGuard]:
         """The guards, by the names of their predicates."""
         return {f"guard_{number}": guard for number, guard in enumerate(self._layout.guards)}
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from rossmarie.core import sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.verification import supports
-from rossmarie.verification.places import MachinePlaces, Watched, places_of
+from rossmarie.verification.places import MachinePlaces, WatchedGuard, places_of
 from rossmarie.verification.supports import Support, SupportArrays
 
 _WORD = 64
@@ -27,7 +27,7 @@ class MisplacedError(Exception):
 
 
 @dataclass(frozen=True)
-class Value:
+class KeptNumber:
     """A number that a monitor keeps: the value of a slot, of a signal, or of a comparison
     (`test`).
     """
@@ -51,9 +51,9 @@ class ProofLayout:
     machine: ir.Machine
     places: MachinePlaces
     elements: SupportArrays
-    values: tuple[Value, ...]
+    values: tuple[KeptNumber, ...]
     value_of_signal: Mapping[int, int]
-    guards: tuple[Watched, ...]
+    guards: tuple[WatchedGuard, ...]
     literals: tuple[int, ...]
     ages: tuple[int, ...]
     oscillations: tuple[int, ...]
@@ -113,7 +113,7 @@ class ProofLayout:
         nodes = (self.machine.propositions[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
-    def guards_of(self, channel: int) -> list[Watched]:
+    def guards_of(self, channel: int) -> list[WatchedGuard]:
         """The guards that a message on a channel can make a number leave."""
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
@@ -186,13 +186,13 @@ class _Sorted:
                     found[index] = _place(self._places.value_of_signal, index, "a number")
         return found
 
-    def _values(self) -> tuple[Value, ...]:
+    def _values(self) -> tuple[KeptNumber, ...]:
         remarks, machine = self._places.remarks, self._machine
-        found: dict[int, list[Value]] = {}
+        found: dict[int, list[KeptNumber]] = {}
 
         def keep(place: int, support: Support, **index: int) -> None:
             _must(0 <= place < len(remarks), "a number is kept outside of its array")
-            found.setdefault(place, []).append(Value(remarks[place], support, **index))
+            found.setdefault(place, []).append(KeptNumber(remarks[place], support, **index))
 
         _must(len(self._places.value_of_slot) == len(machine.slots), "a slot has no place")
         for slot, place in enumerate(self._places.value_of_slot):

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie.ir import model as ir
 from rossmarie.verification import fields, opaque, supports
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.frames import FrameChecks
 from rossmarie.verification.guard_checks import unlooked
@@ -87,19 +87,19 @@ class MessageChecks:
         prepared = [PREPARED] if self._beside.signals else []
         return "\n".join([*contracts, STAGES, *prepared, *received, COMPUTED])
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks of messages."""
         for function, count in self._opaque:
             about = f"{function.value} is unknown of what is not known"
             check = Check(opaque.name(function, count), about, self._same)
-            yield Written(check, opaque.kept(function, count))
+            yield WrittenCheck(check, opaque.kept(function, count))
         yield from self._subfunctions.written()
         for channel, name in enumerate(self._layout.places.channel_names):
             topic = self._machine.channels[channel].topic
             about = f"the numbers of a message on {topic}"
             parts = (*self._windows, *self._same)
             numbers = Check(f"numbers_{name}", about, parts, is_arithmetic=True)
-            yield Written(numbers, self._numbers(channel, name))
+            yield WrittenCheck(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
             lines += [*self._given(channel), f"    is_reported[{channel}] = true;"]
             call = f"{self._layout.name}_update_{name}({arguments})"
@@ -111,7 +111,7 @@ class MessageChecks:
             )
             about = f"a message on {topic} is handed on as it is"
             handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
-            yield Written(handed, self._handed(channel, lines, call))
+            yield WrittenCheck(handed, self._handed(channel, lines, call))
             guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
             about = f"a message on {topic}"
             yield from self._paths(f"update_{name}", about, lines, call, received, guards)
@@ -124,7 +124,7 @@ class MessageChecks:
             )
             parts = (*parts, *self._windows, *self._same)
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
-            yield Written(numbers, self._step_numbers(channel, name, call))
+            yield WrittenCheck(numbers, self._step_numbers(channel, name, call))
         about = "messages on several topics"
         yield from self._paths("step", about, list(self._values()), call, self._idle)
 
@@ -136,7 +136,7 @@ class MessageChecks:
         call: str,
         idle: Parts,
         guards: Sequence[int] = (),
-    ) -> Iterator[Written]:
+    ) -> Iterator[WrittenCheck]:
         """The checks of the paths of a message. A message before any timer is due may take a short
         path; the long path is always right. The short path ends at the first guard that a number
         has left. Parts in `idle` do not matter after propositions are evaluated.
@@ -155,11 +155,11 @@ class MessageChecks:
         yield after(f"{name}_calm", short, body, (*calm, *idle))
         counted = (*self._nothing_else, *idle)
         check = Check(f"{name}_counts", f"{about}: changes are counted", counted)
-        yield Written(check, f"{declared}\n{counts(call)}")
+        yield WrittenCheck(check, f"{declared}\n{counts(call)}")
 
     def _calm(
         self, name: str, about: str, body: str, parts: Parts, guards: Sequence[int]
-    ) -> Iterator[Written]:
+    ) -> Iterator[WrittenCheck]:
         """One check for each guard that a number may leave first, and one check where no number
         leaves any.
         """

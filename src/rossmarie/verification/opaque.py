@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie.core import (
     AnyFunction,
+    SampleNumber,
     Sampling,
-    View,
     defined,
     may_be_infinite,
     parameters,
@@ -21,7 +21,7 @@ from rossmarie.core import (
 )
 from rossmarie.core.expressions import Subfunction, applied_in
 from rossmarie.ir import model as ir
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.formulas import name_of_subfunction
 from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.places import function_of, function_of_samples, function_of_subfunction
@@ -105,17 +105,19 @@ class Subfunctions:
         """The arbitrary functions that replace the subfunctions."""
         return "\n".join(map(_any_function, self._functions))
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """The checks of the generated C of the subfunctions."""
         for each in self._functions:
             name, about = function_of_subfunction(each), each.phrase.format(*each.parameters)
             operands = ", ".join(each.parameters)
             found, meant = f"{name}({operands})", f"{name_of_subfunction(each)}({operands})"
             formula = _asked(each.parameters, f"spec_same({found}, {meant})", "it is as defined")
-            yield Written(Check(name, f"{about}, as it is defined", is_arithmetic=True), formula)
+            yield WrittenCheck(
+                Check(name, f"{about}, as it is defined", is_arithmetic=True), formula
+            )
             is_reported = f"({_known(each.parameters)}) || isnan({found})"
             unknown = _asked(each.parameters, is_reported, _NOTHING)
-            yield Written(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
+            yield WrittenCheck(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
 
 
 def _asked(names: Sequence[str], holds: str, about: str) -> str:
@@ -139,9 +141,9 @@ def _any_function(function: Subfunction) -> str:
 # --- samples ---------------------------------------------------------------------------------
 
 _FOUND = {
-    View.LOWER: ("window_middle", "some_middle"),
-    View.UPPER: ("window_middle", "some_middle"),
-    View.TOTAL: ("window_total", "some_total"),
+    SampleNumber.LOWER: ("window_middle", "some_middle"),
+    SampleNumber.UPPER: ("window_middle", "some_middle"),
+    SampleNumber.TOTAL: ("window_total", "some_total"),
 }
 """The functions that search the samples of windows."""
 

@@ -21,7 +21,7 @@ from rossmarie.targets.c99.types import fields_of
 
 
 @dataclass(frozen=True)
-class Watched:
+class WatchedGuard:
     """A guard: its number, its propositions, and its number of limits."""
 
     value: int
@@ -43,7 +43,7 @@ class MachinePlaces:
     value_of_signal: Mapping[int, int]
     value_of_test: Mapping[int, int]
     node_of_proposition: Mapping[int, int]
-    guards: tuple[Watched, ...]
+    guards: tuple[WatchedGuard, ...]
     held: tuple[int, ...]
     sinces: tuple[int, ...]
     oscillations: tuple[int, ...]
@@ -72,7 +72,8 @@ def places_of(machine: ir.Machine) -> MachinePlaces:
         value_of_test=found.value_of_test,
         node_of_proposition=found.node_of_proposition,
         guards=tuple(
-            Watched(guard.value, tuple(guard.leaves), len(guard.limits)) for guard in found.guards
+            WatchedGuard(guard.value, tuple(guard.leaves), len(guard.limits))
+            for guard in found.guards
         ),
         held=found.held,
         sinces=found.sinces,

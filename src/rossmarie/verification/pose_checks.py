@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
 from rossmarie.ir import reactions
-from rossmarie.verification.check import Check, Parts, Passes, Written
+from rossmarie.verification.check import Check, Parts, Passes, WrittenCheck
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.places import name_of
@@ -118,14 +118,14 @@ class PoseChecks:
 
     # --- the checks --------------------------------------------------------------------------
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks of memories; none if the machine has no memories."""
         if not self._memories:
             return
         for each in self._memories:
             about = f"poses of memory {each.index} are apart"
             check = Check(f"poses_apart_{each.index}", about, is_arithmetic=True)
-            yield Written(check, self._apart(each))
+            yield WrittenCheck(check, self._apart(each))
             about = f"a pose is new to memory {each.index}"
             yield self._check(f"new_{each.index}", about, self._new(each), _IS_APART)
             about = f"memory {each.index} records poses"
@@ -145,8 +145,8 @@ class PoseChecks:
         yield self._check("forget", "memories begin empty", self._forget())
         yield self._check("retraced", "the pose that is sent is reported", self._retraced())
 
-    def _check(self, name: str, about: str, body: str, parts: Parts = ()) -> Written:
-        return Written(Check(f"poses_{name}", about, parts, self._loops()), body)
+    def _check(self, name: str, about: str, body: str, parts: Parts = ()) -> WrittenCheck:
+        return WrittenCheck(Check(f"poses_{name}", about, parts, self._loops()), body)
 
     def _loops(self) -> Passes:
         """The limits of loops: memories, their users, the numbers of a pose, and tasks that

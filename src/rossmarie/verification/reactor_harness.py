@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from rossmarie.ir import model as ir
 from rossmarie.ir import reactions
-from rossmarie.verification.check import Check, Written
+from rossmarie.verification.check import Check, WrittenCheck
 from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, SAME, CommandChecks
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.places import name_of
@@ -58,31 +58,31 @@ class _Writer:
         checks = tuple(each.check for each in written)
         return Harness("\n".join(parts), checks, passes, "reactor_harness")
 
-    def _written(self) -> Iterator[Written]:
+    def _written(self) -> Iterator[WrittenCheck]:
         yield from map(self._without_poses, self._of_tasks())
         yield from self._poses.written()
 
-    def _of_tasks(self) -> Iterator[Written]:
+    def _of_tasks(self) -> Iterator[WrittenCheck]:
         yield from CommandChecks(self._found, self._name).written()
         yield from self._calls()
         yield from self._parts()
         yield from self._task_commands.written()
 
-    def _without_poses(self, written: Written) -> Written:
+    def _without_poses(self, written: WrittenCheck) -> WrittenCheck:
         check = written.check
         return replace(
             written, check=replace(check, replaced=(*check.replaced, *self._poses.parts()))
         )
 
-    def _calls(self) -> Iterator[Written]:
+    def _calls(self) -> Iterator[WrittenCheck]:
         """The checks of functions that only set or report a value."""
         for name, about, lines in (
             ("init", "a reactor begins", _INIT),
             ("open", "a reactor is opened", _OPEN),
             ("task_state", "where a task stands", _TASK_STATE),
         ):
-            yield Written(Check(name, about), lines.format(name=self._name))
-        yield Written(Check("next_wake", "when the reactor looks next"), self._next_wake())
+            yield WrittenCheck(Check(name, about), lines.format(name=self._name))
+        yield WrittenCheck(Check("next_wake", "when the reactor looks next"), self._next_wake())
 
     def _next_wake(self) -> str:
         lines = [ANY_REACTOR, f"    const int64_t wake_ns = {self._name}_reactor_next_wake(r);"]
@@ -98,10 +98,10 @@ class _Writer:
         lines.append(obligation(" || ".join(ends), "something ends then (R13)"))
         return "\n".join(lines)
 
-    def _parts(self) -> Iterator[Written]:
-        yield Written(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
+    def _parts(self) -> Iterator[WrittenCheck]:
+        yield WrittenCheck(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
         about = "which rules are engaged before their tasks start"
-        yield Written(Check("engaged", about, _ENGAGING), self._engaged())
+        yield WrittenCheck(Check("engaged", about, _ENGAGING), self._engaged())
 
     def _engaged(self) -> str:
         """R1. Tasks are not part of this check: only `release` writes them."""
@@ -142,7 +142,7 @@ class _Writer:
         return "\n".join(lines)
 
 
-def _prefixed(written: Written) -> Written:
+def _prefixed(written: WrittenCheck) -> WrittenCheck:
     """The check with a prefix that distinguishes it from the checks of the monitor."""
     return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import ANY
@@ -63,31 +63,31 @@ WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
 
 def stages(
     name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
-) -> Iterator[Written]:
+) -> Iterator[WrittenCheck]:
     """The checks that a call at an instant in range leaves a monitor at rest. `idle` replaces parts
     that matter only until propositions are evaluated.
     """
     body = f"{ANY}\n{lines}\n{RANGE}\n    (void){call};"
     replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
     check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
-    yield Written(check, body)
+    yield WrittenCheck(check, body)
     replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
     yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
     yield after(name, about, body, (*parts, *idle))
 
 
-def between(name: str, about: str, body: str, parts: Parts) -> Written:
+def between(name: str, about: str, body: str, parts: Parts) -> WrittenCheck:
     """The check of a call until propositions are evaluated. The program knows about inputs only
     what the message reports.
     """
     replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
-    return Written(
+    return WrittenCheck(
         Check(f"{name}_between", f"{about}, until propositions are evaluated", replaced),
         f"{body}\n{_REPORTED}",
     )
 
 
-def after(name: str, about: str, body: str, parts: Parts) -> Written:
+def after(name: str, about: str, body: str, parts: Parts) -> WrittenCheck:
     """The check of a call after propositions are evaluated. Facts that held when propositions were
     evaluated, or when the next timer was set, still hold, because nothing has changed them.
     """
@@ -101,7 +101,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
     about = f"{about}, after propositions are evaluated"
     check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
     lines = [body, "    __CPROVER_assume(is_late);", _CLOCK, AS_IT_WAS]
-    return Written(check, "\n".join(lines))
+    return WrittenCheck(check, "\n".join(lines))
 
 
 def counts(call: str) -> str:

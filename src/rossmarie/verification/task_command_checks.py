@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rossmarie.ir import model as ir
-from rossmarie.verification.check import Check, Parts, Passes, Written
+from rossmarie.verification.check import Check, Parts, Passes, WrittenCheck
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.program import assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import releases, stages
@@ -98,7 +98,7 @@ class TaskCommandChecks:
 
     # --- the checks --------------------------------------------------------------------------
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks of task commands."""
         about = "a task command is kept until the end of a call"
         yield self._check("decide", about, (), self._decide())
@@ -121,7 +121,7 @@ class TaskCommandChecks:
         settle = ("settle", "end_at_judging")
         yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
 
-    def _settle(self) -> Iterator[Written]:
+    def _settle(self) -> Iterator[WrittenCheck]:
         body = f"{_SETTLE}\n    settle(&s, NULL);"
         ends = (_DECIDE, ("escalate", "end_at_escalate"))
         yield self._check("settle_ends", "tasks end, until others follow", ends, body)
@@ -131,15 +131,15 @@ class TaskCommandChecks:
             yield self._check(f"settle_{rule}", about, _STEP, looked)
         yield self._check("settle_passes", "no more stages follow than there are", _PASSES, body)
 
-    def _react(self) -> Iterator[Written]:
+    def _react(self) -> Iterator[WrittenCheck]:
         about = "rules that are no longer engaged are released"
         yield self._check("react", about, _RELEASES, _REACT.format(name=self._name))
         for rule, name in enumerate(self._names):
             text = _REACTS.format(name=self._name, rule=rule)
             yield self._check(f"react_{rule}", f"rule {name} starts", _STARTS, text)
 
-    def _check(self, name: str, about: str, parts: Parts, body: str) -> Written:
-        return Written(Check(name, about, parts, self._loops()), body)
+    def _check(self, name: str, about: str, parts: Parts, body: str) -> WrittenCheck:
+        return WrittenCheck(Check(name, about, parts, self._loops()), body)
 
     def _loops(self) -> Passes:
         """The limits of loops: a rule's tasks, its stages, and the rules that claim the same
@@ -166,7 +166,7 @@ class TaskCommandChecks:
         few = " && ".join(f"reported.count[{task}] <= 2" for task in tasks)
         return _DECIDED.format(name=self._name, counted=counted, few=few)
 
-    def _release(self, rule: int) -> Written:
+    def _release(self, rule: int) -> WrittenCheck:
         about = f"rule {self._names[rule]} is released"
         lines = [_WITHIN, _RELEASABLE.format(rule=rule), _RELEASED.format(rule=rule)]
         about = "its tasks are forgotten, those of others go on (R9)"
@@ -181,7 +181,7 @@ class TaskCommandChecks:
         ]
         return self._check(f"release_{rule}", about, (_DECIDE,), "\n".join(lines))
 
-    def _start(self, rule: int, stage: int) -> Written:
+    def _start(self, rule: int, stage: int) -> WrittenCheck:
         about = f"stage {stage + 1} of rule {self._names[rule]} starts"
         if stage == len(self._found.plans[rule].stages):
             about = f"nothing follows the last stage of rule {self._names[rule]}"

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.check import Check, Parts, WrittenCheck
 from rossmarie.verification.frames import FrameChecks
 from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.program import ANY
@@ -25,12 +25,12 @@ class TimeChecks:
         self._frames = frames
         self._parts = parts
 
-    def written(self) -> Iterator[Written]:
+    def written(self) -> Iterator[WrittenCheck]:
         """All checks of time."""
         tick = Check("tick", "timers are looked at", self._parts)
-        yield Written(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
+        yield WrittenCheck(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
         restart = Check("restart", "time begins, or begins again", self._parts)
-        yield Written(restart, self._restart())
+        yield WrittenCheck(restart, self._restart())
         yield from self._earliest()
         yield from self._catch_up()
 
@@ -52,23 +52,23 @@ class TimeChecks:
     must_be_unlooked(m, t_ns);
 {self._frames.restarted()}"""
 
-    def _earliest(self) -> Iterator[Written]:
-        yield Written(Check("earlier", "the earlier of two instants"), _EARLIER)
+    def _earliest(self) -> Iterator[WrittenCheck]:
+        yield WrittenCheck(Check("earlier", "the earlier of two instants"), _EARLIER)
         check = Check("waiting", "what is right stays so until a timer is due")
-        yield Written(check, f"{ANY}\n{WAITS}\n{_WAITING}")
+        yield WrittenCheck(check, f"{ANY}\n{WAITS}\n{_WAITING}")
         check = Check("resting", "no timer is due while a monitor is at rest")
-        yield Written(check, f"{ANY}\n{_RESTING}")
+        yield WrittenCheck(check, f"{ANY}\n{_RESTING}")
         parts: Parts = (("earlier", "contract_earlier"),)
         check = Check("earliest_timer", "no timer lies before the earliest", parts)
-        yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
+        yield WrittenCheck(check, f"{ANY}\n{_EARLIEST_TIMER}")
         check = Check("set_wake", "the instant of the next timer is set", (_EARLIEST,))
-        yield Written(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
+        yield WrittenCheck(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
 
-    def _catch_up(self) -> Iterator[Written]:
+    def _catch_up(self) -> Iterator[WrittenCheck]:
         """One pass of the loop stands for all passes: it begins and ends with a monitor at rest."""
         about = "an instant out of range is refused"
         refused = REFUSED.format(call="catch_up(m, t_ns)")
-        yield Written(Check("catch_up_refused", about, _NOTHING), f"{ANY}\n{refused}")
+        yield WrittenCheck(Check("catch_up_refused", about, _NOTHING), f"{ANY}\n{refused}")
         forward: Parts = (_EARLIEST, ("restart", "never_restart"))
         timer = ("earliest_timer", "any_timer")
         for name, about, passes, parts, body in (
@@ -80,7 +80,7 @@ class TimeChecks:
         ):
             said = f"timers that are due before an instant run: {about}"
             loops = (("catch_up.0", passes),)
-            yield Written(Check(f"catch_up_{name}", said, parts, (), loops), body)
+            yield WrittenCheck(Check(f"catch_up_{name}", said, parts, (), loops), body)
 
 
 _TICK = """\

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dslkit.source import Span
 from ezskiros.contracts.contracts import check_tree
-from ezskiros.contracts.findings import Findings
+from ezskiros.contracts.findings import TreeFindings
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.trees.tree import Tree
 from support.contract_runs import Run, finished, start
@@ -18,11 +18,11 @@ from support.contract_trees import OWN, Drawn, drawn, holds
 from support.depth import examples
 
 
-def codes_at(findings: Findings, span: Span) -> set[str]:
+def codes_at(findings: TreeFindings, span: Span) -> set[str]:
     return {each.code for each in findings.found.values() if each.primary.span == span}
 
 
-def about(findings: Findings, span: Span) -> set[str]:
+def about(findings: TreeFindings, span: Span) -> set[str]:
     """The codes of findings that show a place."""
     return {
         each.code
@@ -64,7 +64,7 @@ def check(seed: int) -> None:
         compare(found, findings, chance)
 
 
-def compare(found: Drawn, findings: Findings, chance: random.Random) -> None:
+def compare(found: Drawn, findings: TreeFindings, chance: random.Random) -> None:
     codes = {each.code for each in findings.found.values()}
     for _ in range(15):
         facts = start(found, chance)

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from ezskiros.drawing.outline import Box, Line, Outline, Role, outline
+from ezskiros.drawing.outline import Line, NodeBox, Outline, Role, outline
 from ezskiros.drawing.svg import svg
 from ezskiros.drawing.terminal import terminal_tree
 from ezskiros.driver import Checked, UnknownSkillError, trees_of
@@ -179,16 +179,16 @@ def test_in_another_page_a_picture_stays_still(gripping: Checked, tmp_path: Path
 texts = st.text("ab<>&\"' \u00e4", min_size=1, max_size=90)
 lines = st.lists(st.builds(Line, st.sampled_from(Role), texts), max_size=4).map(tuple)
 boxes = st.recursive(
-    st.builds(Box, texts, st.just(""), lines, st.just(())),
+    st.builds(NodeBox, texts, st.just(""), lines, st.just(())),
     lambda inner: st.builds(
-        Box, texts, st.just("->"), lines, st.lists(inner, min_size=1, max_size=4).map(tuple)
+        NodeBox, texts, st.just("->"), lines, st.lists(inner, min_size=1, max_size=4).map(tuple)
     ),
     max_leaves=12,
 )
 
 
 @given(st.lists(boxes, min_size=1, max_size=3))
-def test_no_box_covers_another_and_all_are_in_the_picture(roots: list[Box]) -> None:
+def test_no_box_covers_another_and_all_are_in_the_picture(roots: list[NodeBox]) -> None:
     root = ET.fromstring(svg([Outline(each, ("x > 3",)) for each in roots]))
     width, height = float(root.attrib["width"]), float(root.attrib["height"])
     places = [

@@ -12,7 +12,7 @@ from py_trees.common import Status
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import InterruptibleTask, Recovery
 from ezskiros.engine.prohibitions import Prohibition
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError, TaskHost
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedGoalError, TaskHost
 from support.engine import Skills
 
 DIGEST = "ab" * 32
@@ -169,14 +169,14 @@ GIVEN = ("Speed=1", "Quietly=true", "Gear=SLOW")
 def test_what_cannot_be_run_is_refused(
     robot: Robot, arguments: tuple[str, ...], skill: str, reason: str
 ) -> None:
-    with pytest.raises(RefusedError) as problem:
+    with pytest.raises(RefusedGoalError) as problem:
         robot.begin(*arguments, skill=skill)
     assert str(problem.value).startswith(reason)
     assert robot.ends() is Status.SUCCESS, "the task goes on; the rule does what stands behind else"
 
 
 def test_rules_of_another_export_are_refused(robot: Robot) -> None:
-    with pytest.raises(RefusedError, match="another export"):
+    with pytest.raises(RefusedGoalError, match="another export"):
         robot.begin("Target=store", digest="cd" * 32)
 
 
@@ -189,7 +189,7 @@ def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
 
 
 def test_a_task_goes_on_in_a_way_that_is_known(robot: Robot) -> None:
-    with pytest.raises(RefusedError, match="cannot continue with `dance`"):
+    with pytest.raises(RefusedGoalError, match="cannot continue with `dance`"):
         robot.begin("Target=store", *GIVEN, afterwards="dance")
 
 
@@ -233,7 +233,7 @@ def test_what_rules_stop_goes_along(robot: Robot) -> None:
 def test_a_goal_that_is_not_understood_whole_is_refused(
     robot: Robot, without: str, reason: str
 ) -> None:
-    with pytest.raises(RefusedError) as problem:
+    with pytest.raises(RefusedGoalError) as problem:
         robot.begin("Target=store", *GIVEN, afterwards="replan", without=["Drive", without])
     assert str(problem.value).startswith("the list of forbidden skills is wrong: ")
     assert reason in str(problem.value)

@@ -14,7 +14,7 @@ import pytest
 from ezskiros.context.ros import NoRosError
 from ezskiros.context.snapshot import Snapshot
 from ezskiros.engine.interruption import Afterwards, Recovery
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedGoalError
 from ezskiros.hosts import skiros2_context, skiros2_recovery
 from ezskiros.hosts.skiros2_api import api, ticker
 from ezskiros.hosts.skiros2_context import HostedContext
@@ -174,7 +174,7 @@ def test_all_tasks_are_retried(robot: Robot) -> None:
 
 
 def test_nobody_plans_again(robot: Robot) -> None:
-    with pytest.raises(RefusedError, match="use `then retry`"):
+    with pytest.raises(RefusedGoalError, match="use `then retry`"):
         robot.ask("Clear", Afterwards.REPLAN)
     robot.ticks(4)
     assert robot.notes == [*BEGUN, "second"]
@@ -271,7 +271,7 @@ def test_things_stand_by_their_labels(robot: Robot) -> None:
 
 def test_without_a_task_there_is_no_world(robot: Robot) -> None:
     robot.ticks(9)
-    with pytest.raises(RefusedError, match="no task runs"):
+    with pytest.raises(RefusedGoalError, match="no task runs"):
         _ = robot.recoveries.world
 
 

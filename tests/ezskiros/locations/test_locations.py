@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ezskiros.check.scenes import check_scene
-from ezskiros.locations import Found, find_locations
+from ezskiros.locations import FoundLocations, find_locations
 from ezskiros.locations.box import footprint
 from ezskiros.locations.location import NoPolygonError
 from ezskiros.locations.polygon import MOST_CORNERS, corners_of
@@ -38,7 +38,7 @@ def ontology() -> Ontology:
     return load(ONTOLOGY)
 
 
-def found(said: str, folder: Path, ontology: Ontology) -> Found:
+def found(said: str, folder: Path, ontology: Ontology) -> FoundLocations:
     scene = folder / "lab.turtle"
     scene.write_text(f"{PREFIXES}\nskiros:Location-1 a skiros:Location ; {said} .\n")
     document, wrong = read(scene)

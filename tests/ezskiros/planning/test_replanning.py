@@ -21,7 +21,7 @@ from ezskiros.learning.lessons import Cost
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import THING
 from ezskiros.planning.actions import PlanningAction, actions
-from ezskiros.planning.facts import About, Fluent, Literal
+from ezskiros.planning.facts import About, Fluent, FluentLiteral
 from ezskiros.planning.forbidden import permitted
 from ezskiros.planning.reach import ReachableFacts
 from ezskiros.planning.replanning import planned_calls, replanner
@@ -326,7 +326,7 @@ def test_what_is_in_reach_is_what_a_walk_finds(
     found = {
         each
         for each in places
-        if reach.is_possible(Literal(Fluent(About.RELATION, AT), (robot, each)))
+        if reach.is_possible(FluentLiteral(Fluent(About.RELATION, AT), (robot, each)))
     }
 
     def is_stopped(one: str, other: str) -> bool:

@@ -15,18 +15,18 @@ require(LEARNERS)
 
 from dslkit.campaign import Value
 from heron.evaluation.expectation import ExpectationVerdict
-from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
+from heron.evaluation.learning import LearningFolder, TrainingLogs, write_learning_page
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.folder import read_rows
 from heron.evaluation.learning.trainings import trainings_of
 from heron.learning.arms import is_guarded
-from heron.learning.episodes import Episode, EpisodeLog
+from heron.learning.episodes import EpisodeLog, TrainingEpisode
 from heron.learning.runs import TrainingRun
 from heron.learning.summary import BINS, CURVES, row_of
 from heron.learning.training import CHECKPOINT, LOG
 from heron.variants import Formulation, LearningArm
 
-ONE = Episode(0, 0.0, 100, 0.0, *([0] * 7), *([0.0] * 3))
+ONE = TrainingEpisode(0, 0.0, 100, 0.0, *([0] * 7), *([0.0] * 3))
 
 
 def row(arm: LearningArm, seed: int, **numbers: float | None) -> Value:
@@ -135,7 +135,7 @@ def test_rows_are_read_as_they_were_written(tmp_path: Path) -> None:
 def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
     run = TrainingRun(Formulation.STEPS, "ppo", LearningArm.GUARD, 1000, 0)
     other = TrainingRun(Formulation.STEPS, "ppo", LearningArm.UNGUARDED, 1000, 0)
-    watch = Watch(tmp_path, [other, run])
+    watch = TrainingLogs(tmp_path, [other, run])
     ((_, _, found),) = watch.look()
     assert dict(found)["episodes"] == ["0", "0"]
     (tmp_path / run.folder).mkdir()

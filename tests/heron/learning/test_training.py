@@ -23,7 +23,7 @@ from flax.serialization import msgpack_restore
 
 from heron.learning import insertion, step_training, training
 from heron.learning.environment import GREATEST, LEAST
-from heron.learning.episodes import Episode, EpisodeLog, read_log
+from heron.learning.episodes import EpisodeLog, TrainingEpisode, read_log
 from heron.learning.insertion import FIELDS
 from heron.learning.policy import Policy, load_policy, scaled
 from heron.learning.runs import TrainingRun, run_of, runs_of
@@ -40,7 +40,7 @@ LEARNED = [
     (Formulation.MOVES, "ppo"),
     (Formulation.TREE, "cma-es"),
 ]
-NOTHING = Episode(0, 0.0, 1, 0.0, *([0] * 7), *([0.0] * 3))
+NOTHING = TrainingEpisode(0, 0.0, 1, 0.0, *([0] * 7), *([0.0] * 3))
 
 
 class Trained(NamedTuple):
@@ -80,7 +80,7 @@ def runs(formulation: Formulation, algorithm: str, budget: int, **more: Any) -> 
     return TrainingRun(formulation, algorithm, arm, budget, more.get("seed", 0))
 
 
-def counts(found: Sequence[Episode]) -> list[Episode]:
+def counts(found: Sequence[TrainingEpisode]) -> list[TrainingEpisode]:
     """Episodes but for the time that they took."""
     return [one._replace(seconds=0.0) for one in found]
 
@@ -176,7 +176,7 @@ def test_a_training_that_was_interrupted_goes_on(
     monkeypatch.setattr(training, "_EVERY", 1)
     episodes = TreeTraining.episodes
 
-    def interrupted(self: TreeTraining) -> Iterator[Episode]:
+    def interrupted(self: TreeTraining) -> Iterator[TrainingEpisode]:
         for number, episode in enumerate(episodes(self)):
             if number == 12:
                 raise KeyboardInterrupt
@@ -252,7 +252,7 @@ def test_a_learner_may_take_what_was_executed_for_its_own(
 # --- logs and rows ---------------------------------------------------------------------------
 
 EPISODES = st.builds(
-    Episode,
+    TrainingEpisode,
     *[st.integers(0, 10**6), st.floats(0, 1e4).map(lambda value: float(f"{value:.6g}"))],
     *[st.integers(1, 300), st.floats(-20, 20).map(lambda value: float(f"{value:.6g}"))],
     *[st.integers(0, 300)] * 2,
@@ -263,7 +263,7 @@ EPISODES = st.builds(
 
 @given(st.lists(EPISODES, max_size=5), EPISODES)
 def test_a_log_holds_what_was_written(
-    tmp_path_factory: pytest.TempPathFactory, episodes: list[Episode], half: Episode
+    tmp_path_factory: pytest.TempPathFactory, episodes: list[TrainingEpisode], half: TrainingEpisode
 ) -> None:
     path = tmp_path_factory.mktemp("log") / LOG
     log = EpisodeLog(path, 0)
@@ -301,7 +301,7 @@ def test_nine_of_ten_of_the_last_fifty() -> None:
     assert steps(*[1] * 45, *[0] * 50) == 50
 
 
-def side_by_side(failing: int, cycles: int) -> list[Episode]:
+def side_by_side(failing: int, cycles: int) -> list[TrainingEpisode]:
     """The episodes of 32 environments: `failing` ones always run out of time, at one instant; the
     others always insert, in a third of the time.
     """

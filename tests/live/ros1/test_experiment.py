@@ -17,7 +17,7 @@ from heron.experiments import run_navigation
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.ros1 import Ros1Error, Ros1Link
 from heron.tasks import Status, TreeSkill
-from heron.variants import Arm, Terrain
+from heron.variants import ExperimentArm, Terrain
 from support.live import LIMIT, Process, Wanted, until
 from support.ros1_live import Ros1
 
@@ -46,7 +46,7 @@ so the drive hears it up to a period later than from a guard in its own process.
 
 def needs(_generation: str) -> Sequence[Wanted]:
     """The node of the rules of experiment I."""
-    return [machine_of(NAVIGATION_RULES[Arm.ROSSMARIE])]
+    return [machine_of(NAVIGATION_RULES[ExperimentArm.ROSSMARIE])]
 
 
 pytestmark = [pytest.mark.deep, pytest.mark.builds(by=needs)]
@@ -60,10 +60,10 @@ def test_an_experiment_has_the_same_outcome(
     started: list[Process],
     tmp_path: Path,
 ) -> None:
-    here = run_navigation(Arm.ROSSMARIE, terrain, SEED)
+    here = run_navigation(ExperimentArm.ROSSMARIE, terrain, SEED)
     begin(ros1, programs[0], started, tmp_path)
     with closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link:
-        there = run_navigation(Arm.ROSSMARIE, terrain, SEED, link=link)
+        there = run_navigation(ExperimentArm.ROSSMARIE, terrain, SEED, link=link)
     assert verdicts(there.reported) == [
         (words, pytest.approx(at_s, abs=NEAR)) for words, at_s in verdicts(here.reported)
     ]
@@ -102,7 +102,7 @@ def test_a_node_that_has_been_on_guard_is_refused(
         closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link,
         pytest.raises(Ros1Error, match="on guard before: start it anew"),
     ):
-        run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED, link=link)
+        run_navigation(ExperimentArm.ROSSMARIE, Terrain.FLAT, SEED, link=link)
 
 
 def begin(ros1: Ros1, program: Path, started: list[Process], folder: Path) -> None:

@@ -19,7 +19,7 @@ from ezskiros.hosts.owl_files import owl_files
 from ezskiros.ontology import load
 from heron.experiments.arms import CONTACT_RULES, machine_of
 from heron.skills import FOLDER
-from heron.variants import Arm
+from heron.variants import ExperimentArm
 from rossmarie.ir import Machine
 from support.live import LIMIT, Ears, Process, talking, until
 from support.ros1_live import Ros1
@@ -53,7 +53,9 @@ TIMEOUT, SOON = 0.5, 0.5
 @pytest.fixture
 def skiros2(ros1: Ros1, tmp_path: Path, started: list[Process]) -> SkiROS2:
     """SkiROS2 tidies up, with the arm and the guard."""
-    *_, program = ros1.prepare([MESSAGES, ACTION, patient(CONTACT_RULES[Arm.SKILL_AWARE])])
+    *_, program = ros1.prepare(
+        [MESSAGES, ACTION, patient(CONTACT_RULES[ExperimentArm.SKILL_AWARE])]
+    )
     prepare_workspace(tmp_path)
     started.append(ros1.begin(program, {"patience": LIMIT}))
     robot = Robot(

@@ -11,7 +11,7 @@ import pytest
 
 from rossmarie.analysis.queries import ask_all
 from rossmarie.driver import compile_file
-from rossmarie.interpreter import Interpreter, Reactor, State
+from rossmarie.interpreter import Interpreter, Reactor, TaskState
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.reactions import Publish
 
@@ -71,7 +71,7 @@ def passed(machine: Machine, reactor: Reactor, at_ns: int, asked: float) -> dict
     """The output of the filter for a command with one speed in all directions."""
     asks = dict.fromkeys(("x", "y", "z"), asked)
     for task, state in zip(machine.reactions.tasks, reactor.states, strict=True):
-        if isinstance(task.effect, Publish) and state is State.HOLDING:
+        if isinstance(task.effect, Publish) and state is TaskState.HOLDING:
             given = {str(each.path[-1]): each.value for each in task.effect.assignments}
             asks = {axis: float(str(given.get(axis, 0.0))) for axis in asks}
     fields = [field.path for field in machine.reactions.commands[0].fields]

@@ -13,15 +13,15 @@ from rossmarie.driver.package_xml import BadPackageXmlError
 from rossmarie.targets.manifest import (
     UNKNOWN,
     BadFieldError,
+    Maintainer,
     Manifest,
-    Person,
     Placement,
     parse_license,
     parse_maintainer,
 )
 from support.live_cases import vehicle
 
-ADA = Person("Ada Lovelace", "ada@example.org")
+ADA = Maintainer("Ada Lovelace", "ada@example.org")
 PACKAGE = """<?xml version="1.0"?>
 <package format="3">
   <name>my_robot</name>
@@ -31,7 +31,7 @@ PACKAGE = """<?xml version="1.0"?>
   <license file="LICENSE">MIT</license>
 </package>
 """
-OF_PACKAGE = Manifest("1.2.0", ("MIT",), (ADA, Person("B & Co", "b@example.org")))
+OF_PACKAGE = Manifest("1.2.0", ("MIT",), (ADA, Maintainer("B & Co", "b@example.org")))
 
 
 def write(path: Path, text: str) -> Path:
@@ -62,8 +62,8 @@ def test_the_package_of_the_rules_says_it(above: int, rules: Path) -> None:
 
 def test_options_count_more_than_the_package(rules: Path) -> None:
     write(package_of(rules), PACKAGE)
-    found = describe(rules, ["Apache-2.0"], [Person("C", "c@d")])
-    assert found.manifest == Manifest("1.2.0", ("Apache-2.0",), (Person("C", "c@d"),))
+    found = describe(rules, ["Apache-2.0"], [Maintainer("C", "c@d")])
+    assert found.manifest == Manifest("1.2.0", ("Apache-2.0",), (Maintainer("C", "c@d"),))
 
 
 def test_what_nobody_says_is_named(rules: Path) -> None:
@@ -133,7 +133,7 @@ def test_a_license_has_a_name() -> None:
 
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
 def test_the_generated_package_says_it_in_xml(target: str) -> None:
-    odd = Manifest("2.0.1", ("MIT & <more>", "BSD"), (Person('A "B" & C--D', "a&b@c"), ADA))
+    odd = Manifest("2.0.1", ("MIT & <more>", "BSD"), (Maintainer('A "B" & C--D', "a&b@c"), ADA))
     root = ET.fromstring(generate(vehicle(target), target, Placement(odd))["package.xml"])
     assert [each.text for each in root.iter("version")] == ["2.0.1"]
     assert [each.text for each in root.iter("license")] == ["MIT & <more>", "BSD"]

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from dslkit.source import Span
-from rossmarie.driver.verifying import Queries, prove, queries_of
+from rossmarie.driver.verifying import VerificationQueries, prove, queries_of
 from rossmarie.report.proofs import Proofs, refutations
 from rossmarie.verification.prover import Prover
 from support.damage import damaged
@@ -27,7 +27,7 @@ def prover() -> Prover:
 
 
 @pytest.fixture(scope="module")
-def judged(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def judged(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     """The query of how a rule is judged."""
     path = tmp_path_factory.mktemp("rules") / "fast.ross"
     path.write_text(RULES)
@@ -37,19 +37,19 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     return replace(found, programs=(replace(program, checks=tuple(checks)),))
 
 
-def changed(queries: Queries, old: str, new: str) -> Queries:
+def changed(queries: VerificationQueries, old: str, new: str) -> VerificationQueries:
     """As if the generator had written something else."""
     return replace(queries, files=damaged(queries.files, "monitor", old, new))
 
 
-def shown(proofs: Proofs, queries: Queries) -> list[tuple[str, str]]:
+def shown(proofs: Proofs, queries: VerificationQueries) -> list[tuple[str, str]]:
     """The findings: the sentence, and where it is pointed at."""
     nowhere = Span(queries.compiled.sources[-1], 0, 0)
     found = refutations(proofs, nowhere)
     return [(each.primary.text, each.primary.span.text) for each in found]
 
 
-def test_what_is_right_is_proved(prover: Prover, judged: Queries) -> None:
+def test_what_is_right_is_proved(prover: Prover, judged: VerificationQueries) -> None:
     reported: list[float] = []
     proofs = prove(judged, prover, seconds=SECONDS, on_progress=reported.append)
     assert proofs.is_complete
@@ -58,7 +58,7 @@ def test_what_is_right_is_proved(prover: Prover, judged: Queries) -> None:
 
 
 def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(
-    prover: Prover, judged: Queries
+    prover: Prover, judged: VerificationQueries
 ) -> None:
     wrong = changed(judged, "condition == STALE", "condition == UNKNOWN")
     proofs = prove(wrong, prover, seconds=SECONDS)

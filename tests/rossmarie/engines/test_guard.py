@@ -7,7 +7,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.engines import GuardEngine, PythonGuard
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, FieldBounds, State
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, FieldBounds, TaskState
 from rossmarie.native import load_native_guard
 from rossmarie.targets.c99 import generate_guard
 from rossmarie.targets.python import source
@@ -74,7 +74,7 @@ def test_task_commands_follow_at_the_instant_of_a_message(kind: str) -> None:
     guard = begun(kind)
     assert tell(guard, 1, SPEED, 1.5) == ["start 0", "start 1"]
     assert guard.active == (True, False, False)
-    assert guard.states == (State.HOLDING, State.RUNNING, State.IDLE, State.IDLE)
+    assert guard.states == (TaskState.HOLDING, TaskState.RUNNING, TaskState.IDLE, TaskState.IDLE)
     assert guard.bounds(1, 0)[0] == FieldBounds(1.0, -0.2, 0.2)
     assert tell(guard, 2, SPEED, 0.0) == ["stop 1", "stop 0"]
     assert guard.bounds(2 + SECOND, 0)[0] == FieldBounds(1.0, -0.2 - 0.1, 0.2 + 0.1)
@@ -85,9 +85,9 @@ def test_a_confirmation_is_looked_at_with_each_message(kind: str) -> None:
     guard = begun(kind)
     tell(guard, 1, SPEED, 1.5)
     guard.report(2, GIVE_UP, success=True)
-    assert guard.states[GIVE_UP] is State.RUNNING
+    assert guard.states[GIVE_UP] is TaskState.RUNNING
     tell(guard, 3, STILL, 1.0)
-    assert guard.states[GIVE_UP] is State.HOLDING
+    assert guard.states[GIVE_UP] is TaskState.HOLDING
 
 
 @pytest.mark.parametrize("kind", ENGINES)
@@ -96,7 +96,9 @@ def test_a_report_comes_after_what_was_due_before_it(kind: str) -> None:
     tell(guard, 1, SPEED, 1.5)
     guard.report(2 * SECOND, GIVE_UP, success=True)
     reported = guard.take()
-    assert guard.states[GIVE_UP] is State.RUNNING, "the word came in time, the confirmation did not"
+    assert guard.states[GIVE_UP] is TaskState.RUNNING, (
+        "the word came in time, the confirmation did not"
+    )
     instants = {event.at_ns for event in reported.events if isinstance(event, ir.Verdict)}
     assert instants == {SECOND, SECOND + 1}, "inputs have expired"
 
@@ -150,8 +152,8 @@ def test_a_fresh_guard_has_seen_nothing(kind: str) -> None:
     tell(guard, 1, SPEED, 2.5)
     another = guard.fresh()
     assert not another.has_all_inputs
-    assert set(another.states) == {State.IDLE}
-    assert guard.states[STOP] is State.HOLDING
+    assert set(another.states) == {TaskState.IDLE}
+    assert guard.states[STOP] is TaskState.HOLDING
 
 
 @pytest.mark.parametrize("kind", ENGINES)

@@ -3,7 +3,7 @@
 import pytest
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import TruthValue
 from support.drafts import SECOND
 from support.plans import (
@@ -63,7 +63,7 @@ def test_r1_instants_out_of_range_are_refused(at_ns: int) -> None:
         reactor.react(at_ns, [True], [])
     with pytest.raises(ValueError, match="out of range"):
         reactor.report(at_ns, task, True, [])
-    assert reactor.states == (State.IDLE,)
+    assert reactor.states == (TaskState.IDLE,)
 
 
 def test_r3_the_first_stage_starts_in_order() -> None:
@@ -95,7 +95,7 @@ def test_r4_effects_that_nobody_awaits_are_done_at_once() -> None:
     plans.rule([plans.task(log()), plans.task(limit(-1.0, 1.0))])
     bench = ReactorBench(plans)
     bench.react(0, 0)
-    assert bench.reactor.states == (State.DONE, State.HOLDING)
+    assert bench.reactor.states == (TaskState.DONE, TaskState.HOLDING)
 
 
 def test_r4_awaited_effects_run_until_success_is_reported() -> None:
@@ -103,9 +103,9 @@ def test_r4_awaited_effects_run_until_success_is_reported() -> None:
     plans.rule([plans.task(call()), plans.task(set_parameter(), resource=1)])
     bench = ReactorBench(plans)
     bench.react(0, 0)
-    assert bench.reactor.states == (State.RUNNING, State.RUNNING)
+    assert bench.reactor.states == (TaskState.RUNNING, TaskState.RUNNING)
     assert [*bench.succeed(1, 0), *bench.succeed(1, 1)] == []
-    assert bench.reactor.states == (State.DONE, State.HOLDING)
+    assert bench.reactor.states == (TaskState.DONE, TaskState.HOLDING)
 
 
 def test_r4_the_last_instant_is_in_time() -> None:
@@ -114,7 +114,7 @@ def test_r4_the_last_instant_is_in_time() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 0)
     assert bench.succeed(2, 0) == []
-    assert bench.state(0) is State.DONE
+    assert bench.state(0) is TaskState.DONE
 
 
 def test_r4_what_comes_later_is_too_late() -> None:
@@ -138,7 +138,7 @@ def test_r4_a_confirmation_has_to_be_true_as_well() -> None:
     assert bench.react(1, 0) == ["start 1"]
     bench.watches[0] = TruthValue.FALSE
     assert bench.react(1.5, 0) == []
-    assert bench.state(0) is State.HOLDING
+    assert bench.state(0) is TaskState.HOLDING
 
 
 @pytest.mark.parametrize("unknown", [TruthValue.UNKNOWN, TruthValue.STALE])
@@ -205,9 +205,9 @@ def test_r6_other_tasks_go_on() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 0)
     bench.fail(1, failing)
-    assert bench.state(other) is State.RUNNING
+    assert bench.state(other) is TaskState.RUNNING
     assert bench.succeed(1, other) == []
-    assert bench.reactor.states == (State.FAILED, State.DONE)
+    assert bench.reactor.states == (TaskState.FAILED, TaskState.DONE)
 
 
 def test_r6_running_out_of_time_is_a_failure() -> None:
@@ -228,7 +228,7 @@ def test_r6_reports_about_tasks_that_do_not_run_are_ignored() -> None:
     bench.succeed(2, 0)
     for task in range(3):
         assert bench.fail(3, task) == []  # done
-    assert bench.reactor.states == (State.DONE, State.HOLDING, State.DONE)
+    assert bench.reactor.states == (TaskState.DONE, TaskState.HOLDING, TaskState.DONE)
     bench.react(4)
     assert bench.fail(5, 0) == []  # forgotten
 
@@ -239,7 +239,7 @@ def test_r9_what_is_in_force_stops_last_started_first() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 0)
     assert bench.react(1) == ["stop 2", "stop 1", "stop 0"]
-    assert set(bench.reactor.states) == {State.IDLE}
+    assert set(bench.reactor.states) == {TaskState.IDLE}
 
 
 def test_r9_what_is_done_or_failed_is_not_stopped() -> None:

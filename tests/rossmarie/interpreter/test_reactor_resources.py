@@ -1,6 +1,6 @@
 """Resources: rules R2, R7 and R8 of docs/explanation/reactions.md."""
 
-from rossmarie.interpreter import State
+from rossmarie.interpreter import TaskState
 from rossmarie.ir import reactions
 from rossmarie.ir.reactions import Interrupted
 from support.drafts import SECOND
@@ -35,7 +35,7 @@ def test_r2_what_needs_nothing_is_shared() -> None:
     plans.rule([plans.task(limit(-1.0, 1.0)), plans.task(diagnose())])
     bench = ReactorBench(plans)
     bench.react(0, 0, 1)
-    assert set(bench.reactor.states) == {State.HOLDING}
+    assert set(bench.reactor.states) == {TaskState.HOLDING}
 
 
 def test_r2_one_rule_may_use_its_resource_twice() -> None:
@@ -44,7 +44,7 @@ def test_r2_one_rule_may_use_its_resource_twice() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 0)
     assert bench.succeed(1, 0) == ["start 1"]
-    assert bench.reactor.states == (State.HOLDING, State.RUNNING)
+    assert bench.reactor.states == (TaskState.HOLDING, TaskState.RUNNING)
 
 
 def test_r2_what_publishes_the_same_is_shared() -> None:
@@ -54,7 +54,7 @@ def test_r2_what_publishes_the_same_is_shared() -> None:
     bench = ReactorBench(plans)
     assert bench.react(0, 0, 1) == ["start 0", "start 1"]
     assert bench.react(1, 1) == ["stop 0"]
-    assert bench.state(1) is State.HOLDING
+    assert bench.state(1) is TaskState.HOLDING
 
 
 def test_r2_what_publishes_something_else_as_well_overrules() -> None:
@@ -89,7 +89,7 @@ def test_r7_a_task_that_waits_does_not_hold_up_its_plan() -> None:
     plans.rule([plans.task(set_parameter())], [plans.task(log())])
     bench = ReactorBench(plans)
     assert bench.react(0, 0, 1) == ["start 0", "overruled 1 by 0", "start 2"]
-    assert bench.state(1) is State.WAITING
+    assert bench.state(1) is TaskState.WAITING
 
 
 def test_r7_a_task_that_does_not_wait_fails() -> None:
@@ -129,9 +129,9 @@ def test_r8_what_holds_and_does_not_wait_is_done() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 1)
     bench.succeed(1, 1)
-    assert bench.state(1) is State.HOLDING
+    assert bench.state(1) is TaskState.HOLDING
     assert bench.react(2, 0, 1) == ["overruled 1 by 0", "start 0"]
-    assert bench.state(1) is State.DONE
+    assert bench.state(1) is TaskState.DONE
     assert bench.react(3) == ["stop 0"]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rossmarie import ir
-from rossmarie.interpreter import Reactor, State
+from rossmarie.interpreter import Reactor, TaskState
 from rossmarie.ir import TaskCommandKind, reactions
 from support.bench import ns
 from support.drafts import SECOND
@@ -131,7 +131,7 @@ def test_r17_the_newest_pose_comes_first_one_in_each_period() -> None:
     assert one.react(7, 9.0, 0) == ["retrace 0 to 1"]
     assert one.react(12, 9.0, 0) == ["retrace 0 to 0"]
     assert one.reactor.next_wake() is None
-    assert one.reactor.states == (State.HOLDING,)
+    assert one.reactor.states == (TaskState.HOLDING,)
 
 
 def test_r17_looking_twice_sends_once() -> None:

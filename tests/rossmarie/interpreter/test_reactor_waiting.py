@@ -1,6 +1,6 @@
 """Waiting too long: rule R15 of docs/explanation/reactions.md."""
 
-from rossmarie.interpreter import State
+from rossmarie.interpreter import TaskState
 from rossmarie.ir import TruthValue, reactions
 from support.drafts import SECOND
 from support.plans import (
@@ -37,7 +37,7 @@ def test_r15_what_waits_in_vain_fails_when_its_time_is_over() -> None:
     assert bench.react(0, 0, 1) == ["start 1", "overruled 3 by 0"]
     assert bench.react(0.4, 0, 1) == []
     assert bench.react(0.5, 0, 1) == ["failed 3", "start 2"]
-    assert bench.state(3) is State.OVERDUE
+    assert bench.state(3) is TaskState.OVERDUE
     assert bench.react(9, 0, 1) == []
 
 
@@ -68,7 +68,7 @@ def test_r15_a_confirmation_answers_for_a_cancel_while_it_is_true() -> None:
     bench.watches = [TruthValue.TRUE]
     bench.react(0, 0, 1)
     assert bench.react(5, 0, 1) == []
-    assert bench.state(3) is State.WAITING
+    assert bench.state(3) is TaskState.WAITING
     bench.watches = [TruthValue.UNKNOWN]
     assert bench.react(6, 0, 1) == ["failed 3", "start 2"]
 
@@ -102,7 +102,7 @@ def test_r15_a_success_of_the_same_look_answers() -> None:
     bench = ReactorBench(plans, order=(1, 0))
     bench.react(0, 0, 1)
     assert bench.succeed(0.5, 2) == []
-    assert bench.state(1) is State.WAITING
+    assert bench.state(1) is TaskState.WAITING
 
 
 def test_r15_another_rule_that_does_something_else_as_well_does_not_answer() -> None:
@@ -129,7 +129,7 @@ def test_r15_what_has_failed_so_starts_again_when_its_rule_owns_the_resource() -
     bench.react(0, 0, 1)
     bench.react(0.5, 0, 1)
     assert bench.react(1, 1) == ["stop 1", "start 3"]
-    assert bench.state(2) is State.DONE
+    assert bench.state(2) is TaskState.DONE
     assert bench.react(1.5, 1) == ["failed 3"], "what follows has followed already"
     assert bench.react(2) == []
 
@@ -186,7 +186,7 @@ def test_r15_what_nobody_awaits_waits_if_nothing_follows() -> None:
     bench = ReactorBench(plans)
     bench.react(0, 0, 1)
     assert bench.react(1000, 0, 1) == []
-    assert bench.reactor.states == (State.HOLDING, State.WAITING)
+    assert bench.reactor.states == (TaskState.HOLDING, TaskState.WAITING)
 
 
 def test_r15_ends_of_what_runs_come_before_those_of_what_waits() -> None:

@@ -15,7 +15,7 @@ from rossmarie.recordings.bag import BagRecording
 from rossmarie.recordings.batches import updates_in
 from rossmarie.recordings.clock import Arrivals, by_topic
 from rossmarie.recordings.opening import open_recording
-from rossmarie.recordings.stored import Connection, Packed, Stored, packed
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, packed
 from support.recordings import machine, slot
 
 READING = machine([("/a", "std_msgs/UInt8")], [("battery", 0)], [slot(0, "data")])
@@ -28,7 +28,9 @@ class Stub:
 
     def __init__(self, *messages: tuple[int, bytes], breaks: bool = False) -> None:
         undefined = MessageDefinition(MessageDefinitionFormat.NONE, "")
-        self.connections = [Connection(1, "/a", "std_msgs/UInt8", "cdr", undefined, len(messages))]
+        self.connections = [
+            RecordedConnection(1, "/a", "std_msgs/UInt8", "cdr", undefined, len(messages))
+        ]
         self.is_closed = False
         self._messages = messages
         self._breaks = breaks

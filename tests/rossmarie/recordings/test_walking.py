@@ -19,7 +19,7 @@ from rossmarie.recordings import walking
 from rossmarie.recordings.decoding import DECODE_FAILURES, Decoder
 from rossmarie.recordings.extraction import compile_extractor
 from rossmarie.recordings.planning import plan_for
-from rossmarie.recordings.stored import Connection, Packed, Stored, packed
+from rossmarie.recordings.stored import Packed, RecordedConnection, Stored, packed
 from support.depth import examples
 from support.messages import TEXTS, Described, all_fields, described, message
 
@@ -33,18 +33,20 @@ def encoded(of: Described, value: Any, form: str) -> bytes:
     return bytes(of.store.serialize_cdr(value, of.name, little_endian=form == "little"))
 
 
-def connection_of(of: Described, form: str) -> Connection:
+def connection_of(of: Described, form: str) -> RecordedConnection:
     undefined = MessageDefinition(MessageDefinitionFormat.NONE, "")
     encoding = "ros1" if form == "ros1" else "cdr"
-    return Connection(1, "/odd", of.name.replace("/msg/", "/"), encoding, undefined, 1)
+    return RecordedConnection(1, "/odd", of.name.replace("/msg/", "/"), encoding, undefined, 1)
 
 
-def packed_in_one(connection: Connection, contents: Sequence[bytes]) -> Packed:
+def packed_in_one(connection: RecordedConnection, contents: Sequence[bytes]) -> Packed:
     (batch,) = packed(Stored(connection, at_ns, each) for at_ns, each in enumerate(contents))
     return batch
 
 
-def one_by_one(of: Described, connection: Connection, contents: Sequence[bytes]) -> list[object]:
+def one_by_one(
+    of: Described, connection: RecordedConnection, contents: Sequence[bytes]
+) -> list[object]:
     """Each message as rosbags decodes it, or the reason why rosbags does not."""
     is_ros1 = connection.encoding == "ros1"
     decode = of.store.deserialize_ros1 if is_ros1 else of.store.deserialize_cdr
@@ -63,7 +65,9 @@ def listed(elements: np.ndarray | None) -> list[float]:
     return [] if elements is None else elements.astype(np.float64).tolist()
 
 
-def all_at_once(of: Described, connection: Connection, contents: Sequence[bytes]) -> list[object]:
+def all_at_once(
+    of: Described, connection: RecordedConnection, contents: Sequence[bytes]
+) -> list[object]:
     decoder = Decoder(connection, of.store, all_fields(of), TEXTS)
     decoded = decoder.decode(packed_in_one(connection, contents))
     failures = dict(decoded.failures)

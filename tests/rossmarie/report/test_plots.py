@@ -7,7 +7,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.ir import Comparison
-from rossmarie.report.model import Threshold
+from rossmarie.report.model import PlotThreshold
 from rossmarie.report.plots import PlotPlan, plan_plots
 from support.drafts import SECOND, Draft
 
@@ -19,7 +19,7 @@ def only(draft: Draft) -> PlotPlan:
     return plan
 
 
-def limits_of(draft: Draft) -> list[Threshold]:
+def limits_of(draft: Draft) -> list[PlotThreshold]:
     return list(only(draft).thresholds)
 
 
@@ -39,7 +39,7 @@ def test_a_comparison_with_a_constant_is_a_limit(
     signal = draft.read()
     condition = draft.proposition(ir.Compare(comparison, signal, draft.constant(3.0)), "a.b")
     draft.rule(condition)
-    assert limits_of(draft) == [Threshold((3.0,), region, "a.b", ("rule_1",), False)]
+    assert limits_of(draft) == [PlotThreshold((3.0,), region, "a.b", ("rule_1",), False)]
 
 
 def test_the_constant_may_stand_on_the_left() -> None:

@@ -12,7 +12,7 @@ from hypothesis import given
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
+from rossmarie.report.wiring import NodeWiring, wiring_dot, wiring_of, wiring_svg, wiring_text
 from rossmarie.report.wiring.model import EffectUse, Subscription, TargetKind
 from support.compiled import machine_of
 from support.golden import assert_golden
@@ -53,7 +53,7 @@ def robot() -> ir.Machine:
     return replace(machine_of(RULES), name="robot")
 
 
-def wiring() -> Wiring:
+def wiring() -> NodeWiring:
     return wiring_of(robot())
 
 

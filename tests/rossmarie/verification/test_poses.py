@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rossmarie.driver.verifying import Queries, queries_of
+from rossmarie.driver.verifying import VerificationQueries, queries_of
 from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
@@ -12,7 +12,7 @@ from support.small_rules import RETRACED
 
 
 @pytest.fixture(scope="module")
-def queries(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def queries(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
     path.write_text(RETRACED)
     return queries_of(path)
@@ -30,7 +30,9 @@ def prover() -> Prover:
             "poses_begin", "poses_set_back", "poses_retraced", "set_clock", "next_wake", "init",
             "settle", "react", "start"])],
 )  # fmt: skip
-def test_memories_of_poses_are_what_they_mean(prover: Prover, queries: Queries, name: str) -> None:
+def test_memories_of_poses_are_what_they_mean(
+    prover: Prover, queries: VerificationQueries, name: str
+) -> None:
     found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
@@ -68,7 +70,7 @@ FAULTS = (
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
 def test_a_mutant_is_refuted(
-    prover: Prover, queries: Queries, old: str, new: str, name: str, expected: str
+    prover: Prover, queries: VerificationQueries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, queries, old, new, f"reactor_poses_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes

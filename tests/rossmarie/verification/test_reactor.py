@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rossmarie.driver.verifying import Queries, queries_of
+from rossmarie.driver.verifying import VerificationQueries, queries_of
 from rossmarie.verification.prover import ProofVerdict, Prover
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
@@ -13,14 +13,14 @@ from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
 
 
 @pytest.fixture(scope="module")
-def queries(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def queries(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
     path.write_text(BOUNDED)
     return queries_of(path)
 
 
 @pytest.fixture(scope="module")
-def waiting(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def waiting(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     """About rules of which some wait for what others have."""
     path = tmp_path_factory.mktemp("waiting") / "small.ross"
     path.write_text(OVERRULED)
@@ -28,7 +28,7 @@ def waiting(tmp_path_factory: pytest.TempPathFactory) -> Queries:
 
 
 @pytest.fixture(scope="module")
-def late(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def late(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     """The same, so few that faults of what takes long to prove are found soon."""
     path = tmp_path_factory.mktemp("late") / "small.ross"
     path.write_text(LATE)
@@ -36,7 +36,7 @@ def late(tmp_path_factory: pytest.TempPathFactory) -> Queries:
 
 
 @pytest.fixture(scope="module")
-def failing(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def failing(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     """About rules of which some fail at once, as another has what they need."""
     path = tmp_path_factory.mktemp("failing") / "small.ross"
     path.write_text(AT_ONCE)
@@ -44,7 +44,7 @@ def failing(tmp_path_factory: pytest.TempPathFactory) -> Queries:
 
 
 @pytest.fixture(scope="module")
-def exempted(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+def exempted(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
     """About rules with scopes and exemptions, one of which does nothing."""
     path = tmp_path_factory.mktemp("exempted") / "small.ross"
     path.write_text(f'''
@@ -70,7 +70,9 @@ def prover() -> Prover:
             "release", "engaged", "next_wake", "stage_over", "decide", "give_task_commands",
             "start", "append_started", "escalate", "pass_on", "settle", "react", "report"])],
 )  # fmt: skip
-def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, name: str) -> None:
+def test_the_reactor_is_what_reactions_mean(
+    prover: Prover, queries: VerificationQueries, name: str
+) -> None:
     found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
@@ -78,7 +80,9 @@ def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, na
 @pytest.mark.parametrize(
     "name", ["next_wake", *deep(["start", "settle", "react", "append_started", "report"])]
 )
-def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Queries, name: str) -> None:
+def test_exemptions_are_what_reactions_mean(
+    prover: Prover, exempted: VerificationQueries, name: str
+) -> None:
     found = proofs_of_reactor(prover, exempted, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
@@ -87,14 +91,16 @@ def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Queries, n
     "name",
     ["next_wake", *deep(["set_clock", "stage_over", "start", "escalate", "pass_on", "settle"])],
 )
-def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Queries, name: str) -> None:
+def test_what_waits_is_what_reactions_mean(
+    prover: Prover, waiting: VerificationQueries, name: str
+) -> None:
     found = proofs_of_reactor(prover, waiting, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
 
 
 @pytest.mark.parametrize("name", deep(["start", "escalate", "pass_on"]))
 def test_what_fails_at_once_is_what_reactions_mean(
-    prover: Prover, failing: Queries, name: str
+    prover: Prover, failing: VerificationQueries, name: str
 ) -> None:
     found = proofs_of_reactor(prover, failing, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not ProofVerdict.PROVED] == []
@@ -209,14 +215,16 @@ FAULTS_OF_WHAT_IS_LATE = (
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WAITING))
 def test_a_mutant_of_waiting_is_refuted(
-    prover: Prover, waiting: Queries, old: str, new: str, name: str, expected: str
+    prover: Prover, waiting: VerificationQueries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, waiting, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.deep
-def test_a_mutant_of_what_fails_at_once_is_refuted(prover: Prover, failing: Queries) -> None:
+def test_a_mutant_of_what_fails_at_once_is_refuted(
+    prover: Prover, failing: VerificationQueries
+) -> None:
     fault = "if (tasks[task].fails_at_once)"
     found = proofs_of_reactor(prover, failing, fault, "if (false)", "reactor_start_2_0")
     assert any("a task is in a state" in reason for reason in refuted(found)), found.outcomes
@@ -224,7 +232,7 @@ def test_a_mutant_of_what_fails_at_once_is_refuted(prover: Prover, failing: Quer
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WHAT_IS_LATE))
 def test_a_mutant_of_what_is_late_is_refuted(
-    prover: Prover, late: Queries, old: str, new: str, name: str, expected: str
+    prover: Prover, late: VerificationQueries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, late, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes
@@ -232,7 +240,7 @@ def test_a_mutant_of_what_is_late_is_refuted(
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
 def test_a_mutant_is_refuted(
-    prover: Prover, queries: Queries, old: str, new: str, name: str, expected: str
+    prover: Prover, queries: VerificationQueries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, queries, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes

@@ -12,7 +12,7 @@ from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
 from heron.evaluation.learning.reasons import REASONS
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import Estimate, median
-from heron.evaluation.summary import Reported, summary_of, table_of
+from heron.evaluation.summary import ReportedExpectation, summary_of, table_of
 from heron.learning.arms import ARM_NAMES
 from heron.variants import LearningArm
 
@@ -36,10 +36,10 @@ def _title(found: Trainings) -> str:
     return f"{TITLES[found.formulation]}, by {ALGORITHM_NAMES[found.algorithm]}"
 
 
-def _reported(found: Trainings) -> Iterator[Reported]:
+def _reported(found: Trainings) -> Iterator[ReportedExpectation]:
     for expectation in expectations_of(found):
         reason = REASONS.get((found.formulation.value, found.algorithm, expectation.key))
-        yield Reported(_title(found), expectation, reason)
+        yield ReportedExpectation(_title(found), expectation, reason)
 
 
 def _section(found: Trainings, plots: str) -> Iterator[str]:

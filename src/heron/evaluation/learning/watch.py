@@ -8,7 +8,7 @@ from pathlib import Path
 
 from heron.evaluation.learning.names import TITLES
 from heron.learning.arms import ARM_NAMES
-from heron.learning.episodes import Episode, episodes_of
+from heron.learning.episodes import TrainingEpisode, episodes_of
 from heron.learning.runs import TrainingRun
 from heron.learning.summary import lately
 from heron.learning.training import LOG
@@ -27,7 +27,7 @@ class _Log:
     count: int = 0
     violating: int = 0
     broken: int = 0
-    last: Sequence[Episode] = ()
+    last: Sequence[TrainingEpisode] = ()
     has_ended: bool = False
 
     def read(self) -> None:
@@ -52,7 +52,7 @@ class _Log:
         self.steps = self.last[-1].steps if self.last else 0
 
 
-class Watch:
+class TrainingLogs:
     """The logs of trainings."""
 
     def __init__(

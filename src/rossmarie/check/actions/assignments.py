@@ -8,7 +8,7 @@ from dslkit.diagnostics import Remark
 from rossmarie.check.actions.errors import FieldGivenTwice, FieldNotAssignable, ValueMismatch
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import EffectField, describe_field, field_of
-from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.actions.targets import SentMessage, TargetResolver
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.operations.operands import require_constant
@@ -31,7 +31,7 @@ _INTEGERS: Mapping[str, tuple[int, int]] = {
 
 
 def assignments_of(
-    written: tuple[ast.FieldAssignment, ...], sent: Sent | None, targets: Targets
+    written: tuple[ast.FieldAssignment, ...], sent: SentMessage | None, targets: TargetResolver
 ) -> tuple[reactions.Assignment, ...] | None:
     """The assigned values, in the units of the message; None after reporting an error."""
     found: list[reactions.Assignment] = []

@@ -23,7 +23,7 @@ from rossmarie.check.actions.errors import (
 )
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import EffectField, field_of, leaf_unit, symbol_of
-from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.actions.targets import SentMessage, TargetResolver
 from rossmarie.check.effects import CheckedEffect, CheckedLimit, CheckedScale
 from rossmarie.check.expressions.frequencies import is_positive
 from rossmarie.check.expressions.infer import infer
@@ -42,7 +42,7 @@ Ramps = list[tuple[ast.Expression, Unit, float]]
 """Ramps, each with the unit of the quantity that it lifts and its value in SI."""
 
 
-def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
+def command_of(sent: SentMessage, span: Span, targets: TargetResolver) -> reactions.CommandTopic:
     """The topic in the form that the safety filter uses, without the numbers of headers."""
     fields = tuple(
         reactions.CommandField(leaf.path, leaf.is_array, symbol_of(leaf_unit(leaf, sent, targets)))
@@ -55,7 +55,9 @@ def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTop
 class CommandChecker:
     """Checks the effects on command topics. `commands` are the topics found so far."""
 
-    def __init__(self, targets: Targets, commands: dict[str, reactions.CommandTopic]) -> None:
+    def __init__(
+        self, targets: TargetResolver, commands: dict[str, reactions.CommandTopic]
+    ) -> None:
         self._targets = targets
         self._context = targets.context
         self._commands = commands
@@ -81,7 +83,9 @@ class CommandChecker:
                     found = self._block(effect, command, ramps)
         return None if found is None else CheckedEffect(found, effect.span, found.topic)
 
-    def _command(self, sent: Sent | None, target: ast.Target) -> reactions.CommandTopic | None:
+    def _command(
+        self, sent: SentMessage | None, target: ast.Target
+    ) -> reactions.CommandTopic | None:
         if sent is None:
             return None
         command = command_of(sent, target.name.span, self._targets)
@@ -112,7 +116,7 @@ class CommandChecker:
     # --- limits ------------------------------------------------------------------------------
 
     def _limit(
-        self, effect: ast.Limit, sent: Sent, command: reactions.CommandTopic, ramps: Ramps
+        self, effect: ast.Limit, sent: SentMessage, command: reactions.CommandTopic, ramps: Ramps
     ) -> CheckedLimit | None:
         if not effect.bounds:
             empty = DoesNothing(what="limit")

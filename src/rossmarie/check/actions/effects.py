@@ -24,7 +24,7 @@ from rossmarie.check.actions.reserved_hooks import CPLUSPLUS_WORDS
 from rossmarie.check.actions.resources import declared_resources
 from rossmarie.check.actions.retrace_errors import PosesInAll
 from rossmarie.check.actions.retraces import checked_retrace
-from rossmarie.check.actions.targets import Targets, insertion
+from rossmarie.check.actions.targets import TargetResolver, insertion
 from rossmarie.check.actions.trees import checked_tree
 from rossmarie.check.effects import (
     Awaited,
@@ -40,7 +40,7 @@ from rossmarie.check.expressions.decided import warn_of_decided
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.names.references import use_action
 from rossmarie.check.operations.operands import require_condition, require_constant
-from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.context import Context, ItemUses
 from rossmarie.check.system.model import full_name
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import read_unit
@@ -58,11 +58,11 @@ class EffectChecker:
     filter; `confirmations` contains the place and the uses of each confirmation.
     """
 
-    def __init__(self, targets: Targets) -> None:
+    def __init__(self, targets: TargetResolver) -> None:
         self._targets = targets
         self._context: Context = targets.context
         self.commands: dict[str, reactions.CommandTopic] = {}
-        self.confirmations: list[tuple[Span, Uses]] = []
+        self.confirmations: list[tuple[Span, ItemUses]] = []
         self._command_checker = CommandChecker(targets, self.commands)
         self._resources = declared_resources(targets)
         self._poses = 0
@@ -80,7 +80,7 @@ class EffectChecker:
         found = [self._effect(effect, uses) for effect in action.effects]
         return tuple(effect for effect in found if effect is not None)
 
-    def _effect(self, effect: ast.Effect, uses: Uses) -> CheckedEffect | None:
+    def _effect(self, effect: ast.Effect, uses: ItemUses) -> CheckedEffect | None:
         match effect:
             case ast.Limit() | ast.Scale() | ast.Block():
                 return self._command_checker.check(effect)
@@ -155,7 +155,7 @@ class EffectChecker:
 
     # --- effects whose end is awaited --------------------------------------------------------
 
-    def _awaited(self, effect: ast.Awaited, uses: Uses) -> CheckedEffect | None:
+    def _awaited(self, effect: ast.Awaited, uses: ItemUses) -> CheckedEffect | None:
         if effect.otherwise is not None:
             use_action(effect.otherwise, self._context)
         timeout = timeout_ns(effect.timeout, self._context)
@@ -262,7 +262,7 @@ class EffectChecker:
         return self._awaiting(found, reactions.ExclusiveTarget("action server", sent.name), effect)
 
     def _cancel(
-        self, effect: ast.CancelGoal, timeout: int | None, uses: Uses
+        self, effect: ast.CancelGoal, timeout: int | None, uses: ItemUses
     ) -> CheckedEffect | None:
         if effect.confirmation is not None:
             infer(effect.confirmation, self._context)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.actions.targets import SentMessage, TargetResolver
 from rossmarie.check.names.fields import members, select, unit_of
 from rossmarie.ir import reactions
 from rossmarie.syntax import ast
@@ -36,7 +36,7 @@ class EffectField:
     is_element: bool
 
 
-def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> EffectField | None:
+def field_of(path: ast.FieldPath, sent: SentMessage, targets: TargetResolver) -> EffectField | None:
     """The field that a path leads to; None after reporting that there is no such field."""
     type_: Type = message_value(sent.message)
     text, before = sent.type, path.span
@@ -65,7 +65,7 @@ def field_of(path: ast.FieldPath, sent: Sent, targets: Targets) -> EffectField |
     return EffectField(path.span.text, steps, type_, leaf, unit, is_element)
 
 
-def leaf_unit(leaf: Leaf, sent: Sent, targets: Targets) -> Unit | None:
+def leaf_unit(leaf: Leaf, sent: SentMessage, targets: TargetResolver) -> Unit | None:
     """The unit of a number in a message."""
     type_: Type = message_value(sent.message)
     for name in leaf.path:
@@ -73,7 +73,7 @@ def leaf_unit(leaf: Leaf, sent: Sent, targets: Targets) -> Unit | None:
     return _stated_unit(sent, targets) or unit_of(type_)
 
 
-def _stated_unit(sent: Sent, targets: Targets) -> Unit | None:
+def _stated_unit(sent: SentMessage, targets: TargetResolver) -> Unit | None:
     """The unit that a system model gives a topic of a std_msgs value."""
     topic = targets.model.topics.get(sent.name)
     is_value = std_msgs_data(sent.message) is not None

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from rossmarie.check.actions.errors import SharedTarget, UnknownTarget
-from rossmarie.check.actions.targets import Targets
+from rossmarie.check.actions.targets import TargetResolver
 from rossmarie.check.actions.trees import SERVER
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.system.model import full_name
@@ -15,7 +15,7 @@ from rossmarie.syntax import ast
 from rossmarie.types import InterfaceKind
 
 
-def declared_resources(targets: Targets) -> Mapping[str, str]:
+def declared_resources(targets: TargetResolver) -> Mapping[str, str]:
     """The names of topics, services, action servers, nodes and controller managers that receive
     commands, each with its resource. Reports errors in the declarations.
     """
@@ -37,14 +37,14 @@ def declared_resources(targets: Targets) -> Mapping[str, str]:
     return {target: resource for target, (resource, _) in found.items()}
 
 
-def _declarations(targets: Targets) -> Iterator[ast.ResourceDeclaration]:
+def _declarations(targets: TargetResolver) -> Iterator[ast.ResourceDeclaration]:
     for system in targets.context.declarations.systems:
         for member in system.members:
             if isinstance(member, ast.ResourceDeclaration):
                 yield member
 
 
-def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
+def _report_unknown(names: Iterable[ast.Name], targets: TargetResolver) -> None:
     """Report names that occur nowhere else, because they are probably misspelt."""
     if not targets.is_parsed:
         return
@@ -55,7 +55,7 @@ def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
             targets.context.report_unknown(unknown, name, sorted(known))
 
 
-def _known(targets: Targets) -> Iterator[str]:
+def _known(targets: TargetResolver) -> Iterator[str]:
     """The names that system models declare and effects use."""
     yield from targets.model.topics
     yield from (name for _, name in targets.stated)
@@ -64,7 +64,7 @@ def _known(targets: Targets) -> Iterator[str]:
             yield from _named(effect, targets)
 
 
-def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
+def _named(effect: ast.Effect, targets: TargetResolver) -> Iterator[str]:
     match effect:
         case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
             yield targets.full_name(InterfaceKind.MESSAGE, target.name)

@@ -13,7 +13,7 @@ from rossmarie.check.actions.retrace_errors import (
     PoseCount,
     RetracedCommand,
 )
-from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.actions.targets import SentMessage, TargetResolver
 from rossmarie.check.effects import CheckedRetrace
 from rossmarie.check.expressions.frequencies import is_positive
 from rossmarie.check.expressions.infer import infer
@@ -39,7 +39,7 @@ _NUMBERS = tuple(("position", axis) for axis in "xyz") + tuple(
 
 
 def checked_retrace(
-    effect: ast.Retrace, targets: Targets, published: Collection[str]
+    effect: ast.Retrace, targets: TargetResolver, published: Collection[str]
 ) -> CheckedRetrace | None:
     """The checked effect; None after reporting an error. `published` are the topics on which nodes
     of the system model publish.
@@ -91,7 +91,7 @@ def _is_position(type_: Type) -> bool:
 
 
 def _numbers(
-    effect: ast.Retrace, sent: Sent, type_: Type, context: Context
+    effect: ast.Retrace, sent: SentMessage, type_: Type, context: Context
 ) -> tuple[reactions.FieldPath, ...] | None:
     """The fields of the message that take the numbers of a pose."""
     is_pose = isinstance(type_, Message)

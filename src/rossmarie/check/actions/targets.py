@@ -28,7 +28,7 @@ _WORDS: Mapping[InterfaceKind, str] = {
 
 
 @dataclass(frozen=True)
-class Sent:
+class SentMessage:
     """The target of a message: its full name, the name of its type, and the definition of the
     type.
     """
@@ -39,7 +39,7 @@ class Sent:
 
 
 @dataclass
-class Targets:
+class TargetResolver:
     """Resolves targets. `stated` are the types that inputs, effects and system models state, with
     their places. `commanded` are the topics that effects limit, scale or block, with the names used
     there. If `is_parsed` is False, a file that could not be read may state more types.
@@ -117,7 +117,7 @@ class Targets:
 
     # --- types -------------------------------------------------------------------------------
 
-    def topic(self, target: ast.Target, example: str = "geometry_msgs/Twist") -> Sent | None:
+    def topic(self, target: ast.Target, example: str = "geometry_msgs/Twist") -> SentMessage | None:
         """The topic; None after reporting that its type is unknown. `example` is a possible
         type.
         """
@@ -133,7 +133,7 @@ class Targets:
             return None
         # A mistake in a type is reported once, however many effects use the type.
         message = find_message(written, self.model, self._collector)
-        return None if message is None else Sent(name, type_name(written.text), message)
+        return None if message is None else SentMessage(name, type_name(written.text), message)
 
     def is_commanded(self, name: ast.Name) -> bool:
         """Say whether an action commands the topic. Report an error if no action does."""
@@ -155,7 +155,7 @@ class Targets:
         commanded = finding.Commanded(known=listed(tuple(self.commanded)))
         self._collector.add(finding.at(name.span, notes=(commanded,) if self.commanded else ()))
 
-    def sent(self, target: ast.Target, kind: InterfaceKind) -> Sent | None:
+    def sent(self, target: ast.Target, kind: InterfaceKind) -> SentMessage | None:
         """The service or action server; None after reporting that its type is unknown."""
         name = full_name(target.name.text)
         written = self.stated.get((kind, name))
@@ -163,7 +163,7 @@ class Targets:
             self._report_untyped(target.name, _WORDS[kind], "PACKAGE/TYPE")
             return None
         message = None if _contradicts(target, written) else self._find_sent(written, kind)
-        return None if message is None else Sent(name, _short(written), message)
+        return None if message is None else SentMessage(name, _short(written), message)
 
     def _find_sent(self, written: ast.Name, kind: InterfaceKind) -> Message | None:
         try:

@@ -17,7 +17,7 @@ from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.function_errors import UnfitMotionPart
 from rossmarie.check.operations.operands import scalar_operand
 from rossmarie.check.operations.stopping import constant
-from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.context import Context, ItemUses
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.wording.describe import describe
 from rossmarie.syntax import ast
@@ -158,7 +158,7 @@ def _position(node: ast.Expression, context: Context) -> float | None:
     return 0.0 if check_frame(node, context) else None
 
 
-def _is_limited(motion: ast.Motion, uses: Uses, context: Context) -> bool:
+def _is_limited(motion: ast.Motion, uses: ItemUses, context: Context) -> bool:
     """Say whether all inputs of a motion have a timeout. Report the inputs without one."""
     unlimited = [name for name in sorted(uses.inputs) if context.inputs[name].timeout_ns is None]
     for name in unlimited:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from rossmarie.check.operations.function_errors import UnfitAmount
 from rossmarie.check.operations.operands import scalar_operand
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.units.quantities import SECOND, Operand
+from rossmarie.check.units.quantities import SECOND, CheckedOperand
 from rossmarie.check.wording.describe import describe
 from rossmarie.syntax import ast
 from rossmarie.types import Operator, Quantity, Type, Unknown, apply, distance_unit, unit_faults
@@ -33,7 +33,7 @@ def type_of_amount(node: ast.Call, operator: Operator, context: Context) -> Type
     return apply(operator, *(each.quantity for each in known)).type if is_right else Unknown()
 
 
-def _check_braking(node: ast.Call, operands: Sequence[Operand], context: Context) -> bool:
+def _check_braking(node: ast.Call, operands: Sequence[CheckedOperand], context: Context) -> bool:
     speed, deceleration, latency = operands
     unit = distance_unit(speed.quantity)
     if unit is None:
@@ -48,7 +48,9 @@ def _check_braking(node: ast.Call, operands: Sequence[Operand], context: Context
     return all(has_units) and _check_signs(node, deceleration, latency, context)
 
 
-def _check_signs(node: ast.Call, deceleration: Operand, latency: Operand, context: Context) -> bool:
+def _check_signs(
+    node: ast.Call, deceleration: CheckedOperand, latency: CheckedOperand, context: Context
+) -> bool:
     brake, delay = (context.values.get(each.node) for each in (deceleration, latency))
     if brake is not None and not brake.numbers[0] > 0.0:
         found = f"{brake.numbers[0]:g} in SI"
@@ -61,7 +63,7 @@ def _check_signs(node: ast.Call, deceleration: Operand, latency: Operand, contex
     return True
 
 
-def _check_time(node: ast.Call, operands: Sequence[Operand], context: Context) -> bool:
+def _check_time(node: ast.Call, operands: Sequence[CheckedOperand], context: Context) -> bool:
     left, closing = operands
     unit = left.quantity.unit
     if unit is None or unit.offset:
@@ -71,7 +73,9 @@ def _check_time(node: ast.Call, operands: Sequence[Operand], context: Context) -
     return _has_unit(node, closing, "the closing speed", divide(unit, SECOND), context)
 
 
-def _has_unit(node: ast.Call, operand: Operand, part: str, unit: Unit, context: Context) -> bool:
+def _has_unit(
+    node: ast.Call, operand: CheckedOperand, part: str, unit: Unit, context: Context
+) -> bool:
     found = operand.quantity
     if found.unit is not None and not unit_faults(found, Quantity(unit)):
         return True
@@ -80,7 +84,7 @@ def _has_unit(node: ast.Call, operand: Operand, part: str, unit: Unit, context: 
 
 
 def _report(
-    node: ast.Call, operand: Operand, part: str, expected: str, found: str, context: Context
+    node: ast.Call, operand: CheckedOperand, part: str, expected: str, found: str, context: Context
 ) -> None:
     function = node.function.text
     finding = UnfitAmount(

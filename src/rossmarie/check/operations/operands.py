@@ -21,7 +21,7 @@ from rossmarie.check.operations.errors import (
 from rossmarie.check.operations.function_errors import AgeMisused, EdgesMisused
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
-from rossmarie.check.units.quantities import SECOND, Operand
+from rossmarie.check.units.quantities import SECOND, CheckedOperand
 from rossmarie.check.wording.describe import describe
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
@@ -43,7 +43,7 @@ LONGEST_DURATION_S = 1e9
 """About 32 years. The sum of instants and durations has to fit into 64 bits of nanoseconds."""
 
 
-def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
+def scalar_operand(node: ast.Expression, context: Context) -> CheckedOperand | None:
     """The one number that `node` stands for; None, after reporting, if it is not a single
     number.
     """
@@ -51,7 +51,7 @@ def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
     if report_uncompared(node, "it is not one side of a comparison", context):
         return None
     if isinstance(type_, Quantity):
-        return Operand(node, type_)
+        return CheckedOperand(node, type_)
     if isinstance(type_, Array) and isinstance(type_.element, Quantity):
         report_array(node, context)
     else:

@@ -33,7 +33,7 @@ from rossmarie.check.operations.raw_readings import warn_of_raw_reading
 from rossmarie.check.operations.temporal import report_ambiguous
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, quoted, stripped, text_of
-from rossmarie.check.units.quantities import Operand, check_fit_of, operand_of
+from rossmarie.check.units.quantities import CheckedOperand, check_fit_of, operand_of
 from rossmarie.check.units.ratios import check_ratio
 from rossmarie.check.wording.describe import describe, is_plain
 from rossmarie.syntax import ast
@@ -256,7 +256,7 @@ def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) ->
     context.collector.add(finding.at(node.span))
 
 
-def _has_no_unit(operand: Operand) -> bool:
+def _has_no_unit(operand: CheckedOperand) -> bool:
     return operand.quantity.unit is None or is_plain(operand.quantity)
 
 

@@ -24,7 +24,7 @@ from rossmarie.check.operations.rewriting import rewritten
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, quoted, stripped, text_of
 from rossmarie.check.units.errors import MisplacedUnit
-from rossmarie.check.units.quantities import Operand, check_fit, check_fit_of, read_unit
+from rossmarie.check.units.quantities import CheckedOperand, check_fit, check_fit_of, read_unit
 from rossmarie.check.units.ratios import check_ratio
 from rossmarie.check.wording.describe import describe, is_plain
 from rossmarie.syntax import ast
@@ -81,7 +81,7 @@ def _report_texts(node: ast.Bracket, context: Context) -> None:
 
 
 def _check_ends(
-    node: ast.Bracket, ends: list[Operand], unit: Unit | None, context: Context
+    node: ast.Bracket, ends: list[CheckedOperand], unit: Unit | None, context: Context
 ) -> bool:
     if unit is None:
         fits = [check_fit(ends[0], end, "the ends of one range", context) for end in ends[1:]]

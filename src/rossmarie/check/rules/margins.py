@@ -14,7 +14,7 @@ from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.rules.errors import MarginUnit, NoMargin
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import text_of
-from rossmarie.check.units.quantities import Operand, operand_of, read_unit
+from rossmarie.check.units.quantities import CheckedOperand, operand_of, read_unit
 from rossmarie.syntax import ast
 from rossmarie.units import DIMENSIONLESS, Unit
 
@@ -32,7 +32,7 @@ _WITH_SIDES = frozenset(
 def check_margin(rule: ast.Rule, margin: ast.Margin, context: Context) -> Unit | None:
     """The unit of a declared margin; None, after reporting, if the margin is not possible."""
     unit = DIMENSIONLESS if margin.unit is None else read_unit(margin.unit, context.collector)
-    compared: list[Operand] = []
+    compared: list[CheckedOperand] = []
     without = 0
     for part in _parts(rule.condition, context):
         reason = _reason(part, context)
@@ -105,7 +105,7 @@ def _named(node: ast.Expression, entity: str | None, context: Context) -> tuple[
     return (owner, name) if name in conditions.get(owner, {}) else None
 
 
-def _compared(node: ast.Expression, context: Context) -> Operand | None:
+def _compared(node: ast.Expression, context: Context) -> CheckedOperand | None:
     """The compared numbers; None if they are unknown, which is reported."""
     match node:
         case ast.Binary(left=left, right=right):
@@ -164,7 +164,9 @@ def _reason_of_comparison(node: ast.Binary) -> str | None:
 # --- units -------------------------------------------------------------------------------------
 
 
-def _fits(compared: Sequence[Operand], unit: Unit, margin: ast.Margin, context: Context) -> bool:
+def _fits(
+    compared: Sequence[CheckedOperand], unit: Unit, margin: ast.Margin, context: Context
+) -> bool:
     """Say whether all comparisons and the margin have the same dimension. Report the first that
     differs.
     """
@@ -195,7 +197,7 @@ def _fix(margin: ast.Margin, meant: str) -> Fix:
     return Fix(f"write `{meant}`", (Edit(span, meant),))
 
 
-def _unit(operand: Operand) -> Unit:
+def _unit(operand: CheckedOperand) -> Unit:
     """The unit of an operand. A field of unknown unit counts as a plain number."""
     return operand.quantity.unit or DIMENSIONLESS
 

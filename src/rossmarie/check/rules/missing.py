@@ -9,7 +9,7 @@ from dslkit.source import Span
 from rossmarie.check.actions.errors import DoesNothing
 from rossmarie.check.model import ConditionKey
 from rossmarie.check.rules.errors import MissingTimeout, NoRules
-from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.context import Context, ItemUses
 from rossmarie.check.scopes.declarations import kind_of
 from rossmarie.syntax import ast
 
@@ -48,8 +48,8 @@ def warn_of_empty_braces(context: Context) -> None:
 
 
 def warn_of_missing_timeouts(
-    resting: Sequence[tuple[Label, Uses]],
-    conditions: Mapping[ConditionKey, Uses],
+    resting: Sequence[tuple[Label, ItemUses]],
+    conditions: Mapping[ConditionKey, ItemUses],
     context: Context,
 ) -> None:
     """Warn of every input without a timeout on which an item of `resting` depends, directly or
@@ -70,8 +70,8 @@ def warn_of_missing_timeouts(
 
 
 def _reached(
-    uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
-) -> Iterator[Uses]:
+    uses: ItemUses, conditions: Mapping[ConditionKey, ItemUses], seen: set[ConditionKey]
+) -> Iterator[ItemUses]:
     """The uses that a rule depends on, without the conditions `seen` for earlier rules."""
     pending = [uses]
     while pending:

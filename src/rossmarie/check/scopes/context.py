@@ -30,7 +30,7 @@ from rossmarie.types import Region as RegionType
 
 
 @dataclass
-class Uses:
+class ItemUses:
     """The uses of one condition, rule or declaration. Conditions have their place."""
 
     inputs: set[str] = field(default_factory=set)
@@ -74,7 +74,7 @@ class Context:
     frames: FrameTree = field(default_factory=FrameTree)
     frame_inputs: dict[str, CheckedInput] = field(default_factory=dict)
     entity: str | None = None
-    uses: Uses = field(default_factory=Uses)
+    uses: ItemUses = field(default_factory=ItemUses)
 
     @cached_property
     def names_used_as_numbers(self) -> frozenset[str]:
@@ -122,10 +122,10 @@ class Context:
             part, around = around, self.parents.get(around)
         return found
 
-    def enter(self, entity: str | None) -> Uses:
+    def enter(self, entity: str | None) -> ItemUses:
         """Begin the next condition, rule or declaration. The result records its uses."""
         self.entity = entity
-        self.uses = Uses()
+        self.uses = ItemUses()
         return self.uses
 
 

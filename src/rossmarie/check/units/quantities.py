@@ -55,20 +55,20 @@ _GRAVITY = parse_unit("g0")
 
 
 @dataclass(frozen=True)
-class Operand:
+class CheckedOperand:
     """A number in an expression, or the numbers in a vector, an array or a range."""
 
     node: ast.Expression
     quantity: Quantity
 
 
-def operand_of(node: ast.Expression, context: Context) -> Operand | None:
+def operand_of(node: ast.Expression, context: Context) -> CheckedOperand | None:
     """The quantity of a number, or of the numbers in a composite value; None if there are none."""
     type_ = context.type_of(node)
     if isinstance(type_, Vector | Array | Interval | Box):
         element = type_.element
-        return Operand(node, element) if isinstance(element, Quantity) else None
-    return Operand(node, type_) if isinstance(type_, Quantity) else None
+        return CheckedOperand(node, element) if isinstance(element, Quantity) else None
+    return CheckedOperand(node, type_) if isinstance(type_, Quantity) else None
 
 
 def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
@@ -91,7 +91,9 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
         return None
 
 
-def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
+def check_fit(
+    first: CheckedOperand, second: CheckedOperand, purpose: str, context: Context
+) -> bool:
     """Say whether two quantities can be `purpose` (compared, added ...). Report an error if they
     cannot.
     """
@@ -119,14 +121,18 @@ def check_fit_of(
         check_fit(left, right, purpose, context)
 
 
-def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
+def _odd_one(
+    first: CheckedOperand, second: CheckedOperand, context: Context
+) -> tuple[CheckedOperand, CheckedOperand]:
     """The operand at fault: the constant operand, or else the second."""
     if first.node in context.values and second.node not in context.values:
         return first, second
     return second, first
 
 
-def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Context) -> None:
+def _report_mismatch(
+    odd: CheckedOperand, other: CheckedOperand, purpose: str, context: Context
+) -> None:
     found, expected = odd.quantity.unit, other.quantity.unit
     if found is None or expected is None:
         return
@@ -148,7 +154,9 @@ def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Contex
     context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
 
 
-def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], context: Context) -> None:
+def _report_rate(
+    odd: CheckedOperand, other: CheckedOperand, labels: tuple[Label, ...], context: Context
+) -> None:
     found, expected = odd.quantity.unit, other.quantity.unit
     if found is None or expected is None:
         return
@@ -176,7 +184,7 @@ def _meant_unit(found: Unit, expected: Unit) -> Unit:
     return meant if is_simple else expected
 
 
-def _unit_fix(odd: Operand, unit: Unit, context: Context) -> Fix | None:
+def _unit_fix(odd: CheckedOperand, unit: Unit, context: Context) -> Fix | None:
     number = literal_of(odd.node, context.declarations)
     if number is None or number.unit is None:
         return None
@@ -184,7 +192,7 @@ def _unit_fix(odd: Operand, unit: Unit, context: Context) -> Fix | None:
     return Fix(f"write `{kept}{unit.symbol}`", (Edit(number.unit.span, unit.symbol),))
 
 
-def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> None:
+def _report_missing_unit(plain: CheckedOperand, other: CheckedOperand, context: Context) -> None:
     unit = other.quantity.unit or DIMENSIONLESS
     number = literal_of(plain.node, context.declarations)
     if number is None or number.unit is not None:
@@ -209,7 +217,9 @@ def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> No
     context.collector.add(finding.at(plain.node.span, *labels, fix=fix))
 
 
-def _report_field_without_unit(unknown: Operand, known: Operand, context: Context) -> None:
+def _report_field_without_unit(
+    unknown: CheckedOperand, known: CheckedOperand, context: Context
+) -> None:
     unit = (known.quantity.unit or DIMENSIONLESS).symbol
     finding = FieldWithoutUnit(other=unit)
     labels = (_is_in(known), *_labels(known, context))
@@ -266,7 +276,7 @@ def _is_rate_of(rate: Unit, quantity: Unit) -> bool:
     return divide(quantity, SECOND).dimension == rate.dimension
 
 
-def _is_in(operand: Operand) -> Label:
+def _is_in(operand: CheckedOperand) -> Label:
     if operand.quantity.unit is None:
         return OfUnknownUnit().at(operand.node.span)
     if is_plain(operand.quantity):
@@ -275,7 +285,7 @@ def _is_in(operand: Operand) -> Label:
     return InUnit(unit=unit.symbol, dimension=str(unit.dimension)).at(operand.node.span)
 
 
-def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
+def _labels(operand: CheckedOperand, context: Context) -> tuple[Label, ...]:
     """The label for the origin of an operand's unit, if it is in another place."""
     constant = constant_of(stripped(operand.node), context.declarations)
     if constant is not None:

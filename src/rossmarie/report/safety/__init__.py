@@ -3,11 +3,11 @@ proofs.
 """
 
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, evidence_text, parse_evidence
-from rossmarie.report.safety.model import Declared, RulesFile, SafetyFile
+from rossmarie.report.safety.model import DeclaredItem, RulesFile, SafetyFile
 from rossmarie.report.safety.page import open_points, render_safety_file
 
 __all__ = [
-    "Declared",
+    "DeclaredItem",
     "Evidence",
     "EvidenceKind",
     "RulesFile",

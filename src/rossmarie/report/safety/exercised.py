@@ -7,10 +7,12 @@ from collections.abc import Iterator, Mapping
 from rossmarie.report.coverage import counted, missing, queries
 from rossmarie.report.safety.evidence import AnsweredQuery, EvidenceKind
 from rossmarie.testing.coverage import Coverage
-from rossmarie.testing.goals import Goal
+from rossmarie.testing.goals import TraceGoal
 
 
-def coverage_results(coverage: Coverage, reasons: Mapping[Goal, str]) -> Iterator[AnsweredQuery]:
+def coverage_results(
+    coverage: Coverage, reasons: Mapping[TraceGoal, str]
+) -> Iterator[AnsweredQuery]:
     """The rows, rule by rule. `reasons` maps goals to the reasons why they cannot be reached."""
     covered, not_covered = EvidenceKind.COVERAGE.statuses
     for rule, declared in enumerate(coverage.machine.rules):

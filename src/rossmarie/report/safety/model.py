@@ -21,7 +21,7 @@ class RulesFile:
 
 
 @dataclass(frozen=True)
-class Declared:
+class DeclaredItem:
     """A declaration of the rules, in the rules' own words, with its place."""
 
     name: str
@@ -42,8 +42,8 @@ class SafetyFile:
     machine: ir.Machine
     rules_file: str
     sources: tuple[RulesFile, ...]
-    constants: tuple[Declared, ...]
-    priorities: tuple[Declared, ...]
+    constants: tuple[DeclaredItem, ...]
+    priorities: tuple[DeclaredItem, ...]
     findings: tuple[Finding, ...]
     is_thorough: bool
     losses: tuple[Loss, ...]

@@ -10,15 +10,15 @@ from rossmarie.ir.duration_text import duration_text
 from rossmarie.report.wiring.model import (
     PLANNER,
     ROBOT,
-    Command,
+    NodeWiring,
     Output,
     Subscription,
     TargetKind,
-    Wiring,
+    WiredCommand,
 )
 
 
-def wiring_dot(wiring: Wiring) -> str:
+def wiring_dot(wiring: NodeWiring) -> str:
     """The text of a file for `dot`."""
     lines = [line for command in wiring.commands for line in _command(wiring.node, command)]
     lines += [line for each in wiring.inputs for line in _input(wiring.node, each)]
@@ -34,7 +34,7 @@ def wiring_dot(wiring: Wiring) -> str:
     )
 
 
-def _command(node: str, command: Command) -> Iterator[str]:
+def _command(node: str, command: WiredCommand) -> Iterator[str]:
     for end in (PLANNER, ROBOT):
         yield f"{_node(end)} [label={_quoted(end)}, shape=ellipse];"
     for topic in (command.unfiltered, command.topic):

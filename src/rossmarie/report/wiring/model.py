@@ -44,7 +44,7 @@ class Subscription:
 
 
 @dataclass(frozen=True)
-class Command:
+class WiredCommand:
     """Commands arrive on `unfiltered`, and leave on `topic` within the bounds of the uses."""
 
     unfiltered: str
@@ -76,22 +76,22 @@ class Output:
 
 
 @dataclass(frozen=True)
-class Wiring:
+class NodeWiring:
     """The whole wiring. `remark` explains a part that a reader might miss; None if no part is
     missing.
     """
 
     node: str
-    commands: tuple[Command, ...]
+    commands: tuple[WiredCommand, ...]
     inputs: tuple[Subscription, ...]
     outputs: tuple[Output, ...]
     remark: str | None
 
 
-def wiring_of(machine: ir.Machine) -> Wiring:
+def wiring_of(machine: ir.Machine) -> NodeWiring:
     """The wiring of the node that is built from a machine."""
     commands = range(len(machine.reactions.commands))
-    return Wiring(
+    return NodeWiring(
         node=node_name(machine),
         commands=tuple(_command(machine, index) for index in commands),
         inputs=tuple(_inputs(machine)),
@@ -114,14 +114,14 @@ def _remark(machine: ir.Machine) -> str | None:
     return " ".join(remarks) or None
 
 
-def _command(machine: ir.Machine, index: int) -> Command:
+def _command(machine: ir.Machine, index: int) -> WiredCommand:
     command = machine.reactions.commands[index]
     tasks = [
         task
         for task, found in enumerate(machine.reactions.tasks)
         if _filtered(found.effect) == index
     ]
-    return Command(
+    return WiredCommand(
         unfiltered=unfiltered(command.topic),
         topic=command.topic,
         message_type=command.message_type,

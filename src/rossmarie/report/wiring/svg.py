@@ -13,7 +13,14 @@ from importlib.resources import files
 from textwrap import wrap
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Output, Subscription, Wiring
+from rossmarie.report.wiring.model import (
+    PLANNER,
+    ROBOT,
+    NodeWiring,
+    Output,
+    Subscription,
+    WiredCommand,
+)
 
 _MARGIN = 24
 _PADDING = 12
@@ -49,14 +56,14 @@ class Block:
         return 2 * _PADDING - 4 + _LINE * (1 + len(self.lines))
 
 
-def wiring_svg(wiring: Wiring) -> str:
+def wiring_svg(wiring: NodeWiring) -> str:
     """The text of an SVG file without any external references."""
     picture = _Picture(wiring)
     ET.indent(picture.root)
     return ET.tostring(picture.root, encoding="unicode") + "\n"
 
 
-def _filter_block(command: Command) -> Block:
+def _filter_block(command: WiredCommand) -> Block:
     return _block("safety filter", command.message_type, *map(str, command.uses))
 
 
@@ -84,7 +91,7 @@ def _block(name: str, *lines: str) -> Block:
 class _Picture:
     """Draws from top to bottom. The content determines the width of columns."""
 
-    def __init__(self, wiring: Wiring) -> None:
+    def __init__(self, wiring: NodeWiring) -> None:
         self._wiring = wiring
         self._filters = [_filter_block(command) for command in wiring.commands]
         self._inputs = [_input_block(each) for each in wiring.inputs]

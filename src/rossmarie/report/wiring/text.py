@@ -11,14 +11,14 @@ from rich.table import Table
 from rich.text import Text
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, EffectUse, Wiring
+from rossmarie.report.wiring.model import PLANNER, ROBOT, EffectUse, NodeWiring, WiredCommand
 
 _INDENT = 2
 _UNBROKEN = 1_000_000
 """A width, in columns, at which no line needs a break."""
 
 
-def wiring_text(wiring: Wiring, width: int | None = None) -> str:
+def wiring_text(wiring: NodeWiring, width: int | None = None) -> str:
     """The wiring in lines of at most `width` columns; without a width, unbroken lines."""
     room = (width or _UNBROKEN) - _INDENT
     sections = [
@@ -30,7 +30,7 @@ def wiring_text(wiring: Wiring, width: int | None = None) -> str:
     return "\n\n".join("\n".join(lines) for lines in [[wiring.node], *sections]) + "\n"
 
 
-def _command(node: str, command: Command, room: int) -> list[str]:
+def _command(node: str, command: WiredCommand, room: int) -> list[str]:
     path = [PLANNER, command.unfiltered, node, command.topic, ROBOT]
     return [
         f"Commands: {command.message_type}",
@@ -50,7 +50,7 @@ def _chain(path: Sequence[str], room: int) -> list[str]:
     return lines
 
 
-def _inputs(wiring: Wiring, room: int) -> Iterator[str]:
+def _inputs(wiring: NodeWiring, room: int) -> Iterator[str]:
     rows = [
         (
             each.topic,
@@ -63,7 +63,7 @@ def _inputs(wiring: Wiring, room: int) -> Iterator[str]:
     return _indented(_table(("Topic", "Type", "Timeout", "Rules"), rows, room))
 
 
-def _outputs(wiring: Wiring, room: int) -> Iterator[str]:
+def _outputs(wiring: NodeWiring, room: int) -> Iterator[str]:
     """A line for each kind, followed by a line for each use."""
     rows: list[Sequence[str]] = []
     for kind, outputs in groupby(wiring.outputs, key=lambda each: each.kind):

@@ -10,15 +10,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.core import AnyFunction, View, may_be_infinite, sampling_row
+from rossmarie.core import AnyFunction, SampleNumber, may_be_infinite, sampling_row
 from rossmarie.targets.c99.functions import C
-from rossmarie.targets.c99.layout import CLayout, Window
+from rossmarie.targets.c99.layout import CLayout, SampleWindow
 from rossmarie.targets.c99.types import number
 from rossmarie.targets.formulas import FunctionDefinition, definition_of, definition_of_samples
 
 
 @dataclass(frozen=True)
-class Piece:
+class ChannelStatements:
     """Statements that a message on any of the channels requires."""
 
     channels: frozenset[int]
@@ -60,7 +60,7 @@ class Expressions:
             text = f"known({text})"
         return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
-    def signals(self) -> Iterator[Piece]:
+    def signals(self) -> Iterator[ChannelStatements]:
         """The computed signals, without those over arrays and beside elements, and the statements
         that store their samples.
         """
@@ -77,30 +77,32 @@ class Expressions:
                 taken = self._taken(index, signal.node)
                 if taken not in remembered:
                     remembered.add(taken)
-                    yield Piece(channels, (taken,))
+                    yield ChannelStatements(channels, (taken,))
             target = self.kept(self._layout.value_of_signal[index])
-            yield Piece(channels, (f"{target} = {self._signal(index, signal.node)};",))
+            yield ChannelStatements(channels, (f"{target} = {self._signal(index, signal.node)};",))
             if isinstance(signal.node, ir.Sampled) and _feeds_back(signal.node):
                 replaced = f"sample(m, {self._layout.sampled.index(index)}, {target}, t_ns);"
                 remembered.add(replaced)
-                yield Piece(channels, (replaced,))
+                yield ChannelStatements(channels, (replaced,))
 
-    def prepared(self) -> Iterator[Piece]:
+    def prepared(self) -> Iterator[ChannelStatements]:
         """The signals beside elements, which are computed before any result over the elements."""
         for index, signal in enumerate(self._machine.signals):
             channels = self._layout.supports.signals[index].channels
             if channels and index in self._prepared and isinstance(signal.node, ir.Apply):
                 target = self.kept(self._layout.value_of_signal[index])
-                yield Piece(channels, (f"{target} = {self._signal(index, signal.node)};",))
+                yield ChannelStatements(
+                    channels, (f"{target} = {self._signal(index, signal.node)};",)
+                )
 
-    def tests(self) -> Iterator[Piece]:
+    def tests(self) -> Iterator[ChannelStatements]:
         """Comparisons without fixed limits, as numbers."""
         for proposition, value in self._layout.value_of_test.items():
             node = self._machine.propositions[proposition].node
             if not isinstance(node, ir.Quantified):
                 outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
                 channels = self._layout.supports.propositions[proposition].channels
-                yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
+                yield ChannelStatements(channels, (f"{self.kept(value)} = {outcome};",))
 
     # --- signals -----------------------------------------------------------------------------
 
@@ -126,7 +128,7 @@ class Expressions:
         return self._layout.sampled.index(index if _feeds_back(node) else node.signal)
 
     def _window(self, node: ir.Sampled) -> int:
-        return self._layout.windows.index(Window(node.signal, node.window_ns))
+        return self._layout.windows.index(SampleWindow(node.signal, node.window_ns))
 
     def _signal(self, index: int, node: ir.SignalNode) -> str:
         match node:
@@ -142,23 +144,23 @@ class Expressions:
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
-    def _view(self, index: int, node: ir.Sampled, view: View) -> str:
+    def _view(self, index: int, node: ir.Sampled, view: SampleNumber) -> str:
         match view:
-            case View.NEWEST:
+            case SampleNumber.NEWEST:
                 return f"m->latest[{self._last_two(index, node)}]"
-            case View.BEFORE:
+            case SampleNumber.BEFORE:
                 return f"m->before[{self._last_two(index, node)}]"
-            case View.SECONDS:
+            case SampleNumber.SECONDS:
                 return f"seconds_between(m, {self._last_two(index, node)})"
-            case View.LOWER:
+            case SampleNumber.LOWER:
                 return f"window_middle(m, {self._window(node)}, 0)"
-            case View.UPPER:
+            case SampleNumber.UPPER:
                 return f"window_middle(m, {self._window(node)}, 1)"
-            case View.TOTAL:
+            case SampleNumber.TOTAL:
                 return f"window_total(m, {self._window(node)})"
-            case View.COUNT:
+            case SampleNumber.COUNT:
                 return f"(double)m->window_count[{self._window(node)}]"
-            case View.CONSTANT:
+            case SampleNumber.CONSTANT:
                 return number(float(node.window_ns) / 1e9)
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rossmarie.core.expressions import Primitive, locals_of
 from rossmarie.targets.c99.types import number
-from rossmarie.targets.formulas import Dialect, Formulas, FunctionDefinition
+from rossmarie.targets.formulas import FormulaWriter, FunctionDefinition, Notation
 
-C = Dialect(
+C = Notation(
     number=lambda value: number(value) if value == value else "NAN",
     calls={Primitive.ABSOLUTE: "fabs", Primitive.SQUARE_ROOT: "sqrt"},
     chosen="{0} ? {1} : {2}",
@@ -17,7 +17,7 @@ C = Dialect(
 
 def function(definition: FunctionDefinition) -> str:
     """The text of a C function."""
-    formulas = Formulas(C, definition.parameters)
+    formulas = FormulaWriter(C, definition.parameters)
     lines = [
         f"const double {local.name} = {formulas.text(local.value)};"
         for local in locals_of(definition.expression)

@@ -48,7 +48,7 @@ class ValueGuard:
     limits: list[PropositionLimit] = field(default_factory=list)
 
 
-class Window(NamedTuple):
+class SampleWindow(NamedTuple):
     """The samples of a signal within the last `length_ns`, in ns."""
 
     signal: int
@@ -76,7 +76,7 @@ class CLayout:
     held: tuple[int, ...]
     sinces: tuple[int, ...]
     sampled: tuple[int, ...]
-    windows: tuple[Window, ...]
+    windows: tuple[SampleWindow, ...]
     node_of_proposition: dict[int, int]
     proposition_names: dict[int, str]
     rule_names: tuple[str, ...]
@@ -294,10 +294,10 @@ class _Builder:
         }
         return tuple(sorted(last))
 
-    def _windows(self) -> tuple[Window, ...]:
+    def _windows(self) -> tuple[SampleWindow, ...]:
         """The windows in which samples are remembered."""
         nodes = [n for _, n in self._samplings() if sampling_row(n.function).has_window]
-        return tuple(sorted({Window(node.signal, node.window_ns) for node in nodes}))
+        return tuple(sorted({SampleWindow(node.signal, node.window_ns) for node in nodes}))
 
     def _samplings(self) -> Iterator[tuple[int, ir.Sampled]]:
         """The functions of samples. A number that depends on no input is never sampled."""

@@ -14,7 +14,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import ElementLoops
-from rossmarie.targets.c99.expressions import Expressions, Piece
+from rossmarie.targets.c99.expressions import ChannelStatements, Expressions
 from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import block, boolean, call, indented
 
@@ -259,7 +259,7 @@ class Messages:
             inside = f"is_inside(m, {guard.name}, {self.expressions.kept(guard.value)})"
             yield f"(!({arrived}) || {inside})"
 
-    def _guarded(self, pieces: Iterable[Piece]) -> Iterator[str]:
+    def _guarded(self, pieces: Iterable[ChannelStatements]) -> Iterator[str]:
         """The pieces, each under the condition that one of its channels has a message."""
         relevant = (piece for piece in pieces if piece.channels)
         for channels, group in groupby(relevant, key=lambda piece: piece.channels):
@@ -317,12 +317,12 @@ class Messages:
             its_list is not None and its_list == self._machine.arrays[other].list
         )
 
-    def _computed(self) -> Iterator[Piece]:
+    def _computed(self) -> Iterator[ChannelStatements]:
         yield from self.expressions.signals()
         yield from self.expressions.tests()
         yield from self._followed()
 
-    def _followed(self) -> Iterator[Piece]:
+    def _followed(self) -> Iterator[ChannelStatements]:
         for number, proposition in enumerate(self._layout.oscillations):
             channels = self._layout.supports.propositions[proposition].channels
-            yield Piece(channels, (f"follow(m, {number}, t_ns);",))
+            yield ChannelStatements(channels, (f"follow(m, {number}, t_ns);",))

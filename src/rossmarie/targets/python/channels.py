@@ -12,7 +12,7 @@ from functools import cached_property
 
 from rossmarie import ir
 from rossmarie.targets.python import expressions, names
-from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.function import StartFunction
 from rossmarie.targets.python.layout import PythonLayout, ValueLimits, number
 
 _LARGEST_EXACT = 2.0**53
@@ -31,7 +31,7 @@ def calm_channels(layout: PythonLayout) -> list[int]:
 def receive(layout: PythonLayout, channel: int) -> list[str]:
     """The function that converts the content of a message. If it fails, nothing changes (S7)."""
     parameters = _parameters(layout, channel)
-    function = Function(f"receive_{channel}({', '.join(parameters)})")
+    function = StartFunction(f"receive_{channel}({', '.join(parameters)})")
     _convert(layout, channel, function)
     function.line(f"return {names.tuple_of(parameters)}")
     return function.text()
@@ -39,14 +39,18 @@ def receive(layout: PythonLayout, channel: int) -> list[str]:
 
 def arrive(layout: PythonLayout, channel: int) -> list[str]:
     """The function that processes the result of `receive`."""
-    function = Function(f"arrive_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})")
+    function = StartFunction(
+        f"arrive_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})"
+    )
     _take(layout, channel, function)
     return function.text()
 
 
 def update(layout: PythonLayout, channel: int) -> list[str]:
     """The function that users call with a message: its scalars, then its arrays."""
-    function = Function(f"update_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})")
+    function = StartFunction(
+        f"update_{channel}({', '.join(['at_ns', *_parameters(layout, channel)])})"
+    )
     if channel in calm_channels(layout):
         _Calm(layout, channel).write(function)
     _convert(layout, channel, function)
@@ -59,7 +63,7 @@ def update(layout: PythonLayout, channel: int) -> list[str]:
     return function.text()
 
 
-def _convert(layout: PythonLayout, channel: int, function: Function) -> None:
+def _convert(layout: PythonLayout, channel: int, function: StartFunction) -> None:
     calm = _Calm(layout, channel)
     for slot in layout.slots(channel):
         raw, declared = f"a{slot}", layout.machine.slots[slot]
@@ -75,7 +79,7 @@ def _convert(layout: PythonLayout, channel: int, function: Function) -> None:
         function.line(f"a_{array} = {converted}")
 
 
-def _take(layout: PythonLayout, channel: int, function: Function) -> None:
+def _take(layout: PythonLayout, channel: int, function: StartFunction) -> None:
     """S9: store the numbers of a message and set the states of its inputs."""
     for group in layout.groups:
         if group.channel == channel:
@@ -148,7 +152,7 @@ class _Calm:
         looked_at = compared | sampled | layout.made_beside
         self._looked_at = {layout.value(signal) for signal in looked_at}
 
-    def write(self, function: Function) -> None:
+    def write(self, function: StartFunction) -> None:
         """The conditions, and the statements for a calm message."""
         conditions = [f"now <= at_ns < calm_{self._channel}"]
         self._arrivals(function)
@@ -171,7 +175,7 @@ class _Calm:
                 function.assign(f"s{index}", f"b{index}", 1)
         function.line("return 0", 1)
 
-    def _arrivals(self, function: Function) -> None:
+    def _arrivals(self, function: StartFunction) -> None:
         for slot in self._slots:
             declared = self._layout.machine.slots[slot]
             self._local[f"x{slot}"] = f"c{slot}"

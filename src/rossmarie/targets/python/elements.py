@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from rossmarie import ir
 from rossmarie.targets.formulas import definition_of
 from rossmarie.targets.python import expressions
-from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.function import StartFunction
 from rossmarie.targets.python.functions import PYTHON
 from rossmarie.targets.python.layout import PythonLayout, number
 
@@ -41,7 +41,7 @@ def look(layout: PythonLayout, array: int) -> list[str]:
     columns = layout.beside(array)
     if array != columns[0]:
         return []
-    function = Function(
+    function = StartFunction(
         f"look_{array}({', '.join(_elements(layout, column) for column in columns)})"
     )
     if not results(layout, array):
@@ -101,7 +101,7 @@ def _head(layout: PythonLayout, columns: Sequence[int]) -> str:
     return f"{', '.join(names)} in zip({', '.join(found)})"
 
 
-def _finish(layout: PythonLayout, array: int, function: Function) -> None:
+def _finish(layout: PythonLayout, array: int, function: StartFunction) -> None:
     for signal in _folds(layout, array):
         function.assign(f"s{signal}", f"f{signal}")
     for signal, proposition in _counts(layout, array).items():

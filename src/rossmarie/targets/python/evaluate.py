@@ -15,7 +15,7 @@ from rossmarie.core import sampling_row
 from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
-from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.function import StartFunction
 from rossmarie.targets.python.layout import PythonLayout, ValueLimits, memory
 
 _MOST_LINES = 2000
@@ -28,7 +28,7 @@ def evaluate(layout: PythonLayout) -> list[str]:
     """The function that evaluates at an instant; `updated` has a bit for each channel. If the
     function is long, it is divided, and the functions for its parts come before it.
     """
-    function = Function("evaluate(at_ns, updated)")
+    function = StartFunction("evaluate(at_ns, updated)")
     state.expire(layout, function)
     parts = _parts(layout)
     if len(parts) == 1:
@@ -44,17 +44,17 @@ def evaluate(layout: PythonLayout) -> list[str]:
     return [line for each in (*before, function) for line in each.text()]
 
 
-def _parts(layout: PythonLayout) -> list[Function]:
+def _parts(layout: PythonLayout) -> list[StartFunction]:
     """The steps of an evaluation, in their order, divided into functions."""
-    parts = [Function("evaluate_0(at_ns, updated)")]
+    parts = [StartFunction("evaluate_0(at_ns, updated)")]
     for step in _steps(layout):
         if parts[-1].length + step.length > _MOST_LINES:
-            parts.append(Function(f"evaluate_{len(parts)}(at_ns, updated)"))
+            parts.append(StartFunction(f"evaluate_{len(parts)}(at_ns, updated)"))
         parts[-1].take(step)
     return parts
 
 
-def _steps(layout: PythonLayout) -> Iterator[Function]:
+def _steps(layout: PythonLayout) -> Iterator[StartFunction]:
     """The signals, the propositions and the rules. The numbers beside elements, and the results
     over these elements, come first.
     """
@@ -75,15 +75,17 @@ def _steps(layout: PythonLayout) -> Iterator[Function]:
         yield _rule(layout, number, rule)
 
 
-def _remark(function: Function, thing: ir.Signal | ir.Proposition | ir.Rule, text: str) -> None:
+def _remark(
+    function: StartFunction, thing: ir.Signal | ir.Proposition | ir.Rule, text: str
+) -> None:
     function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
 
 
-def _look(layout: PythonLayout, array: int) -> Function:
+def _look(layout: PythonLayout, array: int) -> StartFunction:
     """S74: the results over elements that arrived, with the numbers of this evaluation beside
     them.
     """
-    function = Function("step()")
+    function = StartFunction("step()")
     channel = layout.channel(layout.machine.arrays[array].input)
     elements = ", ".join(f"kept_{column}" for column in layout.beside(array))
     function.line(f"if updated & {1 << channel}:")
@@ -94,8 +96,8 @@ def _look(layout: PythonLayout, array: int) -> Function:
 # --- signals ---------------------------------------------------------------------------------
 
 
-def _signal(layout: PythonLayout, index: int) -> Function:
-    function = Function("step()")
+def _signal(layout: PythonLayout, index: int) -> StartFunction:
+    function = StartFunction("step()")
     signal = layout.machine.signals[index]
     match signal.node:
         case ir.Apply():
@@ -113,7 +115,7 @@ def _signal(layout: PythonLayout, index: int) -> Function:
     return function
 
 
-def _sample(layout: PythonLayout, index: int, node: ir.Sampled, function: Function) -> None:
+def _sample(layout: PythonLayout, index: int, node: ir.Sampled, function: StartFunction) -> None:
     """S18: take a sample, once for all signals that use the same samples."""
     name = memory(node)
     users = (
@@ -143,7 +145,7 @@ def _bits(layout: PythonLayout, signal: int) -> int:
 
 
 def _record(
-    layout: PythonLayout, index: int, value: str, function: Function, depth: int = 0
+    layout: PythonLayout, index: int, value: str, function: StartFunction, depth: int = 0
 ) -> None:
     """Set a proposition. If a verdict reports it, also set the instant since which it has its value
     (S34).
@@ -158,11 +160,11 @@ def _record(
     function.assign(f"d{index}", "at_ns", depth + 1)
 
 
-def _guard(layout: PythonLayout, guard: ValueLimits) -> Function:
+def _guard(layout: PythonLayout, guard: ValueLimits) -> StartFunction:
     """The code for a number that has left its guard: evaluate its comparisons, and find its new
     guard.
     """
-    function = Function("step()")
+    function = StartFunction("step()")
     value = guard.value
     for leaf in guard.leaves:
         proposition = layout.machine.propositions[leaf]
@@ -181,7 +183,7 @@ def _guard(layout: PythonLayout, guard: ValueLimits) -> Function:
     return function
 
 
-def _gap(guard: ValueLimits, cuts: Sequence[float], function: Function, depth: int) -> None:
+def _gap(guard: ValueLimits, cuts: Sequence[float], function: StartFunction, depth: int) -> None:
     """Find the gap between two cuts by bisection. All cuts except the outer two are limits."""
     if len(cuts) > 2:
         middle = len(cuts) // 2
@@ -195,8 +197,8 @@ def _gap(guard: ValueLimits, cuts: Sequence[float], function: Function, depth: i
     function.assign(guard.high, "MAX" if high == sys.float_info.max else repr(high), depth)
 
 
-def _proposition(layout: PythonLayout, index: int) -> Function:
-    function = Function("step()")
+def _proposition(layout: PythonLayout, index: int) -> StartFunction:
+    function = StartFunction("step()")
     proposition = layout.machine.propositions[index]
     _remark(function, proposition, proposition.text)
     match proposition.node:
@@ -237,7 +239,7 @@ def _text(layout: PythonLayout, index: int, node: ir.PropositionNode) -> str:
             return expressions.logic(node, layout.proposition)
 
 
-def _held(layout: PythonLayout, index: int, node: ir.Held, function: Function) -> None:
+def _held(layout: PythonLayout, index: int, node: ir.Held, function: StartFunction) -> None:
     """S33: a `for`."""
     function.line(f"v = {layout.proposition(node.operand)}")
     function.line("if v != 1:")
@@ -251,7 +253,7 @@ def _held(layout: PythonLayout, index: int, node: ir.Held, function: Function) -
     _record(layout, index, "v", function)
 
 
-def _since(layout: PythonLayout, index: int, node: ir.Since, function: Function) -> None:
+def _since(layout: PythonLayout, index: int, node: ir.Since, function: StartFunction) -> None:
     """S44: a `since`."""
     held, begun = layout.proposition(node.held), layout.proposition(node.begun)
     function.line(f"v = {expressions.either(begun, f'before_{index}')}")
@@ -261,7 +263,9 @@ def _since(layout: PythonLayout, index: int, node: ir.Since, function: Function)
     _record(layout, index, "v", function)
 
 
-def _oscillates(layout: PythonLayout, index: int, node: ir.Oscillates, function: Function) -> None:
+def _oscillates(
+    layout: PythonLayout, index: int, node: ir.Oscillates, function: StartFunction
+) -> None:
     """S32: an oscillation."""
     if not layout.supports.signals[node.signal].channels:
         _record(layout, index, "0", function)
@@ -280,9 +284,9 @@ def _oscillates(layout: PythonLayout, index: int, node: ir.Oscillates, function:
 # --- rules -----------------------------------------------------------------------------------
 
 
-def _rule(layout: PythonLayout, number: int, rule: ir.Rule) -> Function:
+def _rule(layout: PythonLayout, number: int, rule: ir.Rule) -> StartFunction:
     """S35 to S37: a rule."""
-    function = Function("step()")
+    function = StartFunction("step()")
     condition = layout.proposition(rule.condition)
     _remark(function, rule, f"{rule.name}: {rule.contract}")
     function.line(f"if not active_{number}:")
@@ -299,7 +303,7 @@ def _rule(layout: PythonLayout, number: int, rule: ir.Rule) -> Function:
     return function
 
 
-def tell(layout: PythonLayout, number: int, change: str, function: Function) -> None:
+def tell(layout: PythonLayout, number: int, change: str, function: StartFunction) -> None:
     """Change a rule and report it, with a snapshot of the values that it depends on (S41). The code
     is indented by one level.
     """
@@ -319,7 +323,7 @@ def tell(layout: PythonLayout, number: int, change: str, function: Function) -> 
     function.line(")", 1)
 
 
-def _calm(layout: PythonLayout, function: Function) -> None:
+def _calm(layout: PythonLayout, function: StartFunction) -> None:
     """Compute the instant until which a message on a channel may be calm."""
     channels = calm_channels(layout)
     if not channels:

@@ -40,8 +40,8 @@ def of_samples(node: ir.Sampled) -> str:
     return text if declared.keeps_infinities else f"known({text})"
 
 
-def _view(node: ir.Sampled, view: core.View) -> str:
-    if view is core.View.CONSTANT:
+def _view(node: ir.Sampled, view: core.SampleNumber) -> str:
+    if view is core.SampleNumber.CONSTANT:
         return repr(float(node.window_ns) / 1e9)
     return f"{memory(node)}.{view.value}()"
 

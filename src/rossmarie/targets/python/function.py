@@ -10,7 +10,7 @@ from collections.abc import Iterable
 INDENT = "    "
 
 
-class Function:
+class StartFunction:
     """One function inside `start`. It shares the variables of `start`. Depths count
     indentations.
     """
@@ -29,7 +29,7 @@ class Function:
         self._shared[variable] = None
         self.line(f"{variable} = {value}", depth)
 
-    def take(self, other: Function) -> None:
+    def take(self, other: StartFunction) -> None:
         """Add the lines and assignments of another function to this function."""
         self._lines += other._lines
         self._shared.update(other._shared)

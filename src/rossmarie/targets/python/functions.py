@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rossmarie.core.expressions import Primitive, locals_of
-from rossmarie.targets.formulas import Dialect, Formulas, FunctionDefinition
+from rossmarie.targets.formulas import FormulaWriter, FunctionDefinition, Notation
 
-PYTHON = Dialect(
+PYTHON = Notation(
     number=lambda value: repr(value) if value == value else "NAN",
     calls={
         Primitive.DIVIDE: "divide",
@@ -20,7 +20,7 @@ PYTHON = Dialect(
 
 def function(definition: FunctionDefinition) -> str:
     """The text of a Python function."""
-    formulas = Formulas(PYTHON, definition.parameters)
+    formulas = FormulaWriter(PYTHON, definition.parameters)
     head = ", ".join(f"{each}: float" for each in definition.parameters)
     lines = [
         f"def {definition.name}({head}) -> float:",

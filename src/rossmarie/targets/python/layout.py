@@ -20,7 +20,7 @@ from rossmarie.targets.limits import limits_of
 
 
 @dataclass(frozen=True)
-class Group:
+class InputGroup:
     """The inputs of a channel that have the same timeout."""
 
     state: str
@@ -98,13 +98,13 @@ class PythonLayout:
     # --- inputs ------------------------------------------------------------------------------
 
     @cached_property
-    def groups(self) -> list[Group]:
+    def groups(self) -> list[InputGroup]:
         """All groups of inputs."""
         members: dict[tuple[int, int | None], set[int]] = {}
         for index, used in enumerate(self.machine.inputs):
             members.setdefault((used.channel, used.timeout_ns), set()).add(index)
         return [
-            Group(f"state_{number}", channel, timeout_ns, frozenset(inputs))
+            InputGroup(f"state_{number}", channel, timeout_ns, frozenset(inputs))
             for number, ((channel, timeout_ns), inputs) in enumerate(members.items())
         ]
 

@@ -17,7 +17,7 @@ from rossmarie.targets.python import functions, names, parts, state
 from rossmarie.targets.python.channels import arrive, receive, update
 from rossmarie.targets.python.elements import look
 from rossmarie.targets.python.evaluate import evaluate, tell
-from rossmarie.targets.python.function import INDENT, Function
+from rossmarie.targets.python.function import INDENT, StartFunction
 from rossmarie.targets.python.layout import PythonLayout
 
 _ALWAYS = (parts.Verdict, parts.TimeJump, parts.Rule)
@@ -231,7 +231,7 @@ def _start(layout: PythonLayout) -> Iterator[str]:
 
 def _reset(layout: PythonLayout) -> list[str]:
     """S38: the function that resets rules."""
-    function = Function("reset(at_ns, rule=None)")
+    function = StartFunction("reset(at_ns, rule=None)")
     function.line("reported = len(events)")
     function.line("if advance(at_ns) < 0:")
     function.line("return -1", 1)
@@ -246,7 +246,7 @@ def _reset(layout: PythonLayout) -> list[str]:
 
 def _latch(machine: ir.Machine) -> list[str]:
     """S42: the function that restores latched rules."""
-    function = Function("latch(rule)")
+    function = StartFunction("latch(rule)")
     for number, rule in enumerate(machine.rules):
         if rule.release is None:
             function.line(f"if rule == {number} and now == EARLIEST:")
@@ -256,15 +256,15 @@ def _latch(machine: ir.Machine) -> list[str]:
 
 def _queries(layout: PythonLayout) -> Iterator[str]:
     machine = layout.machine
-    next_wake = Function("next_wake()")
+    next_wake = StartFunction("next_wake()")
     next_wake.line("due = earliest()")
     next_wake.line("return None if due == NEVER else due")
     yield from next_wake.text()
-    active = Function("active()")
+    active = StartFunction("active()")
     rules = range(len(machine.rules))
     active.line(f"return {names.tuple_of(f'active_{rule}' for rule in rules)}")
     yield from active.text()
-    take_events = Function("take_events()")
+    take_events = StartFunction("take_events()")
     take_events.line("taken = events.copy()")
     take_events.line("events.clear()")
     take_events.line("return taken")
@@ -274,7 +274,7 @@ def _queries(layout: PythonLayout) -> Iterator[str]:
         yield from _watches(layout)
     margins = ir.margins_of(machine)
     if margins:
-        function = Function("margins()")
+        function = StartFunction("margins()")
         function.line(f"return {names.tuple_of(layout.value(each.signal) for each in margins)}")
         yield from function.text()
     if machine.readings:
@@ -298,13 +298,13 @@ def _queries(layout: PythonLayout) -> Iterator[str]:
 
 
 def _readings(layout: PythonLayout) -> list[str]:
-    function = Function("readings()")
+    function = StartFunction("readings()")
     function.line(f"return {names.tuple_of(map(layout.value, layout.machine.readings))}")
     return function.text()
 
 
 def _watches(layout: PythonLayout) -> list[str]:
-    function = Function("watches()")
+    function = StartFunction("watches()")
     unknown = names.tuple_of("2" for _ in layout.machine.watches)
     function.line("if now == EARLIEST:")
     function.line(f"return {unknown}", 1)

@@ -12,8 +12,8 @@ from rossmarie.core import sampling_row
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.elements import inputs_of, results
 from rossmarie.targets.python.expressions import applied
-from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Group, PythonLayout
+from rossmarie.targets.python.function import StartFunction
+from rossmarie.targets.python.layout import InputGroup, PythonLayout
 
 
 def variables(layout: PythonLayout) -> Iterator[tuple[str, str]]:
@@ -65,7 +65,7 @@ def _signals(layout: PythonLayout) -> Iterator[tuple[str, str]]:
 # --- inputs that grow old --------------------------------------------------------------------
 
 
-def expire(layout: PythonLayout, function: Function) -> None:
+def expire(layout: PythonLayout, function: StartFunction) -> None:
     """S10: expire the inputs that reach their timeout, and forget their values."""
     for group in layout.groups:
         if group.timeout_ns is None:
@@ -84,7 +84,7 @@ def expire(layout: PythonLayout, function: Function) -> None:
             function.line(f"{name}.forget()", 1)
 
 
-def _sampled(layout: PythonLayout, group: Group) -> list[str]:
+def _sampled(layout: PythonLayout, group: InputGroup) -> list[str]:
     """S21: the samples that expire together with these inputs."""
     supports = layout.supports.signals
     memories = layout.memories.items()
@@ -96,13 +96,13 @@ def _sampled(layout: PythonLayout, group: Group) -> list[str]:
 
 def earliest(layout: PythonLayout) -> list[str]:
     """The function that computes the exact instant of the next timer (S15)."""
-    function = Function("earliest()")
+    function = StartFunction("earliest()")
     look_for_timers(layout, function)
     function.line("return first")
     return function.text()
 
 
-def look_for_timers(layout: PythonLayout, function: Function) -> None:
+def look_for_timers(layout: PythonLayout, function: StartFunction) -> None:
     """The code that computes the same within a function: `first` is the instant of the next
     timer.
     """
@@ -126,7 +126,7 @@ def _recent(layout: PythonLayout) -> Iterator[tuple[int, str]]:
     yield from ((index, f"recurrence_{index}") for index, _ in layout.recurring)
 
 
-def _sooner(function: Function, condition: str, due: str) -> None:
+def _sooner(function: StartFunction, condition: str, due: str) -> None:
     function.line(f"if {condition} and {due} < first:")
     function.line(f"first = {due}", 1)
 
@@ -136,7 +136,7 @@ def _sooner(function: Function, condition: str, due: str) -> None:
 
 def restart(layout: PythonLayout) -> list[str]:
     """The function that forgets everything measured by the clock (S17)."""
-    function = Function("restart(at_ns)")
+    function = StartFunction("restart(at_ns)")
     function.line("events.append(TimeJump(now, at_ns))")
     for channel in sorted(layout.stamped):
         # No limit of an age is above LONGEST, so the ages of older inputs are set to LONGEST.

@@ -13,7 +13,7 @@ from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.c99.types import duration
 from rossmarie.targets.ros import names, needs
-from rossmarie.targets.ros.dialect import Dialect, Interface
+from rossmarie.targets.ros.dialect import Dialect, RosInterface
 from rossmarie.targets.ros.tables import rule_of_task
 
 _SAY = {
@@ -31,7 +31,7 @@ _STATUS_LEVELS = {
 
 Sending = reactions.Publish | reactions.Retrace | reactions.Call | reactions.SendGoal
 Doing = reactions.Log | reactions.Diagnose | reactions.Hook | reactions.Reset
-Sent = tuple[str, Interface]
+Sent = tuple[str, RosInterface]
 """The type of a sent message, request or goal, as in ROS."""
 
 
@@ -41,11 +41,11 @@ def _sent(effect: Sending) -> Sent:
             reactions.Publish(message_type=message_type)
             | reactions.Retrace(message_type=message_type)
         ):
-            return message_type, Interface.MESSAGE
+            return message_type, RosInterface.MESSAGE
         case reactions.Call(service_type=service_type):
-            return service_type, Interface.SERVICE
+            return service_type, RosInterface.SERVICE
         case reactions.SendGoal(action_type=action_type):
-            return action_type, Interface.ACTION
+            return action_type, RosInterface.ACTION
 
 
 def sent_types(machine: ir.Machine, dialect: Dialect) -> list[Sent]:
@@ -53,7 +53,7 @@ def sent_types(machine: ir.Machine, dialect: Dialect) -> list[Sent]:
     effects = (task.effect for task in machine.reactions.tasks)
     found = {_sent(effect) for effect in effects if isinstance(effect, Sending)}
     if dialect.relay:
-        found |= {(kind, Interface.ACTION) for kind in relayed_servers(machine).values()}
+        found |= {(kind, RosInterface.ACTION) for kind in relayed_servers(machine).values()}
     return sorted(found, key=lambda each: (each[0], each[1].value))
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from rossmarie.ir import reactions
 
 
-class Interface(Enum):
+class RosInterface(Enum):
     """The kind of interface of a type; the value is the folder of its definition."""
 
     MESSAGE = "msg"
@@ -38,8 +38,8 @@ class Dialect:
 
     generation: str
     folder: str
-    cpp_type: Callable[[str, Interface], str]
-    header: Callable[[str, Interface], str]
+    cpp_type: Callable[[str, RosInterface], str]
+    header: Callable[[str, RosInterface], str]
     primitives: Mapping[str, str]
     parts: Mapping[type[reactions.Effect], RuntimePart]
     status_topic: str

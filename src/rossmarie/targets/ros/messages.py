@@ -12,7 +12,7 @@ from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import CLayout
 from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.ros import names
-from rossmarie.targets.ros.dialect import Dialect, Interface
+from rossmarie.targets.ros.dialect import Dialect, RosInterface
 
 
 def types_of(machine: ir.Machine) -> list[str]:
@@ -76,7 +76,7 @@ def _channel(layout: CLayout, dialect: Dialect, channel: int, word: str) -> str:
     return (
         f"// {topic.topic}: {topic.message_type}\n"
         f"struct {word} {{\n"
-        f"    using Message = {dialect.cpp_type(topic.source_type, Interface.MESSAGE)};\n"
+        f"    using Message = {dialect.cpp_type(topic.source_type, RosInterface.MESSAGE)};\n"
         f"    static constexpr const char *topic = {names.heard(topic)};\n"
         f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
         f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
@@ -248,7 +248,7 @@ def sources(machine: ir.Machine) -> str:
 
 def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
-    kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)
+    kind = dialect.cpp_type(command.message_type, RosInterface.MESSAGE)
     source = names.relative(unfiltered(command.topic))
     visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
     return (

@@ -11,7 +11,7 @@ from rossmarie.ir import reactions
 from rossmarie.naming import relayed_servers, unfiltered
 from rossmarie.targets.c99.names import string
 from rossmarie.targets.ros import names
-from rossmarie.targets.ros.dialect import Dialect, Interface, RuntimePart
+from rossmarie.targets.ros.dialect import Dialect, RosInterface, RuntimePart
 
 MIDDLEWARE = "host.middleware()"
 
@@ -62,7 +62,7 @@ def _shared_kind(
         case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
             if server not in relays:
                 return "Goals", (resolved(server),)
-            action = dialect.cpp_type(relays[server], Interface.ACTION)
+            action = dialect.cpp_type(relays[server], RosInterface.ACTION)
             return f"Relay<{action}>", (resolved(server), resolved(unfiltered(server)))
         case (
             reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Retrace()

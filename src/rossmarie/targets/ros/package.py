@@ -24,7 +24,7 @@ from rossmarie.targets.ros import (
     runtime,
     tables,
 )
-from rossmarie.targets.ros.dialect import Dialect, Interface, RuntimePart, message_package
+from rossmarie.targets.ros.dialect import Dialect, RosInterface, RuntimePart, message_package
 
 OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
@@ -156,7 +156,7 @@ class PackageWriter:
 
     def _message_headers(self) -> list[str]:
         """The headers of all types that the node receives and sends."""
-        taken = ((each, Interface.MESSAGE) for each in messages.types_of(self._machine))
+        taken = ((each, RosInterface.MESSAGE) for each in messages.types_of(self._machine))
         used = {*taken, *actions.sent_types(self._machine, self._dialect)}
         return sorted(self._dialect.header(*each) for each in used)
 

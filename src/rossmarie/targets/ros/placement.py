@@ -5,7 +5,7 @@ from __future__ import annotations
 from rossmarie import ir
 from rossmarie.naming import node_name
 from rossmarie.targets import comments
-from rossmarie.targets.manifest import Manifest, Person, Placement
+from rossmarie.targets.manifest import Maintainer, Manifest, Placement
 
 _VERSION = "0.1.0"
 _LICENSE = "to be chosen"
@@ -35,7 +35,7 @@ def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
     """The fields of package.xml from the manifest, as XML. `files` are the rules files."""
-    nobody = Person(f"whoever maintains {files}", _MAIL)
+    nobody = Maintainer(f"whoever maintains {files}", _MAIL)
     maintainers = manifest.maintainers or (nobody,)
     licenses = manifest.licenses or (_LICENSE,)
     return {
@@ -45,6 +45,6 @@ def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
     }
 
 
-def _maintainer(person: Person) -> str:
+def _maintainer(person: Maintainer) -> str:
     mail, name = comments.in_xml(person.mail), comments.in_xml(person.name)
     return f'  <maintainer email="{mail}">{name}</maintainer>'

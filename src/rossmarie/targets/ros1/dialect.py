@@ -5,23 +5,23 @@ from __future__ import annotations
 from rossmarie.ir import reactions
 from rossmarie.targets.ros.dialect import (
     Dialect,
-    Interface,
+    RosInterface,
     RuntimePart,
     bare_name,
     message_package,
 )
 
 
-def _cpp_type(ros_type: str, interface: Interface) -> str:
+def _cpp_type(ros_type: str, interface: RosInterface) -> str:
     return f"{message_package(ros_type)}::{_name(ros_type, interface)}"
 
 
-def _header(ros_type: str, interface: Interface) -> str:
+def _header(ros_type: str, interface: RosInterface) -> str:
     return f"{message_package(ros_type)}/{_name(ros_type, interface)}.h"
 
 
-def _name(ros_type: str, interface: Interface) -> str:
-    return bare_name(ros_type) + ("Action" if interface is Interface.ACTION else "")
+def _name(ros_type: str, interface: RosInterface) -> str:
+    return bare_name(ros_type) + ("Action" if interface is RosInterface.ACTION else "")
 
 
 _GOAL_PACKAGES = ("actionlib_msgs", "topic_tools")

@@ -7,18 +7,18 @@ import re
 from rossmarie.ir import reactions
 from rossmarie.targets.ros.dialect import (
     Dialect,
-    Interface,
+    RosInterface,
     RuntimePart,
     bare_name,
     message_package,
 )
 
 
-def _cpp_type(ros_type: str, interface: Interface) -> str:
+def _cpp_type(ros_type: str, interface: RosInterface) -> str:
     return f"{message_package(ros_type)}::{interface.value}::{bare_name(ros_type)}"
 
 
-def _header(ros_type: str, interface: Interface) -> str:
+def _header(ros_type: str, interface: RosInterface) -> str:
     return f"{message_package(ros_type)}/{interface.value}/{_file_name(bare_name(ros_type))}.hpp"
 
 

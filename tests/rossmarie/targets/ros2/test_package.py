@@ -8,7 +8,7 @@ import pytest
 
 from rossmarie.driver.build import generate
 from rossmarie.targets import ros2
-from rossmarie.targets.ros.dialect import Interface
+from rossmarie.targets.ros.dialect import RosInterface
 from rossmarie.targets.ros2.dialect import ROS2
 from support.compiled import machine_of
 from support.live_cases import acting, vehicle
@@ -25,7 +25,7 @@ from support.live_cases import acting, vehicle
     ],
 )
 def test_headers_are_called_as_rosidl_calls_them(name: str, header: str) -> None:
-    assert ROS2.header(name, Interface.MESSAGE) == header
+    assert ROS2.header(name, RosInterface.MESSAGE) == header
 
 
 def test_packages_of_all_messages_are_named() -> None:
