@@ -233,7 +233,7 @@ class InterruptibleTask(Task):
     def _take_plan(self, search: Future[PlannedCalls]) -> Status:
         """Continue the task with another plan. The task is over if its goal is met already."""
         recovery = self._recovery
-        assert recovery is not None, "a way is looked for"
+        assert recovery is not None, "a plan is searched for"
         self._search = None
         try:
             plan = search.result()

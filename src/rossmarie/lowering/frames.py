@@ -100,7 +100,7 @@ class FrameLowering:
         found = self._nodes.signals[signal]
         return Shown(found.text, found.span, parse_unit(found.unit) if found.unit else None)
 
-    # --- ways --------------------------------------------------------------------------------
+    # --- paths -------------------------------------------------------------------------------
 
     def _along(self, leg: FrameStep, parts: Axis, type_: Vector | Quaternion, shown: Shown) -> Axis:
         """The same vector or orientation in the frame at the end of a leg (S78)."""

@@ -30,16 +30,16 @@ static bool spec_same(double a, double b) { return (isnan(a) && isnan(b)) || a =
 """
 
 CONTRACTS = """\
-/* Of this, its check has shown no more than: a way of 0 or more, none while in force. */
-double __CPROVER_uninterpreted_way(unsigned, double);
+/* Of this, its check has shown no more than: a distance of 0 or more, none while in force. */
+double __CPROVER_uninterpreted_distance(unsigned, double);
 
 double contract_moved(const reactor *r, unsigned task, double ramp, int64_t t_ns)
 {
-    const double way = __CPROVER_uninterpreted_way(task, ramp);
+    const double moved_by = __CPROVER_uninterpreted_distance(task, ramp);
     __CPROVER_assert(task < TASKS, "what moves is a task");
     __CPROVER_assert(t_ns > EARLIEST && t_ns < LATEST, "it moves at an instant in range");
-    __CPROVER_assume(way >= 0.0 && (r->state[task] != HOLDING || way == 0.0));
-    return way;
+    __CPROVER_assume(moved_by >= 0.0 && (r->state[task] != HOLDING || moved_by == 0.0));
+    return moved_by;
 }
 """
 
@@ -123,9 +123,9 @@ class CommandChecks:
         lines = [
             ANY_REACTOR,
             _IN_RANGE,
-            f"    const double way = moved(r, {task}, {literal(ramp)}, t_ns);",
-            obligation("way >= 0.0", "it moves apart"),
-            obligation(f"!{holds} || way == 0.0", "what is in force has not moved"),
+            f"    const double moved_by = moved(r, {task}, {literal(ramp)}, t_ns);",
+            obligation("moved_by >= 0.0", "it moves apart"),
+            obligation(f"!{holds} || moved_by == 0.0", "what is in force has not moved"),
         ]
         return "\n".join(lines)
 

@@ -80,7 +80,7 @@ static int any_count(int most)
     return count;
 }}
 
-/* Where there is a short way: the case in which it is taken, and the other in any case. */
+/* Where there is a short path: the case in which it is taken, and the other in any case. */
 bool assume_calm(const monitor *m, int64_t t_ns)
 {{
     __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);
@@ -94,7 +94,7 @@ bool never_calm(const monitor *m, int64_t t_ns)
     return false;
 }}
 
-/* The long way begins here; it has checks of its own. */
+/* The long path begins here; it has checks of its own. */
 int never_catch_up(monitor *m, int64_t t_ns)
 {{
     (void)m;
