@@ -118,7 +118,7 @@ def _ends(root: Behaviour) -> Iterator[float]:
             yield from (getattr(each, name) for name in ("end", "_end") if hasattr(each, name))
 
 
-def in_all_ways(tree: Tree) -> dict[Status, float]:
+def on_all_paths(tree: Tree) -> dict[Status, float]:
     """The last instant at which each result comes."""
     latest: dict[Status, float] = {}
     chosen: list[int] | None = []
@@ -166,7 +166,7 @@ def test_no_tree_takes_longer(tree: Tree) -> None:
     """Without nodes that tick side by side, one takes as long. With these, of two that end at the
     same instant the first decides, so that the longest time is only approached.
     """
-    reported, seen = times(tree), in_all_ways(tree)
+    reported, seen = times(tree), on_all_paths(tree)
     has_beside = "parallel" in str(tree)
     for status, time in ((Status.SUCCESS, reported.success), (Status.FAILURE, reported.failure)):
         found = seen.get(status)

@@ -23,7 +23,7 @@ from heron.scene import ArmParameters, TableParameters, build_placing
 from heron.topics import ARM_STOP, GRAVITY_FREE, InProcess, Topic
 
 SECOND = 1_000_000_000
-WAY = np.array([0.2, 0.0, 0.05])
+OFFSET = np.array([0.2, 0.0, 0.05])
 
 
 @dataclass
@@ -41,7 +41,7 @@ class Bench:
         self.arm = Arm(build_placing(TableParameters(), built), built)
         self.arm.settle(250)
         self.start = self.arm.grasp.copy()
-        self.target = self.start + WAY
+        self.target = self.start + OFFSET
         places = {"there": self.target}
         self.controller = ArmController(self.arm, self.carrier, places, ArmControllerParameters())
 
@@ -178,7 +178,7 @@ def test_a_trajectory_keeps_to_its_way_however_slowly_it_is_gone_along() -> None
 
 
 def test_the_usual_duration_keeps_to_speed_and_acceleration() -> None:
-    way = np.array([1.0, 0.0, 0.0])
-    assert duration_of(np.zeros(3), way, 0.5, 100.0) == pytest.approx(3.75)
-    assert duration_of(np.zeros(3), way, 100.0, 1.5) == pytest.approx((5.774 / 1.5) ** 0.5)
-    assert duration_of(way, way, 0.5, 1.5) > 0
+    offset = np.array([1.0, 0.0, 0.0])
+    assert duration_of(np.zeros(3), offset, 0.5, 100.0) == pytest.approx(3.75)
+    assert duration_of(np.zeros(3), offset, 100.0, 1.5) == pytest.approx((5.774 / 1.5) ** 0.5)
+    assert duration_of(offset, offset, 0.5, 1.5) > 0

@@ -47,12 +47,12 @@ def against(face: float) -> Callable[[Floats], Floats]:
 
 def test_a_push_ends_at_its_end_and_leaves_what_it_has_pushed() -> None:
     motion = PushMotion(END, PushParameters())
-    way = played(motion, np.zeros(3), lambda _: -ALONG * 20.0)
+    path = played(motion, np.zeros(3), lambda _: -ALONG * 20.0)
     assert motion.is_over
-    furthest = max(float(place @ ALONG) for place, _ in way)
+    furthest = max(float(place @ ALONG) for place, _ in path)
     assert furthest == pytest.approx(0.2, abs=0.003)
-    assert float(way[-1][0] @ ALONG) == pytest.approx(0.2 - 0.025, abs=0.004)
-    assert np.ptp([place[0] for place, _ in way]) == 0.0
+    assert float(path[-1][0] @ ALONG) == pytest.approx(0.2 - 0.025, abs=0.004)
+    assert np.ptp([place[0] for place, _ in path]) == 0.0
 
 
 def test_a_push_is_slow_until_it_touches_something_and_then_as_fast_as_it_is_said_to_be() -> None:
@@ -66,9 +66,9 @@ def test_a_push_is_slow_until_it_touches_something_and_then_as_fast_as_it_is_sai
 
 def test_a_push_against_what_does_not_give_way_is_never_harder_than_it_may_be() -> None:
     motion = PushMotion(END, PushParameters(most=50.0))
-    way = played(motion, np.zeros(3), against(0.1))
+    path = played(motion, np.zeros(3), against(0.1))
     assert not motion.is_over
-    forces = [float(np.linalg.norm(force)) for _, force in way]
+    forces = [float(np.linalg.norm(force)) for _, force in path]
     assert forces[-1] == pytest.approx(50.0, abs=1.0)
     assert max(forces) < 55.0
 
@@ -76,27 +76,27 @@ def test_a_push_against_what_does_not_give_way_is_never_harder_than_it_may_be() 
 def test_a_push_begins_anew_from_where_the_hand_is() -> None:
     motion = PushMotion(END, PushParameters())
     played(motion, np.zeros(3), in_the_air, 1.0)
-    way = played(motion, np.array([0.01, -0.05, 0.0]), in_the_air)
+    path = played(motion, np.array([0.01, -0.05, 0.0]), in_the_air)
     assert motion.is_over
-    assert way[0][0] == pytest.approx([0.01, -0.05, 0.0], abs=0.001)
+    assert path[0][0] == pytest.approx([0.01, -0.05, 0.0], abs=0.001)
 
 
 def test_a_wipe_presses_as_hard_as_it_is_said_to_and_goes_all_the_way() -> None:
     motion = WipeMotion(ROWS, ALONG, WipeParameters(press=19.0))
-    way = played(motion, np.array([0.0, -0.09, 0.9]), against(FACE))
+    path = played(motion, np.array([0.0, -0.09, 0.9]), against(FACE))
     assert motion.is_over
-    stroking = [force for place, force in way if 0.05 < place[0] < 0.15]
+    stroking = [force for place, force in path if 0.05 < place[0] < 0.15]
     assert np.median(np.linalg.norm(stroking, axis=1)) == pytest.approx(19.0, abs=1.0)
     for corner in ROWS:
-        assert min(np.linalg.norm((place - corner)[[0, 2]]) for place, _ in way) < 0.002
-    assert float(way[-1][0] @ ALONG) < FACE - 0.02, "it has left the board"
+        assert min(np.linalg.norm((place - corner)[[0, 2]]) for place, _ in path) < 0.002
+    assert float(path[-1][0] @ ALONG) < FACE - 0.02, "it has left the board"
 
 
 def test_a_wipe_that_touches_nothing_strokes_nothing() -> None:
     motion = WipeMotion(ROWS, ALONG, WipeParameters())
-    way = played(motion, np.array([0.0, -0.09, 0.9]), in_the_air, 5.0)
+    path = played(motion, np.array([0.0, -0.09, 0.9]), in_the_air, 5.0)
     assert not motion.is_over
-    assert np.ptp([place[0] for place, _ in way]) == 0.0
+    assert np.ptp([place[0] for place, _ in path]) == 0.0
 
 
 @pytest.mark.parametrize("pace", [0.0, 0.5])

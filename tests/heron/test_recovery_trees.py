@@ -14,7 +14,7 @@ from heron.tasks import SkillContextPublisher, SkillTask, Status, TaskStatus
 from heron.topics import SKILL_CONTEXT, InProcess
 
 JUNCTION, HALL, YARD = "heron:Place-3", "heron:Place-4", "heron:Place-5"
-FIRST_WAY = (
+FIRST_PATH = (
     "Robot=@Drive.Robot",
     "Start=@Drive.Start",
     "Target=@Drive.Target",
@@ -75,7 +75,7 @@ class Delivery:
         goal: Goal = {
             "digest": digest() if of is None else of,
             "skill": "GiveWay",
-            "arguments": FIRST_WAY,
+            "arguments": FIRST_PATH,
             "afterwards": afterwards,
         }
         self.carrier.server(RECOVERY).send(goal, self.ended.append)

@@ -173,19 +173,19 @@ def scanning_drive(store: Typestore) -> Iterator[Reading]:
         mast = Placed("base_link", "mast", (0.0, 0.0, 1.0), turn_of(0.0, 0.0, yaw))
         yield "/tf", at_ns, *transforms(store, tick, *([] if 5.0 < time_s < 5.8 else [base]), mast)
         if tick % 5 == 0:
-            way: Matrix = matrix(base) @ matrix(mast) @ matrix(laser)
+            transform: Matrix = matrix(base) @ matrix(mast) @ matrix(laser)
             is_there = not 2.0 < time_s < 6.5
-            found = message(store, tick, plain_scan(post_in(way, is_there)))
+            found = message(store, tick, plain_scan(post_in(transform, is_there)))
             found.header.frame_id = "mast" if 8.2 < time_s < 8.5 else "laser"
             later_ns = 7_000_000 if tick else 0
             yield "/scan", at_ns + later_ns, "sensor_msgs/msg/LaserScan", found
 
 
-def post_in(way: Matrix, is_there: bool) -> list[float]:
+def post_in(transform: Matrix, is_there: bool) -> list[float]:
     """The ranges of a scan, a beam for each degree from -180 deg on. It meets the post and, at its
     first beam, a wall.
     """
-    x, y = (np.linalg.inv(way) @ (*POST, 1.3, 1.0))[:2]
+    x, y = (np.linalg.inv(transform) @ (*POST, 1.3, 1.0))[:2]
     degree = round(math.degrees(math.atan2(y, x)))
     near = {(degree + each + 180) % 360 for each in (-1, 0, 1)} if is_there else set()
     beams = [math.hypot(x, y) - 0.1 if beam in near else math.inf for beam in range(360)]

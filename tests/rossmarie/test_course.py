@@ -81,8 +81,8 @@ def test_the_free_way_ends_where_the_moved_outline_touches(
     if shapes.gap(around, outline) > 0.0:
         assert free > 0.0
     if free > 0.02 and shapes.gap(around, outline) > 0.0:
-        way = min(free, 5.0) - 0.01
-        before = shapes.seen_from(shapes.Pose(way, 0.0, 0.0), around.walls, around.people)
+        distance = min(free, 5.0) - 0.01
+        before = shapes.seen_from(shapes.Pose(distance, 0.0, 0.0), around.walls, around.people)
         assert shapes.gap(before, outline) > 0.0
 
 

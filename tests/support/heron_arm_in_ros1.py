@@ -116,9 +116,9 @@ def main():
     while not rospy.is_shutdown():
         with lock:
             turns.step()
-            way = cell.box_place[1] - float(arm.data.body(BOX).xpos[1])
+            distance = cell.box_place[1] - float(arm.data.body(BOX).xpos[1])
         if arm.now_ns % PUSHED_EVERY_NS == 0:
-            pushed.publish(way)
+            pushed.publish(distance)
         time.sleep(max(0, began + arm.now_ns - time.monotonic_ns()) * 1e-9)
 
 

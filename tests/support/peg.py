@@ -55,10 +55,12 @@ class Peg(Ears):
     def _step(self):
         self._age += 1
         if self._age < PATIENCE:
-            way = [there - here for here, there in zip(self._place, self._target, strict=True)]
-            length = math.sqrt(sum(each * each for each in way))
+            offset = [there - here for here, there in zip(self._place, self._target, strict=True)]
+            length = math.sqrt(sum(each * each for each in offset))
             part = min(1.0, RETURN * PERIOD / length) if length else 0.0
-            self._place = [here + part * each for here, each in zip(self._place, way, strict=True)]
+            self._place = [
+                here + part * each for here, each in zip(self._place, offset, strict=True)
+            ]
         else:
             self._place[0] += self._velocity * PERIOD
         self.note("x", self._place[0])

@@ -312,8 +312,8 @@ def test_what_is_in_reach_is_what_a_walk_finds(
     kinds = data.draw(st.lists(st.sampled_from([LOCATION, CONTAINER]), min_size=2, max_size=5))
     places = [world.new(each) for each in kinds]
     ends = st.sampled_from(places)
-    ways = data.draw(st.sets(st.tuples(ends, ends), max_size=12))
-    for one, other in ways:
+    paths = data.draw(st.sets(st.tuples(ends, ends), max_size=12))
+    for one, other in paths:
         if one != other:
             world.relate(one, RELATED, other)
     world.relate(robot, AT, places[0])

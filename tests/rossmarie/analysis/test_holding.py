@@ -79,7 +79,7 @@ def passed(machine: Machine, reactor: Reactor, at_ns: int, asked: float) -> dict
     return {axis: bounds["linear", axis].of(value) for axis, value in asks.items()}
 
 
-def ways_out(
+def releases(
     machine: Machine,
     *,
     is_filtered: bool,
@@ -116,8 +116,8 @@ def test_what_is_said_to_hold_a_rule_does(way: str, tmp_path: Path) -> None:
     does, condition, contract, code = HELD[way]
     machine, found = ask(tmp_path, does, condition, contract)
     assert code in found
-    assert ways_out(machine, is_filtered=True) == 0
-    assert ways_out(machine, is_filtered=False) > 0
+    assert releases(machine, is_filtered=True) == 0
+    assert releases(machine, is_filtered=False) > 0
 
 
 @pytest.mark.parametrize("way", FREE)
@@ -126,7 +126,7 @@ def test_a_rule_that_what_it_does_leaves_a_way_out_is_not_warned_of(
 ) -> None:
     machine, found = ask(tmp_path, *FREE[way])
     assert not {"ROSS710", "ROSS717", "ROSS720"} & set(found)
-    assert ways_out(machine, is_filtered=True) > 0
+    assert releases(machine, is_filtered=True) > 0
 
 
 @pytest.mark.parametrize("way", ENDED)
@@ -134,7 +134,7 @@ def test_a_rule_that_is_said_to_switch_itself_off_does(way: str, tmp_path: Path)
     machine, found = ask(tmp_path, *ENDED[way])
 
     def ended(*, is_filtered: bool) -> int:
-        return ways_out(
+        return releases(
             machine, is_filtered=is_filtered, asked_at=lambda _: 2.0, speed_at=lambda _: 2.0
         )
 

@@ -168,7 +168,7 @@ def test_s78_the_way_up_and_down(
     mounted: tuple[float, ...],
 ) -> None:
     """Transforms from the camera up to the base and down to the tool, compared with matrices."""
-    watched = WAY
+    watched = TRANSFORMED
     edges = (Placed("base", "head", head, turned), Placed("head", "camera", camera, mounted))
     watched.hear(
         next(instants),
@@ -178,9 +178,9 @@ def test_s78_the_way_up_and_down(
             "/hand": pose("camera", place, turn),
         },
     )
-    way = np.linalg.inv(matrix(TOOL)) @ matrix(edges[0]) @ matrix(edges[1])
-    expected = way @ (*place, 1.0)
-    whole = way[:3, :3] @ rotation(turn)
+    matrices = np.linalg.inv(matrix(TOOL)) @ matrix(edges[0]) @ matrix(edges[1])
+    expected = matrices @ (*place, 1.0)
+    whole = matrices[:3, :3] @ rotation(turn)
     yaw = math.atan2(whole[1, 0], whole[0, 0])
     *found, found_yaw = watched.numbers
     assert found == pytest.approx(list(expected[:3]), abs=1e-9)
@@ -188,7 +188,7 @@ def test_s78_the_way_up_and_down(
         assert abs(math.remainder(found_yaw - yaw, 2.0 * math.pi)) < 1e-6
 
 
-WAY = Watched(
+TRANSFORMED = Watched(
     f"{HAND} from camera in tool timeout 1 sec",
     *(f"hand.position.{axis}" for axis in "xyz"),
     "hand.orientation.yaw()",

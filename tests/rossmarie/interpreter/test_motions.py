@@ -72,7 +72,7 @@ class Watched:
         return self.proposition
 
 
-def way(speed: float, wanted: float, travelling: float | None = None) -> float:
+def distance(speed: float, wanted: float, travelling: float | None = None) -> float:
     reached = min(abs(speed) + ACCELERATION * REACTION, FASTEST)
     covered = (reached if travelling is None else travelling) * REACTION
     return covered + (reached**2 - wanted**2) / (2.0 * BRAKE)
@@ -83,7 +83,7 @@ def way(speed: float, wanted: float, travelling: float | None = None) -> float:
 def test_s65_the_way_to_stop(speed: float, wanted: float) -> None:
     """It is the same for a robot that drives backwards."""
     argument = f", {wanted} m/s" if wanted else ""
-    metres = way(speed, wanted)
+    metres = distance(speed, wanted)
     for limit, expected in ((metres + 1e-9, F), (metres - 1e-9, T)):
         assert Watched(f"stopping(drive{argument}) > {limit!r} m").says(speed) is expected
 
@@ -96,7 +96,7 @@ def test_s65_slow_enough_needs_no_way() -> None:
 
 def test_s65_messages_apart() -> None:
     """The robot may have been faster when its position was measured."""
-    metres = way(0.2, 0.3, travelling=FASTEST)
+    metres = distance(0.2, 0.3, travelling=FASTEST)
     for limit, expected in ((metres + 1e-9, F), (metres - 1e-9, T)):
         apart = Watched(f"stopping(drive, 0.3 m/s) > {limit!r} m", speed_topic="/wheels")
         assert apart.says(0.2) is expected
@@ -155,7 +155,7 @@ def test_s66_the_robot_is_slow_when_it_arrives(
     have to; messages come as late as they may.
     """
     watched = Watched(f"distance(pose, SchoolCorridor) < stopping(drive, {wanted} m/s)")
-    robot = Robot(BEGIN - max(way(speed, wanted), 0.0) - spare, speed)
+    robot = Robot(BEGIN - max(distance(speed, wanted), 0.0) - spare, speed)
     watched.see(0, robot.x, robot.speed)
     assert watched.proposition is F
     for gap, push in zip(gaps, pushes, strict=False):

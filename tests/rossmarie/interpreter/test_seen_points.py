@@ -223,9 +223,9 @@ turns = st.tuples(*[st.floats(-1.0, 1.0)] * 4).filter(lambda each: np.linalg.nor
 polar = st.tuples(st.floats(0.1, 20.0), st.floats(-math.pi, math.pi))
 
 
-def seen(way: Matrix, points: Sequence[Sequence[float]]) -> Matrix:
+def seen(transform: Matrix, points: Sequence[Sequence[float]]) -> Matrix:
     """Points as rows, along a way."""
-    found: Matrix = (np.column_stack([points, np.ones(len(points))]) @ way.T)[:, :3]
+    found: Matrix = (np.column_stack([points, np.ones(len(points))]) @ transform.T)[:, :3]
     return found
 
 

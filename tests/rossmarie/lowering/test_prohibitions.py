@@ -53,13 +53,13 @@ def control(kind: str, *children: dict[str, Any]) -> dict[str, Any]:
 def compound(name: str, *trees: dict[str, Any]) -> dict[str, Any]:
     """A skill with the parameters A and B, which are locations."""
     shape = {"kind": "given", "type": "skiros.Location", "is_output": False, "default": None}
-    ways = [{"implementation": "it", "place": None, "children": [each]} for each in trees]
+    alternatives = [{"implementation": "it", "place": None, "children": [each]} for each in trees]
     return {
         "name": name,
         "parents": [],
         "parameters": [{"name": each, "key": each, **shape, "place": None} for each in "AB"],
         "conditions": {"pre": [], "hold": [], "post": []},
-        "trees": ways,
+        "trees": alternatives,
         "permits": [],
         "uses": [],
         "place": None,
@@ -284,11 +284,11 @@ class Stopped:
     compounds: Set[str] = frozenset()
 
 
-Ways = Mapping[str, Sequence[Mapping[str, Any]]]
+Library = Mapping[str, Sequence[Mapping[str, Any]]]
 
 
 def may_succeed(
-    node: Mapping[str, Any], ways: Ways, things: Mapping[str, str | None], stopped: Stopped
+    node: Mapping[str, Any], library: Library, things: Mapping[str, str | None], stopped: Stopped
 ) -> bool:
     """Say whether a tree can succeed if a skill that is stopped never does. Skills with things that
     nobody knows may succeed; so does a result that is turned round.
@@ -297,16 +297,18 @@ def may_succeed(
         return not stopped.kinds & {ALWAYS, things.get(node["arguments"]["Target"] or "")}
     if "skill" in node:
         inner = {name: things.get(each or "") for name, each in node["arguments"].items()}
-        return can_succeed(node["skill"], ways, inner, stopped)
-    results = [may_succeed(each, ways, things, stopped) for each in node["children"]]
+        return can_succeed(node["skill"], library, inner, stopped)
+    results = [may_succeed(each, library, things, stopped) for each in node["children"]]
     if node["control"] in ALL_OF:
         return all(results)
     return node["control"] not in ONE_OF or any(results)
 
 
-def can_succeed(skill: str, ways: Ways, things: Mapping[str, str | None], stopped: Stopped) -> bool:
-    below = ways.get(skill, ())
-    can = not below or any(may_succeed(each, ways, things, stopped) for each in below)
+def can_succeed(
+    skill: str, library: Library, things: Mapping[str, str | None], stopped: Stopped
+) -> bool:
+    below = library.get(skill, ())
+    can = not below or any(may_succeed(each, library, things, stopped) for each in below)
     return can and skill not in stopped.compounds
 
 
@@ -323,19 +325,25 @@ def test_s68_a_compound_that_cannot_do_without(
     queries: list[str],
 ) -> None:
     """For all things: what is reported is what no outcome of the other skills makes succeed."""
-    ways = {"Inner": inner, "Outer": outer}
-    rules = head(tmp_path_factory.mktemp("rules"), *(compound(name, *ways[name]) for name in ways))
+    library = {"Inner": inner, "Outer": outer}
+    rules = head(
+        tmp_path_factory.mktemp("rules"), *(compound(name, *library[name]) for name in library)
+    )
     for number, each in enumerate(queries):
         rules += f"rule it_{number}: if doing {each} then {{ halt; }};\n"
     reported = without(rules)
     always = Stopped({ALWAYS})
     stopped = Stopped(
         {kind for each in queries for kind in STOPPED.get(each, ())},
-        {each for each in queries if each in ways and not can_succeed(each, ways, {}, always)},
+        {
+            each
+            for each in queries
+            if each in library and not can_succeed(each, library, {}, always)
+        },
     )
-    for skill, (one, other) in itertools.product(ways, itertools.product(KINDS, KINDS)):
+    for skill, (one, other) in itertools.product(library, itertools.product(KINDS, KINDS)):
         things = {"A": one, "B": other}
-        can = can_succeed(skill, ways, things, stopped)
+        can = can_succeed(skill, library, things, stopped)
         assert is_reported(skill, things, reported) is not can, (skill, one, other, reported)
 
 

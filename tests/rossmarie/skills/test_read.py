@@ -56,8 +56,8 @@ def test_all_that_rules_ask_for_is_read() -> None:
 
 def test_trees_have_their_limits() -> None:
     found = content()
-    ways = [timed("timeout", seconds=2.5), timed("timeout", seconds="Speed"), timed("retry")]
-    found["skills"][0]["trees"] = [*ways, timed("retry", tries=3)]
+    controls = [timed("timeout", seconds=2.5), timed("timeout", seconds="Speed"), timed("retry")]
+    found["skills"][0]["trees"] = [*controls, timed("retry", tries=3)]
     found["skills"][0]["parameters"][0]["default"] = "0.5"
     skill = parse_skills(SourceFile("skills.json", json.dumps(found))).skills["Move"]
     nodes = [each for tree in skill.trees for each in tree.children]
@@ -67,24 +67,24 @@ def test_trees_have_their_limits() -> None:
     assert [each.is_retried for each in skill.children] == [False, False, True, True]
 
 
-def put(*way: str | int, value: object) -> Change:
+def put(*path: str | int, value: object) -> Change:
     """A change that puts a value at the end of a way."""
 
     def change(found: Any) -> None:
-        for step in way[:-1]:
+        for step in path[:-1]:
             found = found[step]
-        found[way[-1]] = value
+        found[path[-1]] = value
 
     return change
 
 
-def without(*way: str | int) -> Change:
+def without(*path: str | int) -> Change:
     """A change that removes a member."""
 
     def change(found: Any) -> None:
-        for step in way[:-1]:
+        for step in path[:-1]:
             found = found[step]
-        del found[way[-1]]
+        del found[path[-1]]
 
     return change
 
