@@ -288,10 +288,7 @@ def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Operator
 def distance_unit(speed: Quantity) -> Unit | None:
     """The unit of the distance for a speed, m or rad; None if the number is not a speed."""
     units = (parse_unit("m"), parse_unit("rad"))
-    return next(
-        (distance for unit in units if not unit_faults(speed, Quantity(speed_of(unit)))),
-        None,
-    )
+    return next((unit for unit in units if not unit_faults(speed, Quantity(speed_of(unit)))), None)
 
 
 def speed_of(unit: Unit) -> Unit:
