@@ -97,8 +97,8 @@ def test_a_wrong_arm_is_reported_with_those_that_there_are() -> None:
     [
         ({"ROS_MASTER_URI": "http://127.0.0.1:1"}, "no ROS master at http://127.0.0.1:1"),
         ({"ROS_MASTER_URI": "nonsense"}, "no ROS master at nonsense"),
-        ({"ROS_IP": "192.0.2.1"}, "192.0.2.1 is no address of this machine"),
-        ({"ROS_HOSTNAME": "no host"}, "no host is no address of this machine"),
+        ({"ROS_IP": "192.0.2.1"}, "192.0.2.1 is not an address of this machine"),
+        ({"ROS_HOSTNAME": "no host"}, "no host is not an address of this machine"),
     ],
 )
 @needs(MUJOCO)

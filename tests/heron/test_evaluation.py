@@ -376,7 +376,7 @@ def test_an_interrupted_evaluation_says_how_it_goes_on(
     monkeypatch.setattr("heron.cli.evaluating.run", interrupt)
     found = CliRunner().invoke(app, ["evaluate", "--seeds", "1", "--out", str(tmp_path)])
     assert found.exit_code == 130
-    assert "the same command goes on" in found.output
+    assert "run the same command again to continue" in found.output
 
 
 AT_A_CLUSTER = ["evaluate", "--seeds", "1", "--ray", "127.0.0.1:1", "--out"]

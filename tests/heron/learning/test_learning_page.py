@@ -187,6 +187,6 @@ def test_a_checkpoint_of_something_else_is_reported(tmp_path: Path) -> None:
     (folder / CHECKPOINT).write_text("something else")
     found = heron("learn", "tree", "--arm", "guard", "--steps", "300", "--out", tmp_path)
     assert found.returncode == 1
-    assert "checkpoint belongs to another training; remove it" in found.stderr
+    assert "checkpoint belongs to another training; remove it" in " ".join(found.stderr.split())
     assert f"not finished (run the same command again): {run.key}" in found.stderr
     assert "Traceback" not in found.stderr

@@ -145,7 +145,7 @@ def test_thorough_queries_are_asked_and_what_shows_an_answer_is_drawn(rules: Pat
     assert "thorough queries" not in done.output
     text = Path("report.html").read_text()
     assert "ROSS711" in text  # asked only thoroughly
-    assert "All queries were asked." in text
+    assert "All queries were run." in text
     assert "<title>When fast, faster are active</title>" in text
 
 

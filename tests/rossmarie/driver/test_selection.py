@@ -127,7 +127,7 @@ def test_the_safety_file_groups_by_category(rules: Path) -> None:
     assert places == sorted(places)
     assert places[1] < page.index('id="rule-close"') < page.index('id="rule-rule_3"') < places[2]
     assert page.index("<h3>Without a category</h3>") < page.index('id="rule-unfiled"')
-    assert "It is filed under human and task dependent." in page
+    assert "Its category: human and task dependent." in page
     part, _ = safety_file(rules, tool="test", date="2026-01-01", only=[Category.HUMAN])
     assert "Only rules of human are here: fast, jumping and unfiled left out." in open_points(part)
 
