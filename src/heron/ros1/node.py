@@ -145,7 +145,7 @@ class Ros1Node:
                 try:
                     bodies = list(connection.waiting())
                 except OSError as error:
-                    raise Ros1Error(f"who published {topic} has gone: {error}") from error
+                    raise Ros1Error(f"the publisher of {topic} is gone: {error}") from error
                 for body in bodies:
                     heard.receive(messages.store().deserialize_ros1(body, kind))
 

@@ -159,7 +159,7 @@ def test_the_safety_file_derives_the_way(tmp_path: Path) -> None:
     page = render_safety_file(content)
     assert "refuted" in page
     assert f"{WORST:.3g} m" in page
-    assert "The brakes hold at most 0.3 s after a message" in page
+    assert "The brakes engage within 0.3 s of a message" in page
 
 
 def test_witnesses_are_written_as_tests(tmp_path: Path) -> None:

@@ -54,8 +54,8 @@ def _outcome(required: ir.Requirement, content: SafetyFile) -> str:
 def _assumptions(braking: ir.Braking) -> Iterator[str]:
     yield f"The position comes from “{braking.position}”, the speed from “{braking.speed}”."
     yield (
-        f"The brakes hold at most {braking.reaction_s:g} s after a message: the input is stale "
-        f"after {braking.timeout_s:g} s, and the latency is {braking.latency_s:g} s."
+        f"The brakes engage within {braking.reaction_s:g} s of a message: the input is stale after "
+        f"{braking.timeout_s:g} s, and the latency is {braking.latency_s:g} s."
     )
     yield (
         f"Until then the speed can grow by {braking.acceleration:g} m/s^2, up to "
@@ -63,8 +63,8 @@ def _assumptions(braking: ir.Braking) -> Iterator[str]:
     )
     if not braking.is_of_one_message:
         yield (
-            "Position and speed come in different messages. So the distance until the brakes hold "
-            f"is computed at {braking.fastest:g} m/s."
+            "Position and speed come in different messages. So the distance until the brakes "
+            f"engage is computed at {braking.fastest:g} m/s."
         )
 
 

@@ -131,8 +131,8 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
 def _unasked(content: SafetyFile) -> Iterator[str]:
     if not content.is_thorough:
         yield (
-            "Only the quick check was run. The thorough queries about these rules were not run, so "
-            "nothing is proved."
+            "Only the quick check was run. It does not prove that conflicts and impossible "
+            "conditions are absent."
         )
     undecided = [each for each in content.findings if each.diagnostic.code == Undecided.code]
     if undecided:
