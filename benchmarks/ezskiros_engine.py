@@ -62,7 +62,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
             for _ in range(nodes):
                 node = grow(node)
 
-    # The classes have to be in the module, as in files of skills.
+    # The classes have to be in the module, as in skills files.
     globals().update({each.__name__: each for each in (leaf, whole)})
     library = Library({})
     trees = list(expand(whole, library.skill(Whole)))  # `ezskiros run` checks before it runs

@@ -76,7 +76,7 @@ def path(count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_scene(folder: Path, count: int) -> None:
-    """Write a file of skills whose scene has `count` polygons."""
+    """Write a skills file whose scene has `count` polygons."""
     zone: dict[str, Any] = {"name": "hall.Zone", "parents": [], "place": None}
     locations = [
         {"iri": f"http://example.org/hall#Zone-{number}", "label": None, "classes": ["hall.Zone"],

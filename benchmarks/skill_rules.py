@@ -75,7 +75,7 @@ def _reported_context(compiled: Machine) -> str:
 
 
 def write_skills(folder: Path) -> None:
-    """Write the file of skills that these rules name."""
+    """Write the skills file that these rules name."""
     (folder / "skills.json").write_text(json.dumps(SKILLS), encoding="utf-8")
 
 

@@ -74,7 +74,7 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
 
 
 def _modules(checked: Checked) -> list[Path]:
-    """The files with skills: the checked files, and the files of skills that they call."""
+    """The files with skills: the checked files, and the skills files that they call."""
     called = (Path(each.span.file.path) for each in checked.library.skills())
     known = [*(each for each in checked.files if each.suffix != SCENE), *called]
     return [each for each in known if is_file(each)]

@@ -1,6 +1,6 @@
 """The code that the documentation shows: rules are checked, Python and commands are run.
 
-Each page has a folder of its own, with the examples of the project and files of skills in it. A
+Each page has a folder of its own, with the examples of the project and skills files in it. A
 block with a name behind its language (a fence that says `ross arm.ross`) is saved there under that
 name. The commands of this project, Python, `cat` and `sed` run there. All others are taken on
 trust.

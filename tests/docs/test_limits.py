@@ -71,9 +71,9 @@ def number(count: int) -> str:
             f"{package_xml.LARGEST_FILE >> 10} KiB",
         ),
         ("Nesting of elements in a `package.xml`", number(package_xml.DEEPEST)),
-        ("File of skills", mib(read.LARGEST_EXPORT)),
+        ("Skills file", mib(read.LARGEST_EXPORT)),
         ("Record of a run, or knowledge of runs", mib(records.LARGEST_RECORD)),
-        ("Levels of a behavior tree in a file of skills", number(trees.MOST_LEVELS)),
+        ("Levels of a behavior tree in a skills file", number(trees.MOST_LEVELS)),
         (
             "Values that are known at launch",
             f"{launch.LARGEST_FILE >> 10} KiB",

@@ -310,7 +310,7 @@ rule calm: if speed > 0.5 m/s while doing Drive then { halt; };
 
 
 def _read_export(content: bytes, folder: Path) -> None:
-    """Read a file of skills in each language, compare its sources, and look at both together."""
+    """Read a skills file in each language, compare its sources, and look at both together."""
     path = _written(content, folder, "fuzzed.json")
     found = read_export(path)
     if isinstance(found, Diagnostic):

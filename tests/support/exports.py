@@ -1,4 +1,4 @@
-"""Exports for tests: files of skills in, `skills.json` out."""
+"""Exports for tests: skills files in, `skills.json` out."""
 
 from __future__ import annotations
 

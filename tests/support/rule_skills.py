@@ -1,4 +1,4 @@
-"""Files of skills for rules: those of the fixtures, which examples in the documentation name; and
+"""Skills files for rules: those of the fixtures, which examples in the documentation name; and
 robots that run these skills.
 """
 
@@ -29,7 +29,7 @@ input force = topic /force : std_msgs/Float32 in N;
 
 
 def put_skills(folder: Path) -> None:
-    """Copy all files of skills into a folder."""
+    """Copy all skills files into a folder."""
     for file in FOLDER.glob("*.json"):
         shutil.copy(file, folder)
 

@@ -1,4 +1,4 @@
-"""Random contexts in the words of a file of skills: honest ones, and others that no robot tells."""
+"""Random contexts in the words of a skills file: honest ones, and others that no robot tells."""
 
 from __future__ import annotations
 

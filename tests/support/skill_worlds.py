@@ -1,4 +1,4 @@
-"""Random files of skills, queries about them, and the answers that S58 and S67 of
+"""Random skills files, queries about them, and the answers that S58 and S67 of
 docs/explanation/semantics.md give: from the file and the message alone, by nothing of ours.
 """
 
@@ -40,7 +40,7 @@ class Query:
 
 
 class World:
-    """A file of skills."""
+    """A skills file."""
 
     def __init__(self, content: Mapping[str, Any]) -> None:
         self.content = content
@@ -134,7 +134,7 @@ def _one_of(query: Query, running: RunningSkill) -> float:
     return math.nan if query.is_boolean and numbers[0] not in (0, 1) else numbers[0]
 
 
-# --- files of skills -----------------------------------------------------------------------------
+# --- skills files -----------------------------------------------------------------------------
 
 
 def random_world(random: Random) -> World:
@@ -228,7 +228,7 @@ class Asked:
 
 
 def asked_of(random: Random, world: World, folder: Path) -> Asked:
-    """The machine of rules that ask some queries about a file of skills, which is written."""
+    """The machine of rules that ask some queries about a skills file, which is written."""
     file = folder / f"{world.digest[:12]}.json"
     file.write_text(json.dumps(world.content), encoding="utf-8")
     lines = [f'skills "{file}" timeout 1 sec;', "action stop;"]

@@ -1,4 +1,4 @@
-"""Files of skills, and scenes, through the whole check, compared with the expectations in them and
+"""Skills files, and scenes, through the whole check, compared with the expectations in them and
 in the ontologies that they load.
 """
 

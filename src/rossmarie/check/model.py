@@ -109,7 +109,7 @@ class CheckedDoing:
 
 @dataclass(frozen=True)
 class CheckedSkills:
-    """The file of skills of a program. `timeout_ns` is the timeout of its context."""
+    """The skills file of a program. `timeout_ns` is the timeout of its context."""
 
     file: SkillFile
     source: SourceFile
@@ -209,7 +209,7 @@ class CheckedProgram:
     - `gaps` contains the topics with a declared rate.
     - `feedback` and `categories` belong to each rule. `left_out` are the rules outside a selection.
     - `read_files` are the message definitions that were read, without the built-in ones, and the
-      file of skills.
+      skills file.
     - `doing` contains each query about skills, `regions` the meaning of the name of each class and
       zone, and `motions` the motions by name.
     - `keeps` is the requirement of each rule; `frame_inputs` are the inputs for frames, by frame.

@@ -1,4 +1,4 @@
-"""Locations of things in a file of skills, and places in sources."""
+"""Locations of things in a skills file, and places in sources."""
 
 from __future__ import annotations
 

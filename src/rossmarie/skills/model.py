@@ -1,4 +1,4 @@
-"""The parts of a file of skills that rules need."""
+"""The parts of a skills file that rules need."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 @dataclass(frozen=True)
 class SourcePlace:
     """A range of a source. Lines and columns count from 1; the end is after the last character.
-    `path` is relative to the folder of the file of skills.
+    `path` is relative to the folder of the skills file.
     """
 
     path: str
@@ -212,7 +212,7 @@ class Location:
 
 @dataclass(frozen=True)
 class SkillFile:
-    """A file of skills. `digest` identifies its sources; messages from this export contain it. The
+    """A skills file. `digest` identifies its sources; messages from this export contain it. The
     context is the topic of these messages, which arrive every `period_ns`.
     """
 

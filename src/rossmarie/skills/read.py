@@ -1,4 +1,4 @@
-"""Reads the content of a file of skills from its text.
+"""Reads the content of a skills file from its text.
 
 The content is not trusted: any violation of the format is an `UnreadableSkills` with its place.
 Unknown keys are ignored.
@@ -38,7 +38,7 @@ FORMAT = "ezskiros/skills"
 VERSION = 1
 MESSAGE_TYPE = "skill_context_msgs/SkillContext"
 LARGEST_FILE = 16 * 2**20
-"""The largest size of a file of skills in bytes."""
+"""The largest size of a skills file in bytes."""
 LONGEST_PERIOD = 3600.0
 """The longest time in seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
@@ -56,7 +56,7 @@ _TOPIC = re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*", re.ASCII)
 
 
 class UnreadableSkills(Exception):
-    """An unusable file of skills: the reason, the text read so far, and the offset in the text. The
+    """An unusable skills file: the reason, the text read so far, and the offset in the text. The
     offset is None if the reason contains the place. `is_missing` is True if the file does not
     exist.
     """
@@ -85,7 +85,7 @@ _Item = TypeVar("_Item", bound=_Named)
 
 
 def read_text(path: Path) -> SourceFile:
-    """The text of a file of skills. Raises `UnreadableSkills`."""
+    """The text of a skills file. Raises `UnreadableSkills`."""
     if ending(path) != ".json":
         raise UnreadableSkills("its name, or that of the file it links to, does not end in .json")
     try:
@@ -104,7 +104,7 @@ def read_text(path: Path) -> SourceFile:
 
 
 def parse_skills(file: SourceFile) -> SkillFile:
-    """The content of a file of skills. Raises `UnreadableSkills`."""
+    """The content of a skills file. Raises `UnreadableSkills`."""
     try:
         return _skills(parse_json(file.text))
     except UnreadableJson as error:

@@ -1,4 +1,4 @@
-"""The source files of skills: a check whether they have changed, and places in them."""
+"""The source skills files: a check whether they have changed, and places in them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class OutOfDate:
 
 def changed_source(skills: SkillFile, folder: Path) -> OutOfDate | None:
     """The first source that is missing or has changed; None if there is none. `folder` is the
-    folder of the file of skills.
+    folder of the skills file.
     """
     for source in skills.sources:
         path = folder / source.path

@@ -1,4 +1,4 @@
-"""Behavior trees of compound skills in a file of skills.
+"""Behavior trees of compound skills in a skills file.
 
 The code does not recurse, because a file may be nested to any depth.
 """

@@ -1,4 +1,4 @@
-"""Files of guards, what is known of their rules, and `ezskiros run --guards` without ROS."""
+"""Guards files, what is known of their rules, and `ezskiros run --guards` without ROS."""
 
 from __future__ import annotations
 

@@ -199,7 +199,7 @@ def test_half_a_place_is_none(
     assert [each.corners for each in seen.locations] == [()]
 
 
-# --- the file of skills -----------------------------------------------------------------------
+# --- the skills file -----------------------------------------------------------------------
 
 
 def test_a_scene_is_exported_with_its_classes_and_as_a_source(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Files of skills: what they say, and what is wrong with those that cannot be used."""
+"""Skills files: what they say, and what is wrong with those that cannot be used."""
 
 from __future__ import annotations
 
@@ -317,7 +317,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
 
 
 def with_source(tmp_path: Path, text: str) -> Path:
-    """A file of skills from one module."""
+    """A skills file from one module."""
     module = tmp_path / "push.py"
     module.write_text(text, encoding="utf-8")
     found = content()

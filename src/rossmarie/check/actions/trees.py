@@ -1,6 +1,6 @@
 """Behavior trees as reactions of rules: `tree Reroute(Target: "kitchen") within 20 sec`.
 
-A tree is a skill in the file of skills. The program that runs the skills offers the action server
+A tree is a skill in the skills file. The program that runs the skills offers the action server
 `/recovery`, which runs the tree while the task waits. So a tree is like any other goal that a rule
 sends.
 """

@@ -47,7 +47,7 @@ class Context:
     an expression to the expression whose operand it is.
 
     `proposed_bounds` are the inputs for which a bound of lists has been suggested. `skills` is the
-    file of skills, None if there is no usable file; `names_skills` is True if the program names
+    skills file, None if there is no usable file; `names_skills` is True if the program names
     one. `doing` contains each query about skills, `regions` the locations of each named class and
     zone, `motions` and `zones` the correct motions and zones, `frames` the frames, and
     `frame_inputs` the inputs for frames, by frame. `entity` and `uses` belong to the current item.

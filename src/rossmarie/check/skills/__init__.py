@@ -1,1 +1,1 @@
-"""Skills in rules: the file of skills, and the queries of rules about skills."""
+"""Skills in rules: the skills file, and the queries of rules about skills."""

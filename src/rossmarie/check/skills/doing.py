@@ -72,7 +72,7 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
 def known_skills(
     node: ast.Doing | ast.SkillNumber | ast.Keeps | ast.RunTree, context: Context
 ) -> CheckedSkills | None:
-    """The file of skills; None, after reporting, if the program names none."""
+    """The skills file; None, after reporting, if the program names none."""
     if context.skills is None and not context.names_skills and context.declarations.is_whole:
         context.collector.add(NoSkills().at(node.span))
     return context.skills

@@ -20,7 +20,7 @@ class Known(Remark):
 
 
 class UnknownSkill(Error, code="ROSS144", name="unknown-skill"):
-    """A skill that the file of skills does not have."""
+    """A skill that the skills file does not have."""
 
     title = "there is no skill `{identifier}`"
     label = "the skills file has no skill of this name"
@@ -41,7 +41,7 @@ class UnknownSkillParameter(Error, code="ROSS145", name="unknown-skill-parameter
 
 
 class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
-    """A class of things that the file of skills does not have, or has more than once."""
+    """A class of things that the skills file does not have, or has more than once."""
 
     title = "there is no class `{identifier}`"
     label = "{reason}"
@@ -66,7 +66,7 @@ class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property")
 
 
 class NoSkills(Error, code="ROSS148", name="no-skills"):
-    """A query about skills in a program without a file of skills."""
+    """A query about skills in a program without a skills file."""
 
     title = "the rules query a skill, but name no skills file"
     label = "the skills are not known"
@@ -75,7 +75,7 @@ class NoSkills(Error, code="ROSS148", name="no-skills"):
 
 
 class SeveralSkills(Error, code="ROSS149", name="several-skills"):
-    """Two files of skills, or two timeouts of one file, in a program."""
+    """Two skills files, or two timeouts of one file, in a program."""
 
     title = "a program has one skills file, with one timeout"
     label = "{found}"
@@ -148,7 +148,7 @@ class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-paramet
 
 
 class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
-    """A file of skills that is missing, or violates its format."""
+    """A skills file that is missing, or violates its format."""
 
     title = "cannot use the skills file `{path}`"
     label = "{problem}"
@@ -164,7 +164,7 @@ class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
 
 
 class SkillsOutOfDate(Error, code="ROSS257", name="skills-out-of-date"):
-    """A file of skills whose sources have changed."""
+    """A skills file whose sources have changed."""
 
     title = "`{path}` is out of date"
     label = "`{source}` {problem}"

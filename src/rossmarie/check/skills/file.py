@@ -1,4 +1,4 @@
-"""The file of skills that a program names."""
+"""The skills file that a program names."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rossmarie.syntax import ast
 
 
 def read_skills(context: Context) -> None:
-    """Read the file of skills into `context.skills`, with the default timeout. Reports a file that
+    """Read the skills file into `context.skills`, with the default timeout. Reports a file that
     cannot be used, and a second, different file.
     """
     for item in context.declarations.items:
@@ -63,5 +63,5 @@ def _report_second(item: ast.Skills, found: str, first: ast.Skills, context: Con
 
 
 def report_second_timeout(item: ast.Skills, first: ast.Skills, context: Context) -> None:
-    """Report that two items give one file of skills different timeouts."""
+    """Report that two items give one skills file different timeouts."""
     _report_second(item, "another timeout", first, context)

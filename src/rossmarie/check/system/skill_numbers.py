@@ -69,7 +69,7 @@ def resolve_context_timeout(context: Context) -> int | None:
 def _find(
     number: ast.SkillNumber, skills: CheckedSkills, context: Context
 ) -> tuple[Query, str, str | None] | None:
-    """The query, the type of the requested number, and its unit in the file of skills."""
+    """The query, the type of the requested number, and its unit in the skills file."""
     skill = find_skill(number.skill, skills, context)
     if skill is None:
         return None
@@ -150,7 +150,7 @@ def _properties_of(class_name: str, skills: CheckedSkills) -> dict[str, ThingPro
 
 
 def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Context) -> Type:
-    """The type of a number. If the file of skills has a unit, the number arrives in SI, else in the
+    """The type of a number. If the skills file has a unit, the number arrives in SI, else in the
     unit of the input.
     """
     known = _known_unit(stated)
@@ -172,7 +172,7 @@ def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Co
 
 
 def _known_unit(text: str | None) -> Unit | None:
-    """The unit in the file of skills; None if there is none, or if it is unknown here."""
+    """The unit in the skills file; None if there is none, or if it is unknown here."""
     try:
         return None if text is None else parse_unit(text)
     except UnknownUnitError:
