@@ -14,17 +14,17 @@ unexport PYTHONDONTWRITEBYTECODE
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot,"
 	@echo "             and how it learns with rules and without them"
-	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
+	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; a repeated call continues;"
 	@echo "               and films of them -> docs/gallery.md"
-	@echo "make study   all trainings on 10 seeds -> docs/learning.md; goes on where it was; some hours"
+	@echo "make study   all trainings on 10 seeds -> docs/learning.md; a repeated call continues; some hours"
 	@echo "make site    the documentation site -> build/site"
-	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
+	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are options of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    slow tests and proofs -> docs/reference/deep-tests.md; two to three hours"
 	@echo "make bench   measure, and write docs/reference/performance*.md, beside-nav2.md, library-reuse.md"
 	@echo "make dist    build the wheels -> dist/, check them, and try them in each Python of this machine"
-	@echo "make fmt     put the code into the one layout"
-	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"
+	@echo "make fmt     format the code"
+	@echo "make fuzz    look for files that crash a reader, for SECONDS=60 each; TARGET=mcap for one"
 	@echo "make clean   remove everything that make made"
 
 $(READY): pyproject.toml $(wildcard packages/*/pyproject.toml) constraints.txt tools/setup.sh

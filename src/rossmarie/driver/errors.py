@@ -10,9 +10,15 @@ class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
 
     title = "cannot read `{path}`"
     label = "{reason}"
-    help = "check the path and the read permission of the file"
     path: str
     reason: str
+
+    class CheckPath(Remark):
+        says = "check the path and the read permission of the file"
+
+    class NameRules(Remark):
+        says = "name one rules file{example}"
+        example: str
 
 
 class NotUtf8(Error, code="ROSS802", name="not-utf8"):

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from dslkit.diagnostics import Collector, Diagnostic, DidYouMean
+from dslkit.diagnostics import Collector, Diagnostic, DidYouMean, Remark
 from dslkit.source import SourceFile, Span, ending, is_file, is_folder
 from rossmarie.check.instances.errors import EndlessImport, ValuesTwice
 from rossmarie.check.instances.spaces import Imported
@@ -203,9 +203,7 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
         with path.open("rb") as stream:
             content = stream.read(MAXIMUM_FILE_SIZE + 8)
     except (OSError, ValueError) as error:  # ValueError: an impossible path
-        reason = getattr(error, "strerror", None) or "it cannot be opened"
-        finding = FileUnreadable(path=str(path), reason=reason.lower())
-        collector.add(finding.at(Span(nothing, 0, 0)))
+        collector.add(_unreadable(path, error).at(Span(nothing, 0, 0), help=_other_path(path)))
         return None
     try:
         source = SourceFile.decoded(str(path), content)
@@ -219,6 +217,31 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
         collector.add(_foreign(source, kind))
         return None
     return source
+
+
+def _unreadable(path: Path, error: OSError | ValueError) -> FileUnreadable:
+    system_reason = getattr(error, "strerror", None) or "it cannot be opened"
+    reason = "this is a folder" if is_folder(path) else system_reason.lower()
+    return FileUnreadable(path=str(path), reason=reason)
+
+
+def _other_path(path: Path) -> Remark:
+    """The help for a path that cannot be read: a rules file in this folder, or a similar name."""
+    if is_folder(path):
+        inside = next(iter(_rules_in(path)), None)
+        return FileUnreadable.NameRules(example=f", for example `{inside}`" if inside else "")
+    present = {found.name: found for found in _rules_in(path.parent)}
+    near = difflib.get_close_matches(path.name, present, n=1)
+    is_other = bool(near) and near[0] != path.name
+    return DidYouMean(near=str(present[near[0]])) if is_other else FileUnreadable.CheckPath()
+
+
+def _rules_in(folder: Path) -> list[Path]:
+    """The rules files in a folder, by name; none if the folder cannot be read."""
+    try:
+        return sorted(folder.glob("*.ross"))
+    except (OSError, ValueError):
+        return []
 
 
 def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnostic:

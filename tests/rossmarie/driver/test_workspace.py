@@ -110,6 +110,28 @@ def test_what_is_not_there_cannot_be_read(tmp_path: Path) -> None:
     assert codes(check_file(tmp_path)) == ["ROSS801"]
 
 
+def test_a_folder_is_answered_with_a_rules_file_in_it(tmp_path: Path) -> None:
+    (found,) = check_file(tmp_path).diagnostics
+    assert found.primary.text == "this is a folder"
+    assert found.help == "name one rules file"
+    (tmp_path / "b.ross").write_text("")
+    (tmp_path / "a.ross").write_text("")
+    (found,) = check_file(tmp_path).diagnostics
+    assert found.help == f"name one rules file, for example `{tmp_path / 'a.ross'}`"
+
+
+def test_a_misspelt_file_is_answered_with_the_similar_one(tmp_path: Path) -> None:
+    (tmp_path / "rules.ross").write_text("")
+    (found,) = check_file(tmp_path / "rulse.ross").diagnostics
+    assert found.help == f"did you mean `{tmp_path / 'rules.ross'}`?"
+
+
+def test_a_path_that_nothing_resembles_is_to_be_checked(tmp_path: Path) -> None:
+    for path in (tmp_path / "none.ross", tmp_path / "no_folder" / "none.ross", tmp_path / "a\0b"):
+        (found,) = check_file(path).diagnostics
+        assert found.help == "check the path and the read permission of the file"
+
+
 @pytest.mark.parametrize(
     ("content", "line", "column"),
     [
