@@ -1,6 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Parts that these rules do not use. The files of used parts define these sizes themselves. */
+/* Sizes of the parts that these rules do not use. The generated file defines the sizes of the parts
+ * that the rules use.
+ */
 #ifndef TIMEOUTS
 #define TIMEOUTS 0
 #endif

@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Numbers are IEEE 754 binary64, evaluated as written. Compilers and processors that deviate are
- * rejected here, or reported by arithmetic_fault.
+/* The engine needs IEEE 754 binary64 arithmetic, evaluated as written. This file rejects compilers
+ * and targets that deviate. The function arithmetic_fault detects the other deviations at run time.
  */
 #ifndef ROSSMARIE_BINARY64_H
 #define ROSSMARIE_BINARY64_H
@@ -21,13 +21,14 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* Volatile, so that no compiler knows these numbers. */
+/* The array is volatile, so that no compiler can compute with these numbers at compile time. */
 static volatile const double given[] = {
     NAN, INFINITY, 1.0, 3.0, -0.0, 1.0 + 0x1p-27, 1.0 + 0x1p-26, DBL_EPSILON / 4.0, DBL_MIN,
 };
 
-/* The reason why numbers are not those of IEEE 754 here, NULL if they are. Compiler flags without a
- * macro show in results, and so do the processor modes of this thread.
+/* Tests the arithmetic of this program and of this thread. The test detects compiler flags that
+ * define no macro, and processor modes of the calling thread. Returns NULL if the arithmetic is
+ * that of IEEE 754, else the reason why it is not.
  */
 static const char *arithmetic_fault(void)
 {

@@ -1,10 +1,13 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Commands: the bounds on the numbers of a command. */
+/* Bounds on the fields of commands (R11, R12 of the reactions). */
 
 #if COMMANDS
 
-/* The distance by which a bound of a limit has moved outward. */
+/* Returns the distance by which a bound has moved outward since the release of its task: 0 while
+ * the task is HOLDING, else the ramp times the seconds since the release. The distance is infinite
+ * if there is no ramp, or if the task has never started.
+ */
 static double moved(const reactor *r, unsigned task, double ramp, int64_t t_ns)
 {
     const int64_t since_ns = r->since_ns[task];

@@ -1,11 +1,15 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Evaluation: marked nodes are evaluated in order, at the instants of timers and of messages. */
+/* Evaluation: the engine evaluates the marked nodes in order, at the instants of timers and of
+ * messages.
+ */
 
-/* The value of a marked proposition: the rules' own part of a monitor. */
+/* Returns the truth value of a marked proposition. The generated file defines this function. */
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns);
 
-/* Evaluate the next marked node: a proposition gets its value, a rule is judged. */
+/* Evaluates one marked node: computes the truth value of a proposition, or changes a rule. Returns
+ * the number of events.
+ */
 static int visit(monitor *m, unsigned node, int64_t t_ns)
 {
     if (node >= PROPOSITIONS)
@@ -14,7 +18,9 @@ static int visit(monitor *m, unsigned node, int64_t t_ns)
     return 0;
 }
 
-/* Evaluate all marked nodes, in order: each node follows its operands. */
+/* Evaluates all marked nodes in ascending order. This order is sufficient because each node follows
+ * its operands. Returns the number of events.
+ */
 static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
@@ -38,6 +44,7 @@ static int evaluate(monitor *m, int64_t t_ns)
     return events;
 }
 
+/* Returns the earliest instant at which something can change without a message (S15), or NEVER. */
 static int64_t earliest_timer(const monitor *m)
 {
     int64_t wake_ns = NEVER;
@@ -66,7 +73,9 @@ static int64_t earliest_timer(const monitor *m)
 
 #if TIMEOUTS
 
-/* An input has reached its timeout: forget its values. */
+/* Expires an input that has reached its timeout: forgets its values and the samples that depend on
+ * the input.
+ */
 static void expire(monitor *m, unsigned input)
 {
     m->state[input] = EXPIRED;
@@ -83,7 +92,7 @@ static void expire(monitor *m, unsigned input)
 #endif
 }
 
-/* The inputs that reach their timeouts at an instant. */
+/* Expires all inputs that have reached their timeouts at an instant. */
 static void expire_due(monitor *m, int64_t t_ns)
 {
     bool has_expired = false;
@@ -104,7 +113,7 @@ static void expire_due(monitor *m, int64_t t_ns)
 
 #endif
 
-/* Mark the nodes that are due at an instant. */
+/* Updates the ages and the expired inputs at an instant, and marks the nodes that are due. */
 static void tick(monitor *m, int64_t t_ns)
 {
 #if TIMEOUTS
@@ -132,7 +141,7 @@ static void tick(monitor *m, int64_t t_ns)
     (void)t_ns;
 }
 
-/* Forget everything that was measured against a clock. */
+/* Forgets all durations, samples and edges, because the clock has jumped or the monitor starts. */
 static void forget_times(monitor *m, int64_t t_ns)
 {
 #if HELD
@@ -176,7 +185,9 @@ static void forget_times(monitor *m, int64_t t_ns)
     (void)t_ns;
 }
 
-/* Begin, or begin again after time went backwards: only the ages of inputs are kept. */
+/* Starts the monitor, or restarts it after time went backwards. A restart keeps the ages of the
+ * inputs, each at most LONGEST.
+ */
 static void restart(monitor *m, int64_t t_ns)
 {
     for (unsigned node = 0; node != PROPOSITIONS; node++)
@@ -219,13 +230,16 @@ static void report_jump(const monitor *m, int64_t t_ns)
     m->on_event(m->user, &event);
 }
 
+/* Stores the instant of the earliest timer, at most LATEST. */
 static void set_wake(monitor *m)
 {
     const int64_t wake_ns = earliest_timer(m);
     m->wake_ns = wake_ns < LATEST ? wake_ns : LATEST;
 }
 
-/* Run the timers due before an instant, one instant after the other. */
+/* Runs the timers that are due before an instant, in the order of their instants. Returns the
+ * number of events, or -1 if the instant is out of range.
+ */
 static int catch_up(monitor *m, int64_t t_ns)
 {
     int events = 0;

@@ -1,6 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Instants are nanoseconds on one clock, between these ends. */
+/* Instants are nanoseconds on one clock. A valid instant is later than EARLIEST and earlier than
+ * LATEST. A jump of the clock limits ages to LONGEST.
+ */
 #ifndef ROSSMARIE_INSTANTS_H
 #define ROSSMARIE_INSTANTS_H
 
@@ -11,7 +13,7 @@
 #define LONGEST (INT64_C(1) << 61)
 #define NEVER INT64_MAX
 
-/* The type of indices in tables. */
+/* The type of the indices in the tables. NONE is not an index. */
 typedef uint16_t index_t;
 
 enum { NONE = 0xFFFF };

@@ -1,15 +1,18 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Guards: every number in a condition has one, the range around its present value in which
- * none of its comparisons changes. Guard g watches guard_value[g]. It owns the propositions from
- * guard_leaves[g] up to, but without, guard_leaves[g + 1], and the limits between the ends
- * guard_limits[g] and guard_limits[g + 1] - 1, from low to high.
+/* Each value that a condition compares has a guard. The guard is the range around the current value
+ * in which none of its comparisons changes. Guard g watches the value guard_value[g]. Two tables
+ * describe guard g:
+ * - Its propositions are guard_leaves[g] to guard_leaves[g + 1] - 1.
+ * - Its limits are the rows between guard_limits[g] and guard_limits[g + 1] - 1, from low to high.
+ *   These two rows are the ends of the list.
  */
 
 #if EXCUSES
 
-/* True if a number that something rests on is missing: it is unknown, or beyond all numbers; the
- * least or greatest of a list without elements is so on either side.
+/* Returns true if a value that a proposition depends on is missing: the value is unknown or
+ * +infinity. A fold over a list is also missing at -infinity, because the list can have no
+ * elements.
  */
 static bool is_missing(const monitor *m, unsigned excuse)
 {
@@ -25,8 +28,11 @@ static bool is_missing(const monitor *m, unsigned excuse)
 
 #if GUARDS || OSCILLATIONS
 
-/* True if a number is unknown for lack of an input with a timeout: its value is missing, or nothing
- * is missing and no number comes out (a division by zero).
+/* Returns STALE or UNKNOWN for a proposition whose value is unknown (S30). The result is STALE in
+ * these cases:
+ * - A value of an input with a timeout is missing.
+ * - The row has such inputs and no value is missing, so the computation has no result (for example
+ *   a division by zero).
  */
 static unsigned char unknown_kind(const monitor *m, unsigned row)
 {
@@ -49,8 +55,8 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
 
 #if COVERED
 
-/* Numbers that are stored as they arrive while they are inside their guards: mark one as unknown if
- * it is not finite.
+/* Returns the value that a guard watches. The values in covered_values are stored as they arrive,
+ * so this function first replaces each covered value that is not finite by NaN.
  */
 RARE double or_unknown(monitor *m, unsigned g)
 {
@@ -61,20 +67,23 @@ RARE double or_unknown(monitor *m, unsigned g)
 
 #else
 
-/* A number that is not finite may be an infinite element of an array, which is an ordinary number.
+/* Returns the value that a guard watches. An infinite value can come from an array, where infinity
+ * is a valid number.
  */
 static double or_unknown(const monitor *m, unsigned g) { return m->value[guard_value[g]]; }
 
 #endif
 
-/* Not inside if not finite. (Written so that each comparison needs one instruction.) */
+/* Returns true if a value is inside its guard. A value that is not finite is never inside. The form
+ * of the expression needs one instruction for each comparison.
+ */
 INLINE bool is_inside(const monitor *m, unsigned g, double x)
 {
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
 }
 
-/* (The loops over leaves ask for `<`: with `!=` gcc 12 unrolls them beyond the propositions and
- * warns.)
+/* Makes all propositions of a guard unknown or stale. The loop uses `<`, because gcc 12 unrolls a
+ * loop with `!=` beyond the propositions and warns.
  */
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
 {
@@ -82,13 +91,15 @@ RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
     if (m->place[g] == -(int)kind)
         return;
     m->place[g] = -(int)kind;
-    m->low[g] = INFINITY; /* nothing is inside */
+    m->low[g] = INFINITY; /* an empty range */
     m->high[g] = -INFINITY;
     for (unsigned leaf = guard_leaves[g]; leaf < guard_leaves[g + 1]; leaf++)
         set_truth_value(m, leaf, kind, t_ns);
 }
 
-/* The place of a guard is the limit at or below its number. */
+/* Sets the place and the range of a guard. The place is the index of the last limit below the
+ * value.
+ */
 static void settle_at(monitor *m, unsigned g, unsigned place)
 {
     m->place[g] = (int)place;
@@ -96,7 +107,9 @@ static void settle_at(monitor *m, unsigned g, unsigned place)
     m->high[g] = limits[place + 1].at;
 }
 
-/* A number that was unknown has become known: every proposition starts below its limits. */
+/* Sets all propositions of a guard whose value has become known. Each proposition starts with its
+ * truth value below all limits.
+ */
 static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = guard_limits[g];
@@ -107,8 +120,8 @@ static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
     settle_at(m, g, place);
 }
 
-/* A number crossed the limits behind `from` up to `to`: flip the propositions there, but for those
- * with both their limits among them.
+/* Changes the propositions at the limits from + 1 to `to`, which the value has crossed. A
+ * proposition with both of its limits among them does not change.
  */
 static void flip(monitor *m, unsigned from, unsigned to, unsigned is_falling, int64_t t_ns)
 {
@@ -120,7 +133,7 @@ static void flip(monitor *m, unsigned from, unsigned to, unsigned is_falling, in
     }
 }
 
-/* A number crossed several limits, or became known or unknown. */
+/* Updates a guard whose value has crossed several limits, or has become known or unknown. */
 RARE void cross_far(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = (unsigned)m->place[g];
@@ -143,7 +156,9 @@ RARE void cross_far(monitor *m, unsigned g, double x, int64_t t_ns)
     }
 }
 
-/* A number left its guard. Most cross a single limit: one proposition flips. */
+/* Updates a guard whose value has left the range. Most values cross a single limit, which changes
+ * one proposition.
+ */
 static void cross(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     const unsigned is_rising = x > m->high[g] ? 1 : 0;
@@ -158,7 +173,7 @@ static void cross(monitor *m, unsigned g, double x, int64_t t_ns)
     settle_at(m, g, place);
 }
 
-/* Look at all numbers again, after some of them were forgotten. */
+/* Checks the values of all guards. Call this function after values were forgotten. */
 static void review(monitor *m, int64_t t_ns)
 {
     for (unsigned g = 0; g != GUARDS; g++)

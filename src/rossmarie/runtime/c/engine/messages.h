@@ -1,14 +1,20 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Messages: time passes up to a message, its numbers are stored by the rules' own part of a
- * monitor, and what they change is evaluated. A calm message costs only a check of its numbers: no
- * timer is due, and all numbers stay inside their guards.
+/* Processing of messages, in this order:
+ * - The engine runs the timers that are due before the message.
+ * - The generated file stores the numbers of the message.
+ * - The engine evaluates the nodes that depend on changed propositions.
+ *
+ * A calm message needs only a check of its numbers: no timer is due, and all values stay inside
+ * their guards.
  */
 
-/* Before a message: that it is calm, or how many events there were. */
+/* Results of the preparation for a message: the number of events, or one of these constants.
+ * REFUSED: the instant is out of range. CALM: no preparation was necessary.
+ */
 enum { REFUSED = -1, CALM = -2 };
 
-/* True if a message at this instant can change nothing but by its numbers. */
+/* Returns true if a message at this instant can change nothing except through its numbers. */
 INLINE bool is_calm(const monitor *m, int64_t t_ns)
 {
     return t_ns >= m->now_ns && t_ns < m->wake_ns;
@@ -16,7 +22,9 @@ INLINE bool is_calm(const monitor *m, int64_t t_ns)
 
 #if CHANNELS
 
-/* The same of messages on several channels, which have to be known to be fresh. */
+/* Returns true if messages on several channels can change nothing except through their numbers. The
+ * inputs of each of these channels must be fresh.
+ */
 static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns)
 {
     for (unsigned channel = 0; channel != CHANNELS; channel++)
@@ -25,7 +33,7 @@ static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns
     return is_calm(m, t_ns);
 }
 
-/* A message arrived on a channel. */
+/* Records the arrival of a message on a channel: its inputs become fresh. */
 static void arrive(monitor *m, unsigned channel, int64_t t_ns)
 {
     m->quiet[channel] = true;
@@ -49,8 +57,9 @@ static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns
 
 #endif
 
-/* Let time pass up to messages, which may be late: a timer may be due, or time begins, or goes
- * back.
+/* Prepares for messages that are not calm: lets time pass up to the instant of the messages. A
+ * timer may be due, the monitor may start, or time may go backwards. Returns the number of events,
+ * or REFUSED.
  */
 RARE int begin(monitor *m, const bool arrived[], int64_t t_ns)
 {
@@ -69,7 +78,7 @@ RARE int begin(monitor *m, const bool arrived[], int64_t t_ns)
 
 #if GUARDS && CHANNELS
 
-/* Check the numbers that a message on a channel may have changed. */
+/* Checks the guards of the values that a message on a channel can change. */
 static void look(monitor *m, unsigned channel, int64_t t_ns)
 {
     for (unsigned i = channel_guards[channel]; i != channel_guards[channel + 1]; i++) {
@@ -81,8 +90,8 @@ static void look(monitor *m, unsigned channel, int64_t t_ns)
 
 #endif
 
-/* Evaluate the nodes that messages have marked. Returns the number of events, including those
- * before the messages.
+/* Evaluates the nodes that messages have marked. `before` is the result of the preparation. Returns
+ * the number of events, including those of the preparation.
  */
 RARE int settle(monitor *m, const bool arrived[], int64_t t_ns, int before)
 {

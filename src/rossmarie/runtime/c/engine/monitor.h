@@ -1,14 +1,18 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The engine of a monitor. The file that includes it has the rules' own part: before this line the
- * sizes and the tables, in the words of tables.h, and behind it the functions that evaluate the
- * conditions and store the numbers of messages. So the functions here are compiled for these
- * tables, once for each monitor: a file includes the engine of one monitor only.
+/* The engine of a monitor. The generated file NAME_monitor.c includes this file. Before the
+ * include, the generated file defines the sizes and the tables in the types of tables.h. After the
+ * include, it defines the functions that evaluate conditions and store the numbers of messages. The
+ * compiler therefore compiles the engine for the tables of one monitor. Include the engine of only
+ * one monitor in a file.
  *
- * How it works: every number that conditions look at has a guard, the range around its present
- * value in which none of its comparisons changes. A message whose numbers stay inside their guards
- * costs only a check of them. A number that leaves its guard crosses one or more limits; that flips
- * the propositions at these limits, and only what depends on them is evaluated, in order.
+ * Each value that a condition compares has a guard. The guard is the range around the current value
+ * in which none of its comparisons changes. If all values of a message stay inside their guards,
+ * the engine checks only these values. A value that leaves its guard crosses one or more limits.
+ * This changes the propositions at these limits. The engine then evaluates, in order, only the
+ * nodes that depend on these propositions.
+ *
+ * Numbers such as S30 in comments refer to the rules of the semantics of ROSSMARie.
  */
 #ifdef ROSSMARIE_MONITOR
 #error "a file includes the engine of one monitor only"
@@ -39,7 +43,7 @@
 
 #include "messages.h"
 
-/* Compute the numbers that depend only on constants: the rules' own part of a monitor. */
+/* Computes the values that depend only on constants. The generated file defines this function. */
 static void set_constants(monitor *m);
 
 const char *NAMED(init)(monitor *m, NAMED(callback) on_event, void *user)
@@ -54,7 +58,6 @@ const char *NAMED(init)(monitor *m, NAMED(callback) on_event, void *user)
     return arithmetic_fault();
 }
 
-/* Let time pass without a message. */
 int NAMED(advance)(monitor *m, int64_t t_ns)
 {
     int events = catch_up(m, t_ns);

@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Oscillations: turning points of a number, counted within a window. */
+/* Oscillations (S32): the engine counts the turning points of a value within a window. */
 
 #if OSCILLATIONS
 
@@ -11,7 +11,9 @@ static void forget_turns(monitor *m, unsigned k)
     forget_recent(m, k);
 }
 
-/* True if enough turning points lie within the window. */
+/* Returns TRUE if enough turning points lie within the window, else FALSE. Returns UNKNOWN or
+ * STALE, and forgets the turning points, if the value is not finite.
+ */
 static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 {
     if (!isfinite(m->value[turn_value[k]])) {
@@ -21,6 +23,7 @@ static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
     return is_enough(m, k, t_ns) ? TRUE : FALSE;
 }
 
+/* Marks an oscillation if its proposition can change at an instant. */
 static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned char value = swings(m, k, t_ns);
@@ -32,11 +35,14 @@ static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
         mark(m, recent_proposition[k]);
 }
 
+/* Returns the truth value of an oscillation, which is unknown after a gap (S32). */
 static unsigned char swings_or_gap(monitor *m, unsigned k, int64_t t_ns)
 {
     return enough_or_gap(m, k, m->swinging[k], m->swinging[k] == TRUE, t_ns);
 }
 
+/* Sets a new direction. A change of the direction is a turning point; the first direction is not.
+ */
 static void turn(monitor *m, unsigned k, signed char heading, double x, int64_t t_ns)
 {
     if (m->heading[k] != 0)
@@ -45,7 +51,7 @@ static void turn(monitor *m, unsigned k, signed char heading, double x, int64_t 
     m->extreme[k] = x;
 }
 
-/* A sample of a number that may swing. */
+/* Processes a new sample of a value. */
 static void follow(monitor *m, unsigned k, int64_t t_ns)
 {
     const double x = m->value[turn_value[k]], swing = turn_swings[k], extreme = m->extreme[k];

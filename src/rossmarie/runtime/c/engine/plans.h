@@ -4,7 +4,7 @@
 #ifndef ROSSMARIE_PLANS_H
 #define ROSSMARIE_PLANS_H
 
-/* Parts that these rules do not use. */
+/* Sizes of the parts that these rules do not use. */
 #ifndef COMMANDS
 #define COMMANDS 0
 #endif
@@ -43,10 +43,17 @@ enum {
     OVERDUE = NAMED(TASK_OVERDUE)
 };
 
-/* A task: its rule; the time for which its end is awaited (0: not at all), and its state then;
- * whether it waits while another rule has its resource, and whether it fails at once then; its
- * resource; its deed on the resource, as a number, and the same if its rule has no other deed on
- * it; the condition that confirms its end. NONE means that there is none.
+/* A task of the plan of a rule. NONE stands for a missing index.
+ * - rule: the rule of the task.
+ * - timeout_ns: the time within which the task must end, in ns; 0 if the reactor does not await the
+ *   end.
+ * - end: the state of the task after its end, HOLDING or DONE.
+ * - waits: true if the task waits while another rule owns its resource.
+ * - fails_at_once: true if the task fails as soon as it waits.
+ * - resource: the resource that the task needs.
+ * - deed: a number for the use of the resource. Tasks with the same use have the same number.
+ * - answer: the same number if the rule uses the resource in no other way, else NONE.
+ * - watch: the condition that confirms the end of the task.
  */
 typedef struct plan {
     index_t rule;
@@ -60,8 +67,9 @@ typedef struct plan {
     index_t watch;
 } plan;
 
-/* The bounds of a task on a field of a command while the task is in force: the least and the
- * greatest number; and the speed at which the bounds open afterwards, per second (0: at once).
+/* The bounds of a task on a field of a command while the task is in force. low and high are the
+ * least and the greatest permitted number. ramp is the rate per second at which the bounds open
+ * after the release of the task; 0 opens the bounds at once.
  */
 typedef struct bound {
     index_t task;
@@ -71,9 +79,12 @@ typedef struct bound {
     double ramp;
 } bound;
 
-/* A memory: the index of its first number among all poses, and of its first reading among all
- * readings; its greatest number of poses, and the count of numbers in each; the least distance of a
- * pose from the one before it, in m and in ns.
+/* A memory of poses.
+ * - first: the index of its first number in the array of all poses.
+ * - reading: the index of its first reading in pose_readings.
+ * - most: the greatest number of poses.
+ * - numbers: the count of numbers in each pose.
+ * - pose_gap, pose_gap_ns: the least distance from the previous pose, in m and in ns.
  */
 typedef struct memory {
     unsigned first;
@@ -84,14 +95,16 @@ typedef struct memory {
     int64_t pose_gap_ns;
 } memory;
 
-/* A task that sends the poses of a memory, one per period. */
+/* A task that sends the poses of a memory, one in each period. */
 typedef struct retrace {
     index_t task;
     index_t memory;
     int64_t pose_period_ns;
 } retrace;
 
-/* The factor of a task on all fields of a command, and the speed at which it returns to 1. */
+/* The factor of a task on all fields of a command. After the release of the task, the factor
+ * returns to 1 at `ramp` per second; 0 restores 1 at once.
+ */
 typedef struct scale {
     index_t task;
     double factor;

@@ -1,12 +1,12 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Propositions, the nodes that depend on them, and Kleene's three-valued logic, in which stale is a
- * form of unknown. Propositions and rules are nodes: each node follows its operands.
+/* Propositions and rules are nodes. Each node follows its operands. Propositions use Kleene's
+ * three-valued logic; STALE is a form of UNKNOWN.
  */
 
 #if NODES <= 64
 
-/* Mark a node for evaluation: one of its operands has changed. */
+/* Marks a node for evaluation, because one of its operands has changed. */
 INLINE void mark(monitor *m, unsigned node) { m->dirty |= BIT(node); }
 
 INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
@@ -25,7 +25,7 @@ INLINE bool is_pending(const monitor *m) { return m->pending; }
 
 #endif
 
-/* The index of the lowest bit that is set. */
+/* Returns the index of the lowest bit that is set. At least one bit must be set. */
 INLINE unsigned lowest(uint64_t bits)
 {
 #if defined(__GNUC__)
@@ -42,7 +42,9 @@ INLINE unsigned lowest(uint64_t bits)
 #endif
 }
 
-/* Set a proposition. If its value is new, mark the nodes that depend on it. */
+/* Sets the truth value of a proposition. If the truth value changes, marks the nodes that depend on
+ * the proposition.
+ */
 INLINE void set_truth_value(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 {
     if (value == m->truth_value[node])
@@ -57,7 +59,9 @@ INLINE void set_truth_value(monitor *m, unsigned node, unsigned value, int64_t t
 #endif
 }
 
-/* Kleene's conjunction. */
+/* Returns Kleene's conjunction. STALE is greater than UNKNOWN, so an unknown result is stale if an
+ * operand is.
+ */
 static inline unsigned char both(unsigned char a, unsigned char b)
 {
     if (a == FALSE || b == FALSE)
@@ -65,7 +69,7 @@ static inline unsigned char both(unsigned char a, unsigned char b)
     return a > b ? a : b;
 }
 
-/* Kleene's disjunction. */
+/* Returns Kleene's disjunction, with STALE as in `both`. */
 static inline unsigned char either(unsigned char a, unsigned char b)
 {
     if (a == TRUE || b == TRUE)
@@ -73,7 +77,7 @@ static inline unsigned char either(unsigned char a, unsigned char b)
     return a > b ? a : b;
 }
 
-/* Kleene's negation. */
+/* Returns Kleene's negation. */
 static inline unsigned char opposite(unsigned char a)
 {
     if (a == FALSE)
@@ -83,7 +87,7 @@ static inline unsigned char opposite(unsigned char a)
 
 #if SINCES
 
-/* `held since begun`. Its memory is its value at the last evaluation. */
+/* Returns the truth value of `held since begun` (S44) and stores it for the next evaluation. */
 static unsigned char since(monitor *m, unsigned k, unsigned held, unsigned begun)
 {
     const unsigned char before = either(m->truth_value[begun], m->since_before[k]);

@@ -1,8 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The engine of a reactor: it turns the activity of rules into task commands to start and to stop
- * tasks. The file that includes it has the rules' own part before this line: tables of tasks and
- * escalations, in the types of plans.h.
+/* The engine of a reactor. The generated file NAME_reactor.c includes this file. Before the
+ * include, the generated file defines the tables of tasks and escalations, in the types of plans.h.
+ * Numbers such as R2 in comments refer to the rules of the semantics of reactions.
  */
 #ifdef ROSSMARIE_REACTOR
 #error "a file includes the engine of one reactor only"
@@ -11,7 +11,7 @@
 
 /* --- task commands ------------------------------------------------------------------------- */
 
-/* No task gets more than two task commands in one call: overruled and failed. */
+/* Stores a task command of this call. No task gets more than two in one call. */
 static void decide(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {
     r->decisions[r->decided].task = (index_t)task;
@@ -20,7 +20,7 @@ static void decide(reactor *r, unsigned task, unsigned command, int32_t by_rule)
     r->decided++;
 }
 
-/* Give the task commands of a call. */
+/* Passes the stored task commands to the callback. */
 static void give_task_commands(reactor *r)
 {
     for (unsigned i = 0; i != r->decided; i++) {
@@ -34,7 +34,9 @@ static void give_task_commands(reactor *r)
 
 /* --- time ---------------------------------------------------------------------------------- */
 
-/* True if the instant is in range. When the clock is set back, what was a old stays a old. */
+/* Sets the clock. If time goes backwards, all ages stay the same. Returns false if the instant is
+ * out of range.
+ */
 static bool set_clock(reactor *r, int64_t t_ns)
 {
     if (t_ns <= EARLIEST || t_ns >= LATEST)
@@ -53,7 +55,7 @@ static bool set_clock(reactor *r, int64_t t_ns)
     return true;
 }
 
-/* The instant at which a task that runs or waits times out. */
+/* Returns the instant at which a RUNNING or WAITING task times out, else NEVER. */
 static int64_t due(const reactor *r, unsigned task)
 {
     const bool is_open = r->state[task] == RUNNING || r->state[task] == WAITING;
@@ -68,8 +70,8 @@ static bool is_in_force(const reactor *r, unsigned task)
     return r->state[task] == RUNNING || r->state[task] == HOLDING;
 }
 
-/* The engaged rule that has the resource of a task, -1 if it is the rule of the task, or publishes
- * the same. Only publications are effects that are not awaited.
+/* Returns the other rule that owns the resource of a task (R2), -1 if there is none. Publications
+ * of the same message share their topic. Every other kind of deed has a timeout.
  */
 static int32_t overruler(const reactor *r, unsigned task)
 {
@@ -87,7 +89,7 @@ static int32_t overruler(const reactor *r, unsigned task)
     return -1;
 }
 
-/* Record a task as the last started task of its rule. */
+/* Records a task as the last started task of its rule. */
 static void append_started(reactor *r, unsigned task)
 {
     const unsigned rule = tasks[task].rule;
@@ -122,7 +124,7 @@ static void fail(reactor *r, unsigned task, unsigned char state)
     r->failed_count++;
 }
 
-/* Another rule has the resource of a task. The time of a running task goes on. */
+/* Lets a task wait because another rule owns its resource. A running task keeps its time limit. */
 static void give_way(reactor *r, unsigned task)
 {
     if (r->state[task] != RUNNING)
@@ -132,9 +134,7 @@ static void give_way(reactor *r, unsigned task)
         fail(r, task, OVERDUE);
 }
 
-/* Start tasks, except for those whose resource another rule has, and those that have started
- * before.
- */
+/* Starts the tasks that are IDLE. A task whose resource another rule owns waits or fails (R7). */
 static void start(reactor *r, const index_t *first, const index_t *end)
 {
     for (const index_t *task = first; task != end; task++) {
@@ -153,7 +153,7 @@ static void start(reactor *r, const index_t *first, const index_t *end)
     }
 }
 
-/* Start the escalations of failed tasks, including escalations of failed escalations. */
+/* Starts the escalations of failed tasks, including the escalations of failed escalations (R6). */
 static void escalate(reactor *r)
 {
     for (unsigned i = 0; i != r->failed_count; i++) {
@@ -168,7 +168,7 @@ static void escalate(reactor *r)
 
 /* --- rules --------------------------------------------------------------------------------- */
 
-/* Undo everything that is in force, in reverse order of the start, and forget it. */
+/* Releases a rule (R9): stops its tasks in force, the last started task first; forgets its plan. */
 static void release(reactor *r, unsigned rule)
 {
     for (unsigned i = r->started_count[rule]; i != 0; i--) {
@@ -194,7 +194,7 @@ static void give_up(reactor *r, unsigned task)
         r->state[task] = DONE;
 }
 
-/* First give resources up, then start the consequences, then start waiting tasks again. */
+/* Applies changes of owners (R8): gives up resources, escalates, then starts waiting tasks. */
 static void pass_resources_on(reactor *r)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -210,7 +210,7 @@ static void pass_resources_on(reactor *r)
             begin(r, task);
 }
 
-/* Start the current stage of a rule, unless its plan is finished. */
+/* Starts the current stage of a rule, unless its plan is finished. */
 static void start_stage(reactor *r, unsigned rule)
 {
     const unsigned stage = rule_stages[rule] + r->stage[rule];
@@ -233,7 +233,8 @@ static bool is_stage_over(const reactor *r, unsigned rule)
     return true;
 }
 
-/* True if the condition that confirms the end of a task holds, if it has one. */
+/* Returns true if the condition that confirms the end of a task holds, or if there is no condition.
+ */
 static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
 {
 #if CONFIRMED
@@ -245,7 +246,8 @@ static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
     return true;
 }
 
-/* True if the goal of a waiting task is reached without it. */
+/* Returns true if a confirmation or the owner of the resource substitutes for a waiting task (R15).
+ */
 static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned task)
 {
     const int32_t owner = overruler(r, task);
@@ -261,7 +263,7 @@ static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned tas
     return false;
 }
 
-/* A waiting task fails when its time is over, unless its goal is reached without it. */
+/* Fails the waiting tasks that are late and have no substitute (R15). */
 static void settle_waits(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -271,7 +273,7 @@ static void settle_waits(reactor *r, const NAMED(monitor) * m)
     }
 }
 
-/* Handle ends of tasks, then start the stages that follow. */
+/* Handles the ends of tasks (R4), then starts the stages that follow (R5). */
 static void settle(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned task = 0; task != TASKS; task++) {
@@ -321,13 +323,13 @@ const char *NAMED(reactor_init)(reactor *r, NAMED(perform) perform, void *user)
 
 void NAMED(reactor_open)(reactor *r) { r->opened = true; }
 
-/* True if a rule is to be carried out. */
+/* Returns true if a rule is active and not exempted. */
 static bool engages(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
 {
     return NAMED(is_active)(m, (int)rule) && !(exempted && exempted[rule]);
 }
 
-/* True if a rule is active that suspends this one. */
+/* Returns true if a rule behind `unless` suspends this rule. */
 static bool yields(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
 {
 #if YIELDING

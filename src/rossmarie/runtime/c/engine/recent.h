@@ -1,7 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Recent instants: turning points of a number, or edges of a condition, counted within a window.
- * First come those of the oscillations, then those of the counts of edges.
+/* Recent instants: the instants of the turning points of a value, or of the edges of a condition,
+ * within a window. Each list k is a ring. The lists of oscillations come first, followed by the
+ * lists of counts of edges.
  */
 
 #if RECENT
@@ -17,20 +18,23 @@ static void add_recent(monitor *m, unsigned k, int64_t t_ns)
         m->recent_count[k]++;
 }
 
-/* The end of the window of the n-th latest, which lies at the place that is overwritten next. */
+/* Returns the instant at which the n-th latest recent instant leaves the window. This recent
+ * instant is the oldest in a full ring, which the next recent instant overwrites.
+ */
 static int64_t recent_end(const monitor *m, unsigned k)
 {
     return m->recent_ns[recent_first[k] + m->recent_next[k]] + recent_windows[k];
 }
 
-/* True if enough of them lie within the window. */
+/* Returns true if enough recent instants lie within the window at t_ns. */
 static bool is_enough(const monitor *m, unsigned k, int64_t t_ns)
 {
     return m->recent_count[k] == recent_first[k + 1] - recent_first[k] && t_ns < recent_end(m, k);
 }
 
-/* The result, given the source, which matters only if it is unknown or stale: too few instants give
- * no answer until the source has been known throughout the window.
+/* Returns the truth value of an oscillation or a count of edges. `source` is the truth value from
+ * which it follows; only UNKNOWN and STALE matter. With too few instants, the result is unknown
+ * until the source has been known for the length of the window.
  */
 static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source, bool is_enough,
                                    int64_t t_ns)
@@ -52,7 +56,7 @@ static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source,
     return m->gap[k];
 }
 
-/* The instant at which the result changes by itself. */
+/* Returns the instant at which the result changes without a message, or NEVER. */
 static int64_t recent_due(const monitor *m, unsigned k)
 {
     const unsigned char value = m->truth_value[recent_proposition[k]];
@@ -67,7 +71,9 @@ static int64_t recent_due(const monitor *m, unsigned k)
 
 #if EDGES
 
-/* `count(edges of operand within a time)`: an edge is where the operand is true and was false. */
+/* Returns the truth value of `count(edges of operand within a time)` (S48). An edge is an
+ * evaluation at which the operand is true and was false in the evaluation before.
+ */
 static unsigned char recurs(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
     const unsigned char operand = m->truth_value[node], before = m->edge_before[k];

@@ -1,10 +1,12 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Memories of poses: recorded while no rule retraces them, and sent back the newest first. */
+/* Memories of poses (R16, R17 of the reactions). The reactor records poses while no engaged rule
+ * retraces the memory. A retrace sends the newest pose first.
+ */
 
 #if RETRACES
 
-/* Pose i in a memory, the oldest first. */
+/* Returns the index of pose i of memory k in the array of all poses. Pose 0 is the oldest. */
 static unsigned pose_place(const reactor *r, unsigned k, unsigned i)
 {
     return memories[k].first + (r->poses_oldest[k] + i) % memories[k].most * memories[k].numbers;
@@ -18,7 +20,9 @@ static bool is_known_pose(unsigned k, const double *pose)
     return true;
 }
 
-/* True if a pose is far enough from the last one, which is that old. */
+/* Returns true if a pose differs enough from the last pose. `age_ns` is the time since the last
+ * recording.
+ */
 static bool is_apart(unsigned k, const double *pose, const double *last, int64_t age_ns)
 {
     const double x = pose[0] - last[0];
@@ -31,7 +35,9 @@ static bool is_apart(unsigned k, const double *pose, const double *last, int64_t
            age_ns >= memories[k].pose_gap_ns;
 }
 
-/* True if a pose is far enough from the last one that is kept. */
+/* Returns true if a pose differs enough from the newest pose in the memory, or if the memory is
+ * empty.
+ */
 static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
 {
     double last[MOST_NUMBERS] = {0.0};
@@ -44,7 +50,8 @@ static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
     return is_apart(k, pose, last, r->now_ns - r->pose_recorded_ns[k]);
 }
 
-/* Record the poses of the monitor. In a full memory, the new pose replaces the oldest. */
+/* Records the current pose of each memory. In a full memory, the new pose replaces the oldest pose.
+ */
 static void pose_record(reactor *r, const NAMED(monitor) * m)
 {
     for (unsigned k = 0; k != MEMORIES; k++) {
@@ -70,8 +77,8 @@ static void pose_record(reactor *r, const NAMED(monitor) * m)
     }
 }
 
-/* The instant from which a task may send its next pose; NEVER if it has none, or if the robot's
- * position is unknown.
+/* Returns the instant from which a task may send its next pose. Returns NEVER if the memory is
+ * empty, the current pose is unknown, or the task is not HOLDING.
  */
 static int64_t pose_due(const reactor *r, unsigned i)
 {
@@ -81,7 +88,7 @@ static int64_t pose_due(const reactor *r, unsigned i)
     return r->pose_sent_ns[i] == NEVER ? EARLIEST : r->pose_sent_ns[i] + retraces[i].pose_period_ns;
 }
 
-/* The earlier of an instant and the instant of a task's next pose. */
+/* Returns the earlier of wake_ns and the earliest future instant at which a task sends a pose. */
 static int64_t pose_wake(const reactor *r, int64_t wake_ns)
 {
     for (unsigned i = 0; i != RETRACES; i++)
@@ -90,6 +97,9 @@ static int64_t pose_wake(const reactor *r, int64_t wake_ns)
     return wake_ns;
 }
 
+/* Gives the task command RETRACE to each task whose next pose is due. A memory forgets a pose that
+ * is sent.
+ */
 static void pose_send(reactor *r)
 {
     for (unsigned i = 0; i != RETRACES; i++) {
@@ -106,7 +116,7 @@ static void pose_send(reactor *r)
     }
 }
 
-/* A task that starts sends its first pose at once. */
+/* Lets a task that starts send its first pose at once. */
 static void pose_begin(reactor *r, unsigned task)
 {
     for (unsigned i = 0; i != RETRACES; i++)
@@ -114,6 +124,9 @@ static void pose_begin(reactor *r, unsigned task)
             r->pose_sent_ns[i] = NEVER;
 }
 
+/* Returns an instant that has the same age before t_ns as since_ns has before now_ns, at most
+ * LONGEST.
+ */
 static int64_t set_back(int64_t since_ns, int64_t now_ns, int64_t t_ns)
 {
     int64_t age_ns = 0;

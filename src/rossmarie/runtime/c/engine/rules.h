@@ -1,13 +1,15 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Rules: their activation, their clearing, and the reports of both. */
+/* Activation and clearing of rules, and the events that report these changes (S35 to S41). */
 
 static bool is_active(const monitor *m, unsigned rule)
 {
     return (m->active[rule / 8] >> (rule % 8) & 1) != 0;
 }
 
-/* Report a change of a rule, with the values that it depends on. */
+/* Reports a change of a rule, with the truth values, signals and input states that the rule depends
+ * on.
+ */
 static void report(const monitor *m, unsigned rule, int32_t change, int64_t t_ns)
 {
     NAMED(event) event;
@@ -38,7 +40,7 @@ static int change_rule(monitor *m, unsigned rule, int32_t change, int64_t t_ns)
     return 1;
 }
 
-/* Change a rule after an evaluation. Returns the number of changes. */
+/* Activates or clears a rule after an evaluation. Returns the number of changes, 0 or 1. */
 static int judge(monitor *m, unsigned rule, int64_t t_ns)
 {
     const unsigned char condition = m->truth_value[rule_condition[rule]];

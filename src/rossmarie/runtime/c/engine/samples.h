@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Samples: the last two of a number, or all within a window. */
+/* Samples of values: the last two samples, or all samples within a window. */
 
 #if SAMPLED
 
@@ -10,7 +10,8 @@ static void forget_samples(monitor *m, unsigned k)
     m->before[k] = NAN;
 }
 
-/* A sample of a number; at an equal instant it replaces the last one. */
+/* Stores a sample of a value. A sample at the instant of the last sample replaces the last sample.
+ */
 static void sample(monitor *m, unsigned k, double x, int64_t t_ns)
 {
     if (m->latest_ns[k] != t_ns) {
@@ -21,7 +22,7 @@ static void sample(monitor *m, unsigned k, double x, int64_t t_ns)
     m->latest_ns[k] = t_ns;
 }
 
-/* The time between the last two samples. */
+/* Returns the time between the last two samples, in s. */
 static inline double seconds_between(const monitor *m, unsigned k)
 {
     return (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
@@ -31,7 +32,7 @@ static inline double seconds_between(const monitor *m, unsigned k)
 
 #if WINDOWS
 
-/* Sample i of a window, the oldest first. */
+/* Returns the place of sample i in the ring of a window. Sample 0 is the oldest. */
 static unsigned window_place(const monitor *m, unsigned k, unsigned i)
 {
     return (m->window_first[k] + i) % MOST_SAMPLES;
@@ -45,7 +46,9 @@ static void drop_oldest(monitor *m, unsigned k)
 
 static void forget_window(monitor *m, unsigned k) { m->window_count[k] = 0; }
 
-/* A sample of a window; at an equal instant it replaces the last one. */
+/* Stores a sample in a window. A sample at the instant of the last sample replaces the last sample.
+ * Samples older than the window are removed. A full window loses its oldest sample.
+ */
 static void sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
 {
     if (m->window_count[k] != 0 &&
@@ -62,7 +65,9 @@ static void sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
     m->window_count[k]++;
 }
 
-/* The middle of a window by size, of two the lower or the upper; unknown if any sample is. */
+/* Returns the middle sample by size. Of two middle samples, returns the lower, or the upper if
+ * is_upper is 1. Returns NaN if the window is empty or any sample is unknown.
+ */
 static inline double window_middle(const monitor *m, unsigned k, unsigned is_upper)
 {
     const unsigned count = m->window_count[k];
@@ -79,7 +84,9 @@ static inline double window_middle(const monitor *m, unsigned k, unsigned is_upp
     return count == 0 ? NAN : by_size[(count - 1 + is_upper) / 2];
 }
 
-/* The sum of a window, added from the oldest sample to the newest; unknown of none. */
+/* Returns the sum of the samples, added from the oldest to the newest. Returns NaN if the window is
+ * empty or any sample is unknown.
+ */
 static inline double window_total(const monitor *m, unsigned k)
 {
     double total = NAN;

@@ -20,18 +20,21 @@
 #define RARE static
 #endif
 
-/* Propositions: unknown for lack of an input with a timeout is stale; unset is not evaluated yet.
+/* Truth values. STALE: unknown because an input with a timeout is missing. UNSET: not evaluated
+ * yet.
  */
 enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };
 
+/* States of inputs. */
 enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
-/* A rule that only an operator's reset clears: the proposition that it waits for. */
+/* The release of a rule that only the reset of an operator clears. */
 enum { LATCHED = NONE };
 
-/* A limit of a number: above it, the proposition has this value, and up to it the opposite. If the
- * proposition has another limit, `other` is its distance in the table, negative if it comes before;
- * 0 if there is none.
+/* A limit of a value. The proposition has the truth value `above` if the value is greater than
+ * `at`, else the opposite. `other` is the distance in the table to the other limit of the
+ * proposition. The distance is negative if the other limit comes before, and 0 if there is no other
+ * limit.
  */
 typedef struct limit {
     double at;
@@ -40,11 +43,11 @@ typedef struct limit {
     int16_t other;
 } limit;
 
-/* The ends of the limits of a number. */
+/* The first and the last row of the limits of a value. */
 #define BELOW_ALL {-INFINITY, 0, FALSE, 0}
 #define ABOVE_ALL {DBL_MAX, 0, FALSE, 0}
 
-/* A set of propositions and rules, if there are few. */
+/* Sets of nodes, for monitors with at most 64 nodes. */
 #define BIT(node) ((uint64_t)1 << (node))
 #define NOBODY ((uint64_t)0)
 

@@ -1,10 +1,10 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Propositions that time alone can change: durations and ages. */
+/* Propositions that can change without a message: durations and ages. */
 
 static inline int64_t earlier(int64_t a, int64_t b) { return a < b ? a : b; }
 
-/* Record a new timer. `wake_ns` is never later than the earliest timer; it may be earlier. */
+/* Records a new timer. `wake_ns` is the instant of the earliest timer or an earlier instant. */
 static inline void wake_by(monitor *m, int64_t due_ns)
 {
     if (due_ns < m->wake_ns)
@@ -13,9 +13,9 @@ static inline void wake_by(monitor *m, int64_t due_ns)
 
 #if HELD
 
-/* `operand for duration`: true once the operand has been true that long; until then the earlier
- * value of the operand. (Next to no branches: whether an operand rose or fell is badly
- * predictable.)
+/* Returns the truth value of `operand for duration` (S33): TRUE once the operand has been true for
+ * the duration; until then, the truth value that the operand had before. The code has few branches,
+ * because a processor predicts changes of the operand badly.
  */
 static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
@@ -31,7 +31,7 @@ static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 
 #if AGES
 
-/* The age of the last message of an input. */
+/* Updates the proposition about the age of the last message of an input (S31). */
 static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned input = age_input[k];
