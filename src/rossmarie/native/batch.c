@@ -1,16 +1,21 @@
-/* Whole batches for a monitor: updates that follow each other, with samples of signals.
+/* Batches for a monitor: a sequence of updates in one call, with samples of signals.
  *
- * Compiled together with host.c.
+ * This file is compiled together with host.c.
  */
 #ifndef ROSSMARIE_BATCH
 #define ROSSMARIE_BATCH
 
 #include "host.c"
 
-/* `arriving` has a byte for each channel of each update, `slots` a number for each slot of each
- * update. An array of all updates lies in `elements`, and `ends` says where those of each update
- * end; where `known` is 0 nothing is known of the list of which it is a column. `parts` and
- * `counts` are room for the arrays of one update.
+/* A batch of updates.
+ * - times: the instant of each update, in ns.
+ * - arriving: a byte for each channel of each update, not 0 if a message arrives.
+ * - slots: a number for each slot of each update.
+ * - elements: for each array, the elements of all updates.
+ * - ends: for each array, the index in `elements` at which the elements of each update end.
+ * - known: for each array, a byte for each update; 0 if the list to which the array belongs is
+ *   unknown.
+ * - parts, counts: room for the arrays of one update.
  */
 typedef struct host_batch {
     size_t update_count;
@@ -27,7 +32,7 @@ typedef struct host_batch {
     size_t *counts;
 } host_batch;
 
-/* Memory for samples of some signals: an instant and a row of values for each. */
+/* Memory for samples of signals. A sample is an instant in ns and a row of values. */
 typedef struct host_samples {
     size_t room;
     size_t count;
@@ -57,9 +62,10 @@ static int take_update(host *h, const host_batch *batch, size_t i)
                      batch->slots + i * batch->slot_count, batch->parts, batch->counts);
 }
 
-/* Process the updates from `first` on, with a sample after each, and before it if a timer was due.
- * Returns how far it came: not to the end if the memory for samples is full, or if the instant of
- * an update is out of range.
+/* Processes the updates from `first` on. Takes a sample after each update, and after each timer
+ * that is due before it. Returns the number of processed updates, counted from the start of the
+ * batch. The result is less than update_count if the memory for samples is full, or if the instant
+ * of the next update is out of range.
  */
 size_t host_take(host *h, size_t first, const host_batch *batch, host_samples *samples)
 {

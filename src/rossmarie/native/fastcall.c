@@ -1,14 +1,17 @@
-/* Python functions for a monitor: one message on a channel, and some rows of columns.
+/* Python functions for a monitor: one function processes a message on a channel, the other
+ * processes rows of columns.
  *
- * Compiled together with batch.c where the headers of Python are at hand; they are several times as
- * fast as calls through a foreign function interface.
+ * This file is compiled together with batch.c if the headers of Python are installed. Its functions
+ * are several times as fast as calls through a foreign function interface.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
 #include "batch.c"
 
-/* The functions that process a message. A monitor may be a part of the object behind them. */
+/* The function that processes a message. Another file can define another function, for an object
+ * that contains a monitor.
+ */
 #ifndef TAKE_PACKED
 #define TAKE_PACKED host_packed
 #endif
@@ -55,7 +58,7 @@ static void forget(PyObject *capsule)
     PyMem_Free(to);
 }
 
-/* The function for a channel; NULL with an exception if there is no memory. */
+/* Returns the function for a channel, or NULL with an exception if there is not enough memory. */
 PyObject *host_python_function(void *machine, int channel, int fields, PyObject *owner)
 {
     PyObject *capsule, *function;
@@ -85,7 +88,7 @@ typedef struct rows {
     const host_table *table;
 } rows;
 
-/* The events behind the first `before`, which stay in the log, as bytes. */
+/* Returns the events after the first `before` events, as bytes, and removes them from the log. */
 static PyObject *new_events(host *h, size_t before)
 {
     const size_t size = host_event_size();
@@ -96,7 +99,7 @@ static PyObject *new_events(host *h, size_t before)
     return found;
 }
 
-/* (start, stop, memory for active bits or None) -> the bytes of the events of these rows. */
+/* (start, stop, memory for active bits or None) -> the events of these rows, as bytes. */
 static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
     const rows *of = (const rows *)PyCapsule_GetPointer(self, NULL);
@@ -133,7 +136,7 @@ static void forget_rows(PyObject *capsule)
     PyMem_Free(of);
 }
 
-/* The function for a table; NULL with an exception if there is no memory. */
+/* Returns the function for a table, or NULL with an exception if there is not enough memory. */
 PyObject *host_python_rows(void *machine, void *table, PyObject *owner)
 {
     PyObject *capsule, *function;

@@ -1,7 +1,7 @@
-/* Python functions for a guard: those of fastcall.c, which let the reactor follow each message, and
- * one for a step.
+/* Python functions for a guard: the functions of fastcall.c, after which the reactor runs, and a
+ * function for a step.
  *
- * Compiled together with guarding.c where the headers of Python are at hand.
+ * This file is compiled together with guarding.c if the headers of Python are installed.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -15,12 +15,13 @@ typedef struct stepper {
     host *machine;
     PyObject *owner; /* keeps the machine and the wiring alive */
     const guard_wiring *wiring;
-    double *observation; /* memory for numbers that were float32 */
+    double *observation; /* room for the conversion of float32 numbers */
     double *action;
 } stepper;
 
-/* The numbers of an array of one dimension: its own memory, or a copy in `room`; NULL if it is not
- * of this length, or holds no floats. `view` is to be released if it has an object.
+/* Returns the numbers of a one-dimensional array: its own memory if the numbers are float64, or a
+ * copy in `room` if they are float32. Returns NULL if the length is different or the elements are
+ * not floats. Release `view` if its member obj is not NULL.
  */
 static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffer *view, int flags)
 {
@@ -40,7 +41,7 @@ static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffe
     return room;
 }
 
-/* Put changed numbers back into their array. A float32 is rounded towards 0. */
+/* Writes changed numbers back into their array. A float32 number is rounded towards 0. */
 static void put_back(const double *numbers, const Py_buffer *view)
 {
     float *floats = (float *)view->buf;
@@ -53,8 +54,8 @@ static void put_back(const double *numbers, const Py_buffer *view)
     }
 }
 
-/* The facts after a step: its bits, the active rules, the margins and, if the action was changed,
- * the tasks.
+/* Returns the result of a step as bytes: the bits of the step, the active rules, the margins and,
+ * if the action was changed, the states of the tasks with their instants.
  */
 static PyObject *noted(const host *h, int said)
 {
@@ -81,8 +82,8 @@ static PyObject *noted(const host *h, int said)
     return note;
 }
 
-/* (at_ns, observation or None, action or None) -> the facts after the step; None if the arrays or
- * the instant do not fit: then nothing has changed.
+/* (at_ns, observation or None, action or None) -> the result of the step, or None if the arrays or
+ * the instant do not fit. Then the guard has not changed.
  */
 static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
@@ -128,25 +129,25 @@ static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t
 
 /* --- messages ------------------------------------------------------------------------------ */
 
-/* One channel: the slots and arrays of the machine that its messages carry, and memory for them. */
+/* A channel: the slots and arrays of the machine that its messages fill, and room for them. */
 typedef struct watcher {
     host *machine;
     PyObject *owner; /* keeps the machine alive */
     int channel;
     int fields;
     int array_count;
-    int first_array; /* the arrays of a channel stand side by side */
+    int first_array; /* the arrays of a channel are adjacent */
     const int *slots;
     unsigned char *present;
     double *slot_room;
     const double **arrays;
     size_t *counts;
     Py_buffer *views;
-    double **rooms; /* for numbers that were float32 */
+    double **rooms; /* for the conversion of float32 numbers */
 } watcher;
 
-/* The elements of an array of one dimension: its own memory, or a copy; NULL with an exception if
- * it holds no floats.
+/* Returns the elements of a one-dimensional array: its own memory if the elements are float64, or a
+ * copy if they are float32. Returns NULL with an exception if the elements are not floats.
  */
 static const double *elements_of(PyObject *array, Py_buffer *view, double **room)
 {
@@ -170,8 +171,8 @@ static const double *elements_of(PyObject *array, Py_buffer *view, double **room
     return NULL;
 }
 
-/* Process a message with arrays, and run the reactor. Returns less than 0 if the instant is out of
- * range, or with an exception.
+/* Processes a message with arrays, and runs the reactor. Returns the number of new events and task
+ * commands. The result is negative if the instant is out of range, or with an exception.
  */
 static int take_arrays(const watcher *by, int64_t t_ns, const double *values,
                        PyObject *const *arrays)
@@ -202,8 +203,8 @@ static int take_arrays(const watcher *by, int64_t t_ns, const double *values,
     return (int)(h->count + guard_of(h)->count - before);
 }
 
-/* (at_ns, *numbers, *arrays) -> the instant of the next advance; None if there is something to
- * take.
+/* (at_ns, *numbers, *arrays) -> the instant of the next advance in ns, or None if there are new
+ * events or task commands.
  */
 static PyObject *fastwatch(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
@@ -262,9 +263,11 @@ static void forget_watcher(PyObject *capsule)
     free_watcher((watcher *)PyCapsule_GetPointer(capsule, NULL));
 }
 
-/* The function for a channel: `shape` has the channel, the number of its slots, of its arrays and
- * its first array, then the number of channels, slots and arrays of the machine, then the slots of
- * the channel; `owner` keeps it alive. NULL with an exception if there is no memory.
+/* Returns the function for a channel, or NULL with an exception if there is not enough memory.
+ * `owner` must keep `machine` and `shape` alive. `shape` has these numbers, in this order:
+ * - the channel, the number of its slots, the number of its arrays, and its first array;
+ * - the numbers of channels, slots and arrays of the machine;
+ * - the slots of the channel.
  */
 PyObject *guard_python_watch(void *machine, const int *shape, PyObject *owner)
 {
@@ -316,7 +319,7 @@ static void forget_stepper(PyObject *capsule)
     PyMem_Free(by);
 }
 
-/* The function for a guard; NULL with an exception if there is no memory. */
+/* Returns the function for a guard, or NULL with an exception if there is not enough memory. */
 PyObject *guard_python_step(void *machine, void *wiring, PyObject *owner)
 {
     PyObject *capsule, *function;

@@ -1,15 +1,16 @@
-/* Guards for policies: the monitor processes an observation, the reactor follows, and its bounds
- * apply to the action. One at a time, or many in a row.
+/* Guards for policies: the monitor processes an observation, then the reactor runs, and then the
+ * bounds of the reactor change the action. The functions work on one guard or on an array of
+ * guards.
  *
- * Compiled together with host.c and guard.c.
+ * This file is compiled together with host.c and guard.c.
  */
 #include "batch.c"
 
 #include "guard.c"
 
 /* The mapping of numbers of observations and actions to fields of messages. A field has `count`
- * numbers from `first` on, `step` apart; a scalar has one, and none if it is missing. A number x
- * stands for x * scale + offset in the unit of the message.
+ * numbers, at the indexes first, first + step, and so on. A scalar has one number, or none if it is
+ * missing. A number x stands for x * scale + offset in the unit of the message.
  */
 typedef struct guard_part {
     int64_t first;
@@ -18,21 +19,21 @@ typedef struct guard_part {
     double scale;
     double offset;
     int32_t is_flag;
-    int32_t command; /* of an action */
+    int32_t command; /* for a part of an action */
     int32_t field;
     int32_t unused;
 } guard_part;
 
-/* A command that a task publishes in place of an action: the numbers of all its parts. */
+/* A command that a task publishes instead of an action: the numbers of all its parts. */
 typedef struct guard_publication {
     int32_t task;
     int32_t command;
-    int32_t lasts; /* else it replaces one action only */
-    int32_t first; /* in `published` */
+    int32_t lasts; /* 0 if it replaces only one action */
+    int32_t first; /* its first number in `published` */
 } guard_publication;
 
 typedef struct guard_wiring {
-    size_t observed; /* numbers of an observation, and of an action */
+    size_t observed; /* the length of an observation; `acted` is that of an action */
     size_t acted;
     size_t slot_count;
     size_t array_count;
@@ -41,7 +42,7 @@ typedef struct guard_wiring {
     const unsigned char *present; /* the channels that arrive with each observation */
     const guard_part *slots;
     const guard_part *arrays;
-    const int32_t *clouds; /* of which each array is a column; -1 if it is of none */
+    const int32_t *clouds; /* for each array, the cloud of which it is a column, or -1 */
     const unsigned char *is_axis;
     const guard_part *parts; /* of actions, command by command */
     const guard_publication *publications;
@@ -54,7 +55,7 @@ typedef struct guard_wiring {
     double *action_room;
 } guard_wiring;
 
-/* Bits of the result of guard_step. */
+/* The bits of the result of guard_step. */
 enum { GUARD_CHANGED = 1, GUARD_REFUSED = 2, GUARD_REPORTED = 4, GUARD_CLOSED = 8 };
 
 static double of_message(const guard_part *part, double x)
@@ -70,7 +71,7 @@ static double of_action(const guard_part *part, double value)
     return is_same ? value : (value - part->offset) / part->scale;
 }
 
-/* True if a point of a cloud has a place: none of its axes is unknown. */
+/* Returns true if a point of a cloud has a position: none of its coordinates is unknown. */
 static bool has_place(const guard_wiring *w, int32_t cloud, size_t point)
 {
     for (size_t i = 0; i != w->array_count; i++)
@@ -79,7 +80,7 @@ static bool has_place(const guard_wiring *w, int32_t cloud, size_t point)
     return true;
 }
 
-/* Removes the points without a position from a cloud whose first column is `first`. */
+/* Removes the points without a position from a cloud. `first` is the first column of the cloud. */
 static void leave_out(const guard_wiring *w, size_t first)
 {
     const int32_t cloud = w->clouds[first];
@@ -119,8 +120,8 @@ static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const 
                      w->count_room);
 }
 
-/* True if a task publishes in the place of this action: it does so still, or it has just begun,
- * which a task command that nobody has taken yet says.
+/* Returns true if a task publishes instead of this action: the task is in force, or it has just
+ * started. In the second case, the log contains a task command that the host has not taken yet.
  */
 static bool publishes(const host *h, const guard_publication *one)
 {
@@ -133,7 +134,7 @@ static bool publishes(const host *h, const guard_publication *one)
     return false;
 }
 
-/* True if all numbers of an action that commands have are finite. */
+/* Returns true if all numbers of an action that belong to commands are finite. */
 static bool is_finite(const guard_wiring *w, const double *action)
 {
     for (size_t i = 0; i != w->part_count; i++)
@@ -144,7 +145,7 @@ static bool is_finite(const guard_wiring *w, const double *action)
     return true;
 }
 
-/* True if bounds let every number pass. */
+/* Returns true if the bounds change no number. */
 static bool are_free(const double *bounds, size_t count)
 {
     for (size_t i = 0; i != count; i++)
@@ -153,7 +154,8 @@ static bool are_free(const double *bounds, size_t count)
     return true;
 }
 
-/* The parts of one command, from `first` up to `end`: bounded, as a whole 0 if any is not finite.
+/* Bounds the parts of one command, from `first` to `end` - 1. If any number of the command is not
+ * finite, sets all numbers of the command to 0. Returns bits of guard_step.
  */
 static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_t first, size_t end,
                        const double *published, double *action)
@@ -189,14 +191,15 @@ static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_
     return said;
 }
 
-/* True if a guard can be at an instant: it is in range, and time does not go back. */
+/* Returns true if a guard accepts an instant: it is in range, and time does not go backwards. */
 static bool can_be_at(const host *h, int64_t t_ns)
 {
     return t_ns > -(INT64_C(1) << 61) && t_ns < INT64_C(1) << 62 &&
            !(h->machine.started && t_ns < h->machine.now_ns);
 }
 
-/* Process an observation, and run the reactor. Less than 0 if the observation is refused. */
+/* Processes an observation, and runs the reactor. Returns 0, or -1 if the observation is refused.
+ */
 static int observe(host *h, const guard_wiring *w, int64_t t_ns, const double *observation)
 {
     if (take_observation(h, w, t_ns, observation) < 0)
@@ -207,7 +210,7 @@ static int observe(host *h, const guard_wiring *w, int64_t t_ns, const double *o
     return 0;
 }
 
-/* Change an action into a permitted one at this instant. Returns bits that tell the changes. */
+/* Changes an action into a permitted action at this instant. Returns bits of guard_step. */
 static int decide(host *h, const guard_wiring *w, int64_t t_ns, double *action)
 {
     int said = 0;
@@ -231,9 +234,10 @@ static int decide(host *h, const guard_wiring *w, int64_t t_ns, double *action)
     return said;
 }
 
-/* A step: process an observation, and change an action into a permitted one. Without an
- * observation, the last one and its instant are used; without an action, nothing is decided yet.
- * Returns bits of the step, or -1 if the guard refuses this instant; then nothing has changed.
+/* Performs a step: processes an observation, then changes an action into a permitted action.
+ * `observation` may be NULL: then the last observation and its instant are used. `action` may be
+ * NULL: then only the observation is processed. Returns bits, or -1 if the guard refuses the
+ * instant. Then the guard has not changed.
  */
 int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *observation,
                double *action)
@@ -251,14 +255,17 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
 
 /* --- many guards --------------------------------------------------------------------------- */
 
-/* The margins of each guard in its row, GUARD_MARGINS of them; NaN before the first observation. */
+/* Writes the margins of each guard into its row of GUARD_MARGINS numbers, in SI units; NaN before
+ * the first observation.
+ */
 void guards_margins(const host *first, size_t count, double *margins)
 {
     for (size_t i = 0; i != count; i++)
         guard_margins(&(guard_of(first) + i)->base, margins + i * GUARD_MARGINS);
 }
 
-/* `count` guards in a row in their initial state; NULL if there is no memory. */
+/* Returns an array of `count` guards in their initial state, or NULL if there is not enough memory.
+ */
 host *guards_new(size_t count)
 {
     guard *guards = (guard *)calloc(count, sizeof *guards);
@@ -279,7 +286,7 @@ void guards_free(host *first, size_t count)
 
 host *guards_at(host *first, size_t index) { return &(guard_of(first) + index)->base; }
 
-/* Restart the guards whose byte is not 0. */
+/* Restores the initial state of each guard whose byte in `which` is not 0. */
 void guards_restart(host *first, size_t count, const unsigned char *which)
 {
     for (size_t i = 0; i != count; i++)
@@ -287,12 +294,16 @@ void guards_restart(host *first, size_t count, const unsigned char *which)
             guard_restart(guards_at(first, i));
 }
 
-/* A step of each guard in its row: its instant, `time_step` after that of the row before (without
- * instants, that at which it is), its observation, its action, and room for whether each rule is
- * active, and for whether the action was changed. Observations or actions may be left out, as in
- * guard_step; so are the rows that `which` does not mark, if it is there. What an action followed
- * is forgotten. Returns the number of rows, or the first row whose guard cannot be at its instant:
- * then nothing has happened to any.
+/* Performs a step of each guard with its row of the arrays.
+ * - which: NULL, or a byte for each guard; a guard whose byte is 0 does no step.
+ * - times: NULL, or instants in ns that are time_step entries apart. Without `times`, each guard
+ *   stays at its current instant.
+ * - observations, actions: NULL, or the arrays of guard_step.
+ * - active: room for a byte for each rule of each guard, 1 if the rule is active.
+ * - changed: room for a byte for each guard, 1 if its action was changed.
+ *
+ * The step removes the events from the logs, and after an action also the task commands. Returns
+ * `count`, or the first guard that does not accept its instant. Then no guard has changed.
  */
 size_t guards_step(host *first, size_t count, const guard_wiring *w, const unsigned char *which,
                    const int64_t *times, size_t time_step, const double *observations,
@@ -324,8 +335,8 @@ size_t guards_step(host *first, size_t count, const guard_wiring *w, const unsig
     return count;
 }
 
-/* The actions that each guard would let pass unchanged: a byte for each, guard by guard. Returns
- * the number of guards, or the first guard without an observation.
+/* Tests which actions each guard would leave unchanged. `allowed` has room for a byte for each
+ * action, guard by guard. Returns `count`, or the first guard without an observation.
  */
 size_t guards_allow(host *first, size_t count, const guard_wiring *w, const double *actions,
                     size_t action_count, unsigned char *allowed)

@@ -35,7 +35,8 @@ def text_declaration(layout: CLayout) -> str:
     if not texts:
         return ""
     return (
-        "/* A text in a message is given as its index here, or as -1 if it is none of these. */\n"
+        "/* The texts that rules compare. Pass a text of a message as its index in this table, or\n"
+        " * as -1 if the table does not contain the text.\n */\n"
         f"extern const char *const {layout.name}_texts[{len(texts)}];\n\n"
     )
 

@@ -30,8 +30,9 @@ def _functions() -> str:
     """The file of functions that need no table of the rules."""
     head = (
         f"/* {copies.MARK}. */\n\n"
-        "/* Functions of numbers and of samples, as rossmarie.core defines them: the rules S4 to\n"
-        " * S6, S19, S20, S43, S49 and S50 of the semantics.\n */\n"
+        "/* Functions of numbers and of samples, generated from the formulas of rossmarie.core.\n"
+        " * The rules S4 to S6, S19, S20, S43, S49 and S50 of the semantics define the formulas.\n"
+        " */\n"
     )
     return "\n".join([head, *map(functions.function, fixed_definitions())])
 
@@ -44,7 +45,7 @@ def version() -> str:
 def files() -> dict[str, str]:
     """All files of the engine, by their paths beside the generated ones."""
     reported = (
-        f"/* {copies.MARK}: the version of the engine, from the hash of {copies.SUMS}. */\n"
+        f"/* {copies.MARK}. The version is the beginning of the hash of {copies.SUMS}. */\n"
         f"#define ROSSMARIE_ENGINE {version()}\n"
     )
     return {f"{FOLDER}/{name}": text for name, text in {**_copies(), "version.h": reported}.items()}

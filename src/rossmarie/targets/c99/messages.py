@@ -40,7 +40,7 @@ class Messages:
         parts = []
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel]
-            parts.append(f"/* A message on {topic.topic} ({topic.message_type}). */")
+            parts.append(f"/* Processes a message on {topic.topic} ({topic.message_type}). */")
             parts.append(f"{self._public_signature(channel, name)};\n")
         parts.append(self._values_struct())
         return "\n".join(parts)
@@ -63,9 +63,11 @@ class Messages:
                 members += ["struct {", *inside.splitlines(), f"}} {name};"]
         body = indented(members or ["bool has_nothing;"])
         return (
-            "/* Messages on several channels at one instant, those with has_...; in it flags are\n"
-            " * 0.0 or 1.0, and a scalar that the message lacks is NaN.\n */\n"
+            "/* Messages on several channels at one instant. A channel has a message if has_...\n"
+            " * is true. A flag is 0.0 or 1.0. A scalar that a message does not contain is NaN.\n"
+            " */\n"
             f"typedef struct {monitor}_values {{\n{body}\n}} {monitor}_values;\n\n"
+            "/* Processes messages on several channels at one instant. */\n"
             f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v);\n"
         )
 
@@ -108,7 +110,7 @@ class Messages:
         lines = list(self._guarded(self.expressions.prepared()))
         if lines:
             yield (
-                "/* Numbers that stand beside elements. */\n"
+                "/* Computes the numbers that are used beside the elements of arrays (S74). */\n"
                 "INLINE void prepare(monitor *m, const bool arrived[])\n"
                 f"{{\n{block(lines)}}}\n"
             )
@@ -120,7 +122,7 @@ class Messages:
         lines = list(self._guarded(self._computed()))
         unused = [] if lines else ["    (void)arrived;\n"]
         return (
-            "/* Numbers that rest on messages which arrived. */\n"
+            "/* Computes the values that depend on the messages that arrived. */\n"
             "INLINE void compute(monitor *m, const bool arrived[], int64_t t_ns)\n{\n"
             f"    m->now_ns = t_ns;\n{''.join(unused)}{block(lines)}}}\n"
         )
@@ -147,9 +149,10 @@ class Messages:
         unused = [] if any("t_ns" in line for line in lines) else ["(void)t_ns;"]
         unused += [] if any("m->" in line for line in lines) else ["(void)m;"]
         topic = self._machine.channels[channel]
-        remark = comments.in_c(f"{topic.topic} ({topic.message_type})")
+        place = comments.in_c(f"{topic.topic} ({topic.message_type})")
+        remark = f"/* Stores a message on {place}. */"
         return (
-            f"/* {remark} */\n{self._head(f'INLINE void receive_{name}', channel)}\n{{\n"
+            f"{remark}\n{self._head(f'INLINE void receive_{name}', channel)}\n{{\n"
             f"{indented([*lines, *unused])}\n}}\n"
         )
 

@@ -84,8 +84,9 @@ def _task_tables(found: reactions.Reactions) -> str:
     otherwise = [task.otherwise for task in found.tasks]
     return "\n".join(
         [
-            "/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does,",
-            " * answers, confirmed by; and what starts when they fail, if anything does.",
+            "/* Tasks, with the columns of `plan` in engine/plans.h: rule, timeout in ns, state",
+            " * after the end, waits, fails at once, resource, deed, answer, watch. Then the",
+            " * escalations that start after a failure of each task, if there are any.",
             " */",
             remarked_table("plan", "tasks", rows),
             *_escalation_table(otherwise),
@@ -137,8 +138,8 @@ def _plan_tables(found: reactions.Reactions) -> str:
     planned = [plan.tasks for plan in found.plans]
     return "\n".join(
         [
-            "/* Rules: from the first to the last that gets what several need; their stages; the",
-            " * tasks that start with each stage; all their tasks.",
+            "/* Rules, in the order in which they own resources; then the stages of each rule, the",
+            " * tasks of each stage, and all tasks of each rule.",
             " */",
             table("index_t", "rule_order", found.order),
             table("index_t", "rule_stages", starts_of(len(plan.stages) for plan in found.plans)),
@@ -180,9 +181,9 @@ def _resource_tables(found: reactions.Reactions) -> str:
     ]
     return "\n".join(
         [
-            "/* What tasks need for themselves, the rules that may claim it, the first first, and",
-            " * what these do to it if that is one thing only:",
-            *(listed or [" *   nothing"]),
+            "/* Resources: the rules that claim each resource, in the order in which they own it;",
+            " * and the deed of each of these rules, if it uses the resource in one way only.",
+            *(listed or [" *   There are no resources."]),
             " */",
             lists(
                 "resource_rules", "claiming_rules", list(zip(found.resources, claims, strict=True))
@@ -241,8 +242,10 @@ def _memory_tables(found: reactions.Reactions) -> str:
     names_of = [f"memory {index}" for index in range(len(found.memories))]
     return "\n".join(
         [
-            "/* Memories of poses: where each begins, its first reading, how many poses and",
-            " * numbers it has, how far apart they are; the rules that retrace it; and the tasks.",
+            "/* Memories of poses, with the columns of `memory` in engine/plans.h: first number,",
+            " * first reading, greatest number of poses, numbers in a pose, least distance in m",
+            " * and in ns. Then the readings, the rules that retrace each memory, and the tasks",
+            " * that retrace.",
             " */",
             remarked_table("memory", "memories", list(zip(rows, names_of, strict=True))),
             table("index_t", "pose_readings", readings),
@@ -278,7 +281,7 @@ def _command_tables(found: reactions.Reactions) -> str:
     fields = table("index_t", "command_fields", [len(each.fields) for each in found.commands])
     return "\n".join(
         [
-            "/* Commands: how many fields they have, and what tasks do to them. */",
+            "/* Commands: the number of fields, and the bounds and factors of tasks. */",
             fields,
             *_limit_tables(found, limits),
             *_scale_tables(found, scales),

@@ -104,7 +104,7 @@ def _input_tables(layout: CLayout) -> str:
     ]
     if any(used.timeout_ns is not None for used in machine.inputs):
         parts += _expiry_tables(layout)
-    return _section("Inputs: how long each is fresh, and what is forgotten then.", parts)
+    return _section("Inputs: channels, timeouts in ns (0: none), values that expire.", parts)
 
 
 def _expiry_tables(layout: CLayout) -> list[str]:
@@ -144,7 +144,7 @@ def _resting(layout: CLayout, signals: Sequence[int], used: int) -> list[int]:
 
 def _value_names_listed(layout: CLayout) -> str:
     rows = [(value.name, value.remark) for value in layout.values]
-    return _section("The numbers that a monitor keeps, in SI units.", [enumeration(rows)])
+    return _section("Values: the stored numbers, in SI units.", [enumeration(rows)])
 
 
 def _proposition_names_listed(layout: CLayout) -> str:
@@ -156,7 +156,7 @@ def _proposition_names_listed(layout: CLayout) -> str:
         (_rule_node(layout, index), f"{names.place(rule.span)}  {rule.name}")
         for index, rule in enumerate(layout.machine.rules)
     ]
-    title = "Nodes: propositions that look at numbers or ages, those made of others, and rules."
+    title = "Nodes: propositions about values or ages, combined propositions, and rules."
     return _section(title, [enumeration([*propositions, *rules])])
 
 
@@ -204,7 +204,7 @@ def _rule_tables(layout: CLayout) -> str:
     ]
     watched = [layout.proposition_names[proposition] for proposition in layout.machine.watches]
     return _section(
-        "Rules: the condition, what must hold for them to clear, what a verdict carries.",
+        "Rules: the condition, the condition for clearing, and the content of the verdicts.",
         [
             remarked_table(
                 "index_t", "rule_condition", list(zip(conditions, remarks, strict=True))
@@ -244,7 +244,7 @@ def _guard_tables(layout: CLayout) -> str:
         for channel, name in enumerate(layout.channel_names)
     ]
     return _section(
-        "Numbers that are watched, and their limits from low to high.",
+        "Guards: the watched values, and their limits from low to high.",
         [
             enumeration(named),
             table("index_t", "guard_value", values),
@@ -281,10 +281,10 @@ def _blame_tables(layout: CLayout) -> str:
     listed = [lists("row_blames", "blames", _rows_of_values(layout, blames))]
     excuses = _excuses(layout)
     if not any(excuses):
-        return _section("The numbers whose lack makes a proposition stale.", listed)
+        return _section("Missing values that make a proposition stale.", listed)
     of_lists = [boolean(layout.is_of_list(value)) for row in excuses for value in row]
     return _section(
-        "The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown.",
+        "Missing values that make a proposition stale, and those that make it unknown.",
         [
             *listed,
             lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
@@ -343,7 +343,7 @@ def _sample_tables(layout: CLayout) -> str:
     if layout.windows:
         lengths = [duration(window.length_ns) for window in layout.windows]
         parts.append(table("int64_t", "window_lengths", lengths))
-    return _section("Numbers that rest on samples.", parts)
+    return _section("Values that depend on samples.", parts)
 
 
 def _sampled_values(layout: CLayout) -> list[str]:

@@ -23,8 +23,9 @@ typedef reacting_reactor reactor;
 
 #include "engine/plans.h"
 
-/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does,
- * answers, confirmed by; and what starts when they fail, if anything does.
+/* Tasks, with the columns of `plan` in engine/plans.h: rule, timeout in ns, state
+ * after the end, waits, fails at once, resource, deed, answer, watch. Then the
+ * escalations that start after a failure of each task, if there are any.
  */
 static const plan tasks[7] = {
     {0, INT64_C(0), HOLDING, false, false, NONE, NONE, NONE, NONE}, /* actions.ross:2 act: limit /cmd_vel */
@@ -41,8 +42,8 @@ static const index_t escalations[2] = {
     /* task 4 */ 5,
 };
 
-/* Rules: from the first to the last that gets what several need; their stages; the
- * tasks that start with each stage; all their tasks.
+/* Rules, in the order in which they own resources; then the stages of each rule, the
+ * tasks of each stage, and all tasks of each rule.
  */
 static const index_t rule_order[2] = {1, 0};
 static const index_t rule_stages[3] = {0, 2, 3};
@@ -58,8 +59,8 @@ static const index_t planned_tasks[7] = {
     /* rule 1 */ 3, 4, 5, 6,
 };
 
-/* What tasks need for themselves, the rules that may claim it, the first first, and
- * what these do to it if that is one thing only:
+/* Resources: the rules that claim each resource, in the order in which they own it;
+ * and the deed of each of these rules, if it uses the resource in one way only.
  *   0: parameter /cmd_vel
  *   1: server /move_base
  *   2: service /relay/off
@@ -72,7 +73,7 @@ static const index_t claiming_rules[4] = {
 };
 static const index_t claiming_deed[4] = {2, 0, 1, NONE};
 
-/* Commands: how many fields they have, and what tasks do to them. */
+/* Commands: the number of fields, and the bounds and factors of tasks. */
 static const index_t command_fields[1] = {2};
 static const index_t command_limits[2] = {0, 1};
 static const bound bounding[1] = {

@@ -233,8 +233,7 @@ static bool is_stage_over(const reactor *r, unsigned rule)
     return true;
 }
 
-/* Returns true if the condition that confirms the end of a task holds, or if there is no condition.
- */
+/* Returns true if the end of a task is confirmed, or needs no confirmation. */
 static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
 {
 #if CONFIRMED
@@ -246,8 +245,7 @@ static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
     return true;
 }
 
-/* Returns true if a confirmation or the owner of the resource substitutes for a waiting task (R15).
- */
+/* Returns true if a confirmation or the owner substitutes for a waiting task (R15). */
 static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned task)
 {
     const int32_t owner = overruler(r, task);
