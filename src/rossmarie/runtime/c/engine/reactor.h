@@ -1,8 +1,8 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* The engine of a reactor. The generated file NAME_reactor.c includes this file. Before the
- * include, the generated file defines the tables of tasks and escalations, in the types of plans.h.
- * Numbers such as R2 in comments refer to the rules of the semantics of reactions.
+/* The engine of a reactor. It turns the activity of rules into task commands that start and stop
+ * tasks. Before NAME_reactor.c includes this file, it defines the tables of tasks and escalations,
+ * in the types of plans.h. Numbers such as R2 refer to the rules of the semantics of reactions.
  */
 #ifdef ROSSMARIE_REACTOR
 #error "a file includes the engine of one reactor only"
