@@ -114,7 +114,7 @@ _SINE_SURPLUS = Subfunction(
     "arcsine_surplus",
     ("z",),
     polynomial(SINE_TERMS, Operand(0)),
-    "the arc sine of x divided by x, less 1, of {0} = x * x",
+    "the arc sine of x divided by x, minus 1, where {0} is x * x",
 )
 
 
@@ -132,7 +132,7 @@ def _far_arc_sine(x: Expression) -> Expression:
 
 
 _FAR_ARC_SINE = Subfunction(
-    "arcsine_far", ("x",), _far_arc_sine(Operand(0)), "the arc sine of {0} from 1/2 to 1"
+    "arcsine_far", ("x",), _far_arc_sine(Operand(0)), "the arc sine of {0}, for {0} from 1/2 to 1"
 )
 
 
@@ -143,7 +143,10 @@ def _arc_sine(x: Expression) -> Expression:
 
 
 ARC_SINE = Subfunction(
-    "arcsine", ("x",), _arc_sine(Operand(0)), "the arc sine of {0} in radians, NaN beyond 1"
+    "arcsine",
+    ("x",),
+    _arc_sine(Operand(0)),
+    "the arc sine of {0} in radians, NaN if {0} is outside [-1, 1]",
 )
 
 # --- arc tangent -----------------------------------------------------------------------------
@@ -152,7 +155,7 @@ _TANGENT_SURPLUS = Subfunction(
     "arctangent_surplus",
     ("z",),
     polynomial(TANGENT_TERMS, Operand(0)),
-    "the arc tangent of x divided by x, less 1, of {0} = x * x",
+    "the arc tangent of x divided by x, minus 1, where {0} is x * x",
 )
 
 
