@@ -1,4 +1,4 @@
-"""With each fault, commands on the robot's side stay within the limit, and a report names the cause."""
+"""Each fault leaves commands on the robot's side within the limit, and a report names the cause."""
 
 from __future__ import annotations
 
