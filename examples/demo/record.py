@@ -1,8 +1,8 @@
 """Write the recording of the demo: a small vehicle drives down a corridor, 75 s.
 
-It crosses a bump, climbs a ramp, and stops hard for a person; its IMU falls silent for a while, and
-its satellite receiver goes stale. The recording is a bag directory with an .mcap file, as a robot
-running ROS 2 would write it, and the same on every run.
+The vehicle crosses a bump, climbs a ramp, and stops hard for a person. Its IMU falls silent for a
+while, and its satellite receiver goes stale. The recording is a bag directory with an .mcap file,
+in the format of a robot with ROS 2. Every run writes the same recording.
 
     python examples/demo/record.py build/demo
 """
@@ -27,7 +27,7 @@ GRAVITY = 9.81  # m/s^2
 START_NS = 1_750_000_000_000_000_000
 
 CRUISE = 0.8  # m/s
-BUMP_START, BUMP_LENGTH, BUMP_HEIGHT = 8.0, 0.5, 0.05  # m along the way
+BUMP_START, BUMP_LENGTH, BUMP_HEIGHT = 8.0, 0.5, 0.05  # m along the path
 RAMP_START, RAMP_END, RAMP_RISE = 18.0, 24.0, np.radians(12.0)
 TRACK = 0.5  # m between the axles: the bump is felt over this length
 SUSPENSION_FREQUENCY, SUSPENSION_DAMPING = 9.0, 0.12  # rad/s, of 1
@@ -63,16 +63,16 @@ def bump_height(distance: float) -> float:
 
 
 def simulate() -> dict[str, np.ndarray]:
-    """The motion of the vehicle, one value per step: it is driven at a set speed, turns to and
-    fro, and pitches on its springs (pitch is positive nose down, as in REP 103).
+    """The motion of the vehicle, one value per step. The vehicle drives at a set speed, turns to
+    and fro, and pitches on its springs (positive pitch is nose down, as in REP 103).
     """
     times = np.arange(0.0, DURATION, STEP)
-    names = ("way", "speed", "acceleration", "pitch", "pitch_rate", "yaw", "yaw_rate")
+    names = ("distance", "speed", "acceleration", "pitch", "pitch_rate", "yaw", "yaw_rate")
     track = {name: np.zeros(len(times)) for name in names}
     distance = speed = pitch = pitch_rate = yaw = 0.0
     for i, t in enumerate(times):
         is_blocked = PERSON_ARRIVES + 0.8 < t < PERSON_LEAVES
-        limit = 3.0 if is_blocked else 0.6  # m/s^2: it brakes harder than it starts
+        limit = 3.0 if is_blocked else 0.6  # m/s^2: the vehicle brakes harder than it starts
         acceleration = float(
             np.clip(((0.0 if is_blocked else CRUISE) - speed) / 0.1, -limit, limit)
         )
@@ -120,7 +120,7 @@ def orientation(pitch: float, yaw: float) -> Any:
 
 
 def imu(t: float, now: dict[str, float], noise: np.random.Generator) -> Any:
-    """sensor_msgs/Imu: what it feels is acceleration against gravity."""
+    """sensor_msgs/Imu: an accelerometer measures acceleration minus gravity."""
     jolt = 12.0 * now["pitch_rate"] * now["speed"]  # the axles are pushed up and down
     felt = vector(
         now["acceleration"] - GRAVITY * np.sin(now["pitch"]) + noise.normal(0, 0.15),
@@ -153,7 +153,7 @@ def odometry(t: float, now: dict[str, float], noise: np.random.Generator) -> Any
     )
     pose = message(
         "geometry_msgs/Pose",
-        position=message("geometry_msgs/Point", x=now["way"], y=0.0, z=0.0),
+        position=message("geometry_msgs/Point", x=now["distance"], y=0.0, z=0.0),
         orientation=orientation(0.0, now["yaw"]),
     )
     covariance = np.zeros(36)
@@ -167,7 +167,7 @@ def odometry(t: float, now: dict[str, float], noise: np.random.Generator) -> Any
 
 
 def scan(t: float, now: dict[str, float], noise: np.random.Generator) -> Any:
-    """sensor_msgs/LaserScan: the walls, and the person who stands in the way for a while."""
+    """sensor_msgs/LaserScan: the walls, and the person who stands on the path for a while."""
     with np.errstate(divide="ignore"):
         walls = CORRIDOR / np.abs(np.sin(BEAMS + now["yaw"]))
     ranges = np.where(walls < 10.0, walls + noise.normal(0, 0.01, len(BEAMS)), np.inf)
@@ -195,7 +195,7 @@ def fix(t: float, now: dict[str, float], noise: np.random.Generator) -> Any:
         "sensor_msgs/NavSatFix",
         header=header(t, "gps"),
         status=message("sensor_msgs/NavSatStatus", status=0, service=1),
-        latitude=55.7105 + now["way"] / 111_320 + noise.normal(0, 3e-6),
+        latitude=55.7105 + now["distance"] / 111_320 + noise.normal(0, 3e-6),
         longitude=13.2100 + noise.normal(0, 5e-6),
         altitude=78.0 + noise.normal(0, 0.8),
         position_covariance=np.diag([0.1, 0.1, 0.6]).ravel(),
@@ -213,7 +213,7 @@ SENSORS = (
 
 
 def readings(noise: np.random.Generator) -> Iterator[tuple[str, int, Any]]:
-    """Topic, stamp and message of every reading, in the order of time."""
+    """Return topic, stamp and message of every reading, in the order of time."""
     track = simulate()
     due = [
         (number / rate + 0.003 * index, index)
@@ -229,7 +229,10 @@ def readings(noise: np.random.Generator) -> Iterator[tuple[str, int, Any]]:
 
 
 def write(folder: Path) -> Path:
-    """Write the recording into `folder`; other files there stay. The path of the .mcap file."""
+    """Write the recording into `folder`, and return the path of the .mcap file.
+
+    Other files in the folder stay.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory(dir=folder) as scratch:
         bag = Path(scratch) / folder.name
@@ -252,5 +255,7 @@ def _write_bag(folder: Path) -> None:
 
 if __name__ == "__main__":
     parser = ArgumentParser(description="Write the recording of the demo.")
-    parser.add_argument("folder", type=Path, nargs="?", default=Path("build/demo"), help="where to")
+    parser.add_argument(
+        "folder", type=Path, nargs="?", default=Path("build/demo"), help="output folder"
+    )
     sys.stdout.write(f"{write(parser.parse_args().folder)}\n")

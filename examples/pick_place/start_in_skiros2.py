@@ -1,8 +1,8 @@
-"""Starts a skill in SkiROS2, and tells its progress until it ends.
+"""Starts a skill in SkiROS2, and prints its progress until the skill ends.
 
     python start_in_skiros2.py pick_and_place Object=cable Gripper=gripper PlacingLocation=shelf
 
-Things are named by their labels.
+Arguments name things by their labels.
 """
 
 import sys
@@ -18,7 +18,7 @@ ROBOT = "/heron"
 
 
 def run(name: str, values: list[str]) -> State:
-    """Start a skill, and print what its tree says until it has a result."""
+    """Start a skill, and print the messages of its tree until the skill has a result."""
     rospy.init_node("start_in_skiros2", anonymous=True)
     world, manager = WorldModelInterface(), SkillManagerInterface(ROBOT, rospy.get_name())
     skill = manager.get_skill(name)

@@ -23,10 +23,10 @@ PERMISSIVE = frozenset(
         *("MIT", "MIT-0", "MIT-CMU", "PSF-2.0", "Zlib"),
     }
 )
-"""Whoever uses or passes on what is under these keeps a notice, and owes nothing else."""
+"""These licences require only that users and distributors keep a notice."""
 UNCHANGED = PERMISSIVE | {"MPL-2.0"}
-"""For what only works on this project, and for what only trains: whoever changes a file of these
-passes the change on.
+"""Licences for tools of this project and for training. A distributor of a changed file must publish
+the change.
 """
 PROGRAMS = frozenset({"fast-downward-translate", "up-fast-downward"})
 """Run as programs of their own, and never imported (tests/ezskiros/planning): any licence."""

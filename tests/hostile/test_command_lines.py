@@ -1,5 +1,5 @@
-"""Whatever one does to a command, it ends with the right exit code and no traceback: signals from
-its first instant on, streams that take no text or none at all, outputs that cannot be written.
+"""Commands end with the right exit code and without a traceback. The tests send signals from the
+first instant on, close streams, pass streams that reject text, and block outputs.
 """
 
 from __future__ import annotations

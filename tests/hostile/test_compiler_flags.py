@@ -1,5 +1,5 @@
-"""Whoever compiles the generated C with flags that change results, or lets a processor change them,
-is told so: by the compiler, or by `init`.
+"""The compiler or `init` reports compiler flags and processor modes that change the results of the
+generated C.
 """
 
 from __future__ import annotations

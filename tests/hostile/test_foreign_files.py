@@ -1,5 +1,5 @@
-"""Whoever proposes a change of rules or skills gets no look at other files of the machine that
-checks the proposal: messages quote no file that is of another kind.
+"""A proposed change of rules or skills cannot read other files of the machine that checks it.
+Messages quote no file of another kind.
 """
 
 from __future__ import annotations

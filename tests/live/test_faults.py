@@ -1,4 +1,4 @@
-"""Whatever breaks, commands on the robot's side stay within the limit, and the cause is named."""
+"""Each fault leaves commands on the robot's side within the limit, and a report names the cause."""
 
 from __future__ import annotations
 

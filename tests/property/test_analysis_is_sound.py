@@ -1,5 +1,5 @@
-"""Whatever random machines do on random traces, the analysis holds for possible; what it proves
-impossible never happens.
+"""The analysis allows every behaviour of random machines on random traces. A behaviour that the
+analysis proves impossible never happens.
 """
 
 from __future__ import annotations

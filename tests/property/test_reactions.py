@@ -244,7 +244,7 @@ def test_a_wake_lies_ahead_and_is_the_end_of_a_task_or_a_pose(case: ReactingCase
 @MANY
 @given(reacting_cases())
 def test_nothing_waits_in_vain(case: ReactingCase) -> None:
-    """When no more events happen to engaged rules, each task whose resource another rule holds has
+    """After the last event of engaged rules, each task whose resource another rule holds has
     failed, and its escalations have begun. Exceptions are tasks without a time limit, and tasks
     that the other rule runs too.
     """

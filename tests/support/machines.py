@@ -211,7 +211,7 @@ def cases(draw: st.DrawFn) -> Case:
 
 
 class Monitor(Protocol):
-    """Whatever runs a machine."""
+    """A monitor that runs a machine."""
 
     def update(self, at_ns: int, messages: Mapping[int, ir.ChannelValues]) -> Sequence[ir.Event]:
         """Messages arrive."""

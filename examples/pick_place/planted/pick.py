@@ -10,7 +10,7 @@ rparts, skiros = world.rparts, world.skiros
 
 
 class PickInHaste(SkillDescription):
-    """The mistake of the thesis (section 6), a misspelt relation, and one that is forbidden too."""
+    """The mistake of the thesis (section 6), a misspelt relation, and a contradiction."""
 
     def description(
         self,

@@ -2,4 +2,4 @@
 
 from ezskiros.hosts.skiros2 import host
 
-host(__name__)  # where SkiROS2 loads this library
+host(__name__)  # only for SkiROS2, which loads this library

@@ -1,18 +1,18 @@
-"""What moves: the arm, the gripper and the robot. All of it is simulated, in a few ticks."""
+"""Motions of the arm, of the gripper and of the robot. Each motion is simulated in a few ticks."""
 
 from ezskiros import INFERRED, SkillDescription, specified
 
 from .world import cora, rparts, skiros, sumo
 
 TICKS = 5
-"""How long a simulated motion takes."""
+"""The duration of a simulated motion, in ticks."""
 
 
 class SwitchController(SkillDescription):
-    """Changes what controls the arm.
+    """Changes the controller of the arm.
 
     Args:
-        Controller: its name, such as `joint_config` or `compliant`.
+        Controller: the name of the controller, such as `joint_config` or `compliant`.
 
     """
 
@@ -21,17 +21,17 @@ class SwitchController(SkillDescription):
 
 
 class switch_controller(SwitchController.SkillBase):
-    """At once."""
+    """Ends at once."""
 
     def execute(self):
         return self.success(f"{self.params.Controller} is active")
 
 
 class MoveitCartesianSpaceMotion(SkillDescription):
-    """Moves the gripper to a pose, around what is in the way.
+    """Moves the gripper to a pose, around obstacles.
 
     Args:
-        GoalPose: where the gripper goes.
+        GoalPose: the pose of the gripper afterwards.
 
     """
 
@@ -40,11 +40,11 @@ class MoveitCartesianSpaceMotion(SkillDescription):
 
 
 class ApproachMovement(SkillDescription):
-    """Moves the gripper slowly to where it touches something.
+    """Moves the gripper slowly until it touches a thing.
 
     Args:
-        Target: where the gripper goes.
-        Speed: in m/s.
+        Target: the thing that the gripper touches.
+        Speed: the speed, in m/s.
 
     """
 
@@ -53,7 +53,7 @@ class ApproachMovement(SkillDescription):
 
 
 class moveit_cartesian_space_motion(MoveitCartesianSpaceMotion.SkillBase):
-    """Gets closer with each tick."""
+    """Moves closer to the goal with each tick."""
 
     def onStart(self):
         self.left = TICKS
@@ -70,7 +70,7 @@ class moveit_cartesian_space_motion(MoveitCartesianSpaceMotion.SkillBase):
 
 
 class go_to_linear(ApproachMovement.SkillBase):
-    """On a straight line."""
+    """Moves on a straight line."""
 
     def onStart(self):
         self.left = TICKS
@@ -90,7 +90,7 @@ class ActuateGripper(SkillDescription):
     """Opens or closes the gripper.
 
     Args:
-        Open: whether it is opened.
+        Open: True to open the gripper, False to close it.
 
     """
 
@@ -99,7 +99,7 @@ class ActuateGripper(SkillDescription):
 
 
 class actuate_gripper(ActuateGripper.SkillBase):
-    """At once."""
+    """Ends at once."""
 
     def execute(self):
         return self.success(f"{self.params.Gripper} is {'open' if self.params.Open else 'closed'}")
@@ -109,7 +109,7 @@ class Drive(SkillDescription):
     """Drives the robot to another place.
 
     Args:
-        Target: where it goes.
+        Target: the place of the robot afterwards.
 
     """
 
@@ -124,7 +124,7 @@ class Drive(SkillDescription):
 
 
 class drive(Drive.SkillBase):
-    """As the crow flies."""
+    """Drives in a straight line."""
 
     def onStart(self):
         self.left = TICKS

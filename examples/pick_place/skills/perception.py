@@ -1,4 +1,4 @@
-"""What the robot sees, simulated."""
+"""Simulated perception."""
 
 from ezskiros import INFERRED, SkillDescription
 
@@ -6,7 +6,7 @@ from .world import skiros
 
 
 class HSVDetection(SkillDescription):
-    """Looks for a product by its color, and says how to grasp it."""
+    """Looks for a product by its color, and finds a pose to grasp it."""
 
     def description(
         self,
@@ -18,7 +18,7 @@ class HSVDetection(SkillDescription):
 
 
 class hsv_detection(HSVDetection.SkillBase):
-    """Sees at the second look what the world model says."""
+    """Finds the product of the world model at the second look."""
 
     def onStart(self):
         self.looks = 0

@@ -1,4 +1,4 @@
-"""Listing 7 of the thesis (Paper IV), as printed, with the commas that got lost in print."""
+"""Listing 7 of the thesis (Paper IV), as printed, with the commas that the print omits."""
 
 from .motions import (
     ActuateGripper,

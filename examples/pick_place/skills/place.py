@@ -1,4 +1,4 @@
-"""The other half: puts down what the gripper holds."""
+"""Places the product that the gripper holds."""
 
 from ezskiros import INFERRED, SkillDescription
 
@@ -12,8 +12,8 @@ class Place(SkillDescription):
     """Puts a product that the gripper holds at a location.
 
     Args:
-        PlacingLocation: where it goes.
-        Speed: of the approach, in m/s.
+        PlacingLocation: the location of the product afterwards.
+        Speed: the speed of the approach, in m/s.
 
     """
 
@@ -33,7 +33,7 @@ class Place(SkillDescription):
 
 
 class place(Place.SkillBase):
-    """Lets go of the product when it is there."""
+    """Opens the gripper at the location."""
 
     def expandBT(self, params):
         self.serialstar(

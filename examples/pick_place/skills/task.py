@@ -1,4 +1,4 @@
-"""The task: a product is picked, and placed somewhere else."""
+"""The task: picks a product, and places it at another location."""
 
 from ezskiros import INFERRED, SkillDescription
 
@@ -12,8 +12,8 @@ class PickAndPlace(SkillDescription):
     """Takes a product to another location.
 
     Args:
-        Object: what is taken.
-        PlacingLocation: where it goes.
+        Object: the product.
+        PlacingLocation: the location of the product afterwards.
 
     """
 
@@ -41,7 +41,7 @@ class PickAndPlace(SkillDescription):
 
 
 class pick_and_place(PickAndPlace.SkillBase):
-    """A second try if the first pick fails."""
+    """Tries to pick a second time if the first pick fails."""
 
     def expandBT(self, params):
         self.serialstar(

@@ -1,4 +1,4 @@
-"""Waits."""
+"""A skill that waits."""
 
 from ezskiros import SkillDescription
 
@@ -7,7 +7,7 @@ class Wait(SkillDescription):
     """Does nothing for a while.
 
     Args:
-        Duration: in seconds.
+        Duration: the duration, in seconds.
 
     """
 
@@ -16,7 +16,7 @@ class Wait(SkillDescription):
 
 
 class wait(Wait.SkillBase):
-    """By the clock of the engine."""
+    """Waits by the clock of the engine."""
 
     def onStart(self):
         self.end = self.now() + self.params.Duration

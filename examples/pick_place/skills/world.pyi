@@ -67,7 +67,7 @@ class skiros:
     class Location(_sumo.Object):
         """A place for things."""
     class Product(_sumo.Object):
-        """What is handled."""
+        """An object that a robot handles."""
         def hasA(self, other: _skiros.TransformationPose, /) -> _Condition: ...
     class TransformationPose(_sumo.Object):
         """A pose relative to another thing."""
@@ -81,7 +81,7 @@ class skiros:
         """A thing is at one place at a time."""
     @staticmethod
     def contain(subject: _sumo.Object, other: _sumo.Object, /) -> _Condition:
-        """A thing is contained in one other at a time."""
+        """A thing is contained in one other thing at a time."""
     @staticmethod
     def hasA(subject: _skiros.Product, other: _skiros.TransformationPose, /) -> _Condition: ...
     @staticmethod
@@ -98,7 +98,7 @@ class sumo:
         def at(self, other: _sumo.Object, /) -> _Condition:
             """A thing is at one place at a time."""
         def contain(self, other: _sumo.Object, /) -> _Condition:
-            """A thing is contained in one other at a time."""
+            """A thing is contained in one other thing at a time."""
 
 _cora: _TypeAlias = cora
 _rparts: _TypeAlias = rparts

@@ -1,7 +1,7 @@
-"""What changes nothing but the world model.
+"""Skills that change only the world model.
 
-SkiROS2's skills of these names set any relation, by a text that is known only when they run: what
-they do cannot be described. These say it, and fail if they are asked for something else.
+The skills of SkiROS2 with these names can set any relation. A text names the relation at run time,
+so a description cannot contain it. The skills here describe one relation, and fail for all others.
 """
 
 from ezskiros import INFERRED, SkillDescription
@@ -10,13 +10,13 @@ from .world import skiros, sumo
 
 
 class WmSetRelation(SkillDescription):
-    """Says where a thing is.
+    """Sets the place of a thing.
 
     Args:
-        Src: what is somewhere.
-        Dst: where it is.
+        Src: the thing.
+        Dst: the place of the thing.
         Relation: `skiros.at`.
-        RelationState: whether it is there; else this fails.
+        RelationState: True. With False, the skill fails.
 
     """
 
@@ -31,20 +31,20 @@ class WmSetRelation(SkillDescription):
 
 
 class wm_set_relation(WmSetRelation.SkillBase):
-    """At once."""
+    """Ends at once."""
 
     def execute(self):
         if self.params.Relation != "skiros.at" or not self.params.RelationState:
-            return self.fail("only that a thing is somewhere can be set", -1)
+            return self.fail("this skill can set only the relation skiros.at to true", -1)
         self.world.relate(self.params.Src, skiros.at, self.params.Dst)
         return self.success(f"{self.params.Src} is at {self.params.Dst}")
 
 
 class WmMoveObject(SkillDescription):
-    """Moves a thing from where it is contained to somewhere else.
+    """Moves a thing from its container to another location.
 
     Args:
-        TargetLocation: what it is contained in afterwards.
+        TargetLocation: the location that contains the thing afterwards.
 
     """
 
@@ -60,7 +60,7 @@ class WmMoveObject(SkillDescription):
 
 
 class wm_move_object(WmMoveObject.SkillBase):
-    """At once."""
+    """Ends at once."""
 
     def execute(self):
         self.world.relate(self.params.TargetLocation, skiros.contain, self.params.Object)

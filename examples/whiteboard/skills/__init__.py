@@ -1,5 +1,5 @@
-"""Skills of a robot that erases whiteboards: contact is a hazard, but for wiping."""
+"""Skills of a robot that erases whiteboards. Contact is a hazard, except for wiping."""
 
 from ezskiros.hosts.skiros2 import host
 
-host(__name__, context="../skills.json")  # where SkiROS2 loads this library
+host(__name__, context="../skills.json")  # only for SkiROS2, which loads this library

@@ -1,4 +1,4 @@
-"""The task: a compound of the motions."""
+"""The task: a compound skill of the motions."""
 
 from ezskiros import INFERRED, SkillDescription
 
@@ -10,7 +10,7 @@ class Erase(SkillDescription):
     """Drives to a board and erases it.
 
     Args:
-        Board: which one.
+        Board: the board to erase.
 
     """
 
@@ -28,7 +28,7 @@ class Erase(SkillDescription):
 
 
 class erase(Erase.SkillBase):
-    """Drive, reach, wipe."""
+    """Drives, reaches and wipes."""
 
     def expandBT(self, params):
         self.serialstar(

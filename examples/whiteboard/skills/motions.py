@@ -1,11 +1,11 @@
-"""The motions: each says what it permits, and by what it moves the robot. All are simulated."""
+"""Simulated motions. Each motion declares its permits, and the interfaces that it uses."""
 
 from ezskiros import INFERRED, SkillDescription, closeness, contact, force, server, speed, topic
 
 from .world import cora, office, rparts, skiros
 
 TICKS = 5
-"""How long a simulated motion takes."""
+"""The duration of a simulated motion, in ticks."""
 ARM = "/arm_controller/follow_joint_trajectory"
 
 
@@ -13,7 +13,7 @@ class Drive(SkillDescription):
     """Drives the robot to another place.
 
     Args:
-        Target: where it goes.
+        Target: the place of the robot afterwards.
 
     """
 
@@ -31,10 +31,10 @@ class Drive(SkillDescription):
 
 
 class Reach(SkillDescription):
-    """Moves the gripper to where it almost touches a board.
+    """Moves the gripper until it almost touches a board.
 
     Args:
-        Board: in front of which the robot is.
+        Board: the board in front of the robot.
 
     """
 
@@ -52,7 +52,7 @@ class Wipe(SkillDescription):
     """Wipes a board with the sponge that is in the gripper.
 
     Args:
-        Board: that the gripper is at.
+        Board: the board at the gripper.
 
     """
 
@@ -72,7 +72,7 @@ class Wipe(SkillDescription):
 
 
 class drive(Drive.SkillBase):
-    """As the crow flies."""
+    """Drives in a straight line."""
 
     def onStart(self):
         self.left = TICKS
@@ -87,7 +87,7 @@ class drive(Drive.SkillBase):
 
 
 class reach(Reach.SkillBase):
-    """On a straight line."""
+    """Moves on a straight line."""
 
     def onStart(self):
         self.left = TICKS
@@ -102,7 +102,7 @@ class reach(Reach.SkillBase):
 
 
 class wipe(Wipe.SkillBase):
-    """Stroke by stroke."""
+    """Wipes stroke by stroke."""
 
     def onStart(self):
         self.left = TICKS

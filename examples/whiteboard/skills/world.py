@@ -1,4 +1,4 @@
-"""The ontology of the office, beside that of the pick-and-place example."""
+"""The ontology of the office, with the ontology of the pick-and-place example."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The motions of the robot: each is a goal for an action server."""
+"""The motions of the robot. Each motion is a goal for an action server."""
 
 from ezskiros import INFERRED, SkillDescription, contact, force, server
 from heron.goals import ARM, LOOK_OUT, NAVIGATE
@@ -24,7 +24,7 @@ class drive(Drive.SkillBase):
         if self.sent.is_reached is None:
             return self.step(f"on the way to {self.params.Target}")
         if not self.sent.is_reached:
-            return self.fail(f"no way to {self.params.Target}")
+            return self.fail(f"no path to {self.params.Target}")
         self.world.relate(self.params.Robot, heron.at, self.params.Target)
         return self.success(f"at {self.params.Target}")
 
@@ -50,7 +50,7 @@ class turn_back(TurnBack.SkillBase):
         if self.sent.is_reached is None:
             return self.step(f"back to {self.params.Start}")
         if not self.sent.is_reached:
-            return self.fail(f"no way back to {self.params.Start}")
+            return self.fail(f"no path back to {self.params.Start}")
         return self.success(f"back at {self.params.Start}")
 
     def onPreempt(self):
@@ -77,14 +77,14 @@ class wait_until_free(WaitUntilFree.SkillBase):
 
     def execute(self):
         if self.sent.is_reached is None:
-            return self.step("waiting for the way to be free")
+            return self.step("waiting until the path is free")
         if not self.sent.is_reached:
-            return self.fail("the way is still blocked")
-        return self.success("the way is free")
+            return self.fail("the path is still blocked")
+        return self.success("the path is free")
 
     def onPreempt(self):
         self.sent.cancel()
-        return self.fail("waits no longer")
+        return self.fail("the wait was cancelled")
 
 
 class MarkAsBlocked(SkillDescription):
@@ -98,7 +98,7 @@ class MarkAsBlocked(SkillDescription):
 class mark_as_blocked(MarkAsBlocked.SkillBase):
     def execute(self):
         self.world.unrelate(self.params.Start, heron.leadsTo, self.params.Target)
-        return self.success(f"no way from {self.params.Start} to {self.params.Target}")
+        return self.success(f"no path from {self.params.Start} to {self.params.Target}")
 
 
 class Reach(SkillDescription):
@@ -153,7 +153,7 @@ class grasp(Grasp.SkillBase):
         if self.sent.is_reached is None:
             return self.step("closing the fingers")
         if not self.sent.is_reached:
-            return self.fail("there is nothing between the fingers")
+            return self.fail("nothing is between the fingers")
         self.world.relate(self.params.Robot, heron.holds, self.params.Block)
         self.world.unrelate(self.params.Table, heron.carries, self.params.Block)
         return self.success(f"holds {self.params.Block}")
@@ -180,7 +180,7 @@ class put_down(PutDown.SkillBase):
         if self.sent.is_reached is None:
             return self.step("on the way down")
         if not self.sent.is_reached:
-            return self.fail("it was not put down")
+            return self.fail("the block was not put down")
         self.world.unrelate(self.params.Robot, heron.holds, self.params.Block)
         self.world.relate(self.params.Table, heron.carries, self.params.Block)
         return self.success(f"{self.params.Block} is on {self.params.Table}")

@@ -62,10 +62,10 @@ class place(Place.SkillBase):
 
 
 class PlaceInHaste(SkillDescription):
-    """Experiment II: on each way back, the motion planner demands too much speed of the arm.
+    """Experiment II: on each return, the motion planner demands too much speed of the arm.
 
     Args:
-        Seconds: the time limit for the way back.
+        Seconds: the time limit for each return.
 
     """
 
@@ -103,8 +103,8 @@ class CarryToAndFro(SkillDescription):
 
 class carry_to_and_fro(CarryToAndFro.SkillBase):
     def expandBT(self, params):
-        way = ("here", "above_here", "above_there", "there", "above_there", "above_here")
-        self.serialstar(*(Reach(Pose=pose) for _ in range(4) for pose in way))
+        poses = ("here", "above_here", "above_there", "there", "above_there", "above_here")
+        self.serialstar(*(Reach(Pose=pose) for _ in range(4) for pose in poses))
 
 
 class TidyUp(SkillDescription):

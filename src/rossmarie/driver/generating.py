@@ -27,8 +27,8 @@ from rossmarie.testing.run import expectations_of
 from rossmarie.testing.write import own_name, write_script
 
 _HEAD = """\
-// Written by `rossmarie test {rules} --write`: what these rules do at their boundaries. Not
-// meant to be edited: write it again, and look at the difference.
+// Written by `rossmarie test {rules} --write`: tests of these rules at their boundaries. Do
+// not edit this file. Generate it again, and review the difference.
 import "{rules}";
 """
 

@@ -129,8 +129,8 @@ def test_listing_5_of_the_thesis_is_fine() -> None:
     skills = {skill.name: skill for skill in result.skills}
     assert {"Pick", "Place"} <= set(skills)
     assert [each.doc for each in skills["Place"].parameters][-2:] == [
-        "where it goes.",
-        "of the approach, in m/s.",
+        "the location of the product afterwards.",
+        "the speed of the approach, in m/s.",
     ]
 
 

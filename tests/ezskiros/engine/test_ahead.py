@@ -157,7 +157,7 @@ def _joined(children: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
 def test_nothing_starts_that_was_not_ahead(
     tmp_path_factory: pytest.TempPathFactory, tree: str
 ) -> None:
-    """Whatever starts within a tick was ahead before, or is behind something that began in it."""
+    """A skill that starts within a tick was ahead before, or follows a skill of this tick."""
     try:
         task, events = task_of(tmp_path_factory.mktemp("tree"), tree)
     except FaultyTreeError:  # a child that can never start

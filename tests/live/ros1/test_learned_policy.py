@@ -177,7 +177,7 @@ def heron(ros1: Ros1, started: list[Process], folder: Path, *words: str) -> Proc
 
 @contextmanager
 def relay(ros1: Ros1) -> Iterator[None]:
-    """Whatever a policy wants is what the arm gets."""
+    """Relay the commands of a policy to the arm without a change."""
     is_over = threading.Event()
     with closing(Ros1Node("/relay", ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as node:
         for wanted, passed in ((WANTED_VELOCITY, VELOCITY), (WANTED_PUSH, PUSH)):

@@ -127,7 +127,7 @@ def test_s15_a_wake_lies_ahead(case: Case) -> None:
 @settings(max_examples=examples(2))
 @given(cases())
 def test_s15_waking_in_between_changes_nothing(case: Case) -> None:
-    """Whoever obeys the wakes, and even looks in between, sees the same as who does not."""
+    """A caller that obeys the wakes, and even looks in between, sees the same as other callers."""
     machine, trace = case
     lazy, eager = Interpreter(machine), Interpreter(machine)
     for step in trace:

@@ -199,7 +199,7 @@ def test_equal_causes_are_reported_once() -> None:
 @settings(max_examples=examples(4))
 @given(cases())
 def test_causes_decide(case: Case) -> None:
-    """Whatever the other leaves are, the causes alone give the condition its value."""
+    """The causes alone give the condition its value, for all values of the other leaves."""
     machine, trace = case
     monitor = Interpreter(machine)
     for step in trace:

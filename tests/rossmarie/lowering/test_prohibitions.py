@@ -225,7 +225,7 @@ OTHERS = [running("Insert", Object="skiros.Box"), ahead("Drive"), running("Move"
 def test_s68_such_a_rule_is_active_whenever_the_skill_runs(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, condition: str
 ) -> None:
-    """Whatever else runs, and whatever was before."""
+    """The other running skills and the past have no influence."""
     rules = f"{head(tmp_path_factory.mktemp('rules'))}rule it: if {condition} then {{ halt; }};"
     reported = without(rules)
     if not reported:

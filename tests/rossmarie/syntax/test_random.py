@@ -49,7 +49,7 @@ many = settings(max_examples=examples(4))
 
 
 def check_invariants(parsed: Parsed, text: str) -> None:
-    """Whatever the text: spans lie inside it, and what is broken has been reported."""
+    """For every text, spans lie inside the text, and broken parts have been reported."""
     module, found = parsed(text)
     for one in found:
         edits = one.fix.edits if one.fix else ()
