@@ -67,7 +67,7 @@ def _parts() -> Iterator[list[Triple]]:
             target = f"Class_{chance.randrange(number)}"
             yield _restriction(f"Class_{number}", f"relates_{number // 10}", target)
         if number % 5 == 0:
-            yield _individual(f"thing_{number}", f"Class_{number}")
+            yield _individual(f"individual_{number}", f"Class_{number}")
         if number % 10 == 1:
             yield _relation(f"relates_{number // 10}")
         if number % 20 == 1:
@@ -176,17 +176,17 @@ def _skill(number: int, chance: random.Random, *, with_mistakes: bool) -> str:
     numbers = [chance.randrange(USED_CLASSES) for _ in range(7)]
     classes = [f"bench.Class_{each}" for each in numbers]
     relations = [f"relates_{chance.randrange(USED_RELATIONS)}" for _ in range(7)]
-    parameters = [f"Thing_0: {classes[0]}"]
-    parameters += [f"Thing_{i}: INFERRED[{classes[i]}]" for i in range(1, 7)]
+    parameters = [f"Individual_0: {classes[0]}"]
+    parameters += [f"Individual_{i}: INFERRED[{classes[i]}]" for i in range(1, 7)]
     parameters += ["Speed: float = 0.1", "Style: Mode = Mode.FAST", "IsCareful: bool = True"]
 
     def related(relation: str, one: int, other: int) -> str:
         """The conditions relate two classes always in the same direction, as in real skills."""
         subject, object_ = sorted((one, other), key=numbers.__getitem__)
-        return f"Thing_{subject}.{relation}(Thing_{object_})"
+        return f"Individual_{subject}.{relation}(Individual_{object_})"
 
-    pre = [related(relations[thing], thing, chance.randrange(thing)) for thing in range(1, 7)]
-    pre.append(f"Thing_0.Value_{chance.randrange(USED_VALUES)} < 2.5")
+    pre = [related(relations[each], each, chance.randrange(each)) for each in range(1, 7)]
+    pre.append(f"Individual_0.Value_{chance.randrange(USED_VALUES)} < 2.5")
     first = pre[0]
     if with_mistakes:
         pre[1] = pre[1].replace("relates_", "relatez_")

@@ -2,7 +2,7 @@
 
     python start_in_skiros2.py pick_and_place Object=cable Gripper=gripper PlacingLocation=shelf
 
-Arguments name things by their labels.
+Arguments name individuals by their labels.
 """
 
 import sys
@@ -25,10 +25,10 @@ def run(name: str, values: list[str]) -> State:
     for value in values:
         parameter, _, label = value.partition("=")
         kind = skill.ph.getParam(parameter).value.type
-        thing = world.resolve_element(Element(kind, label))
-        if thing is None:
+        element = world.resolve_element(Element(kind, label))
+        if element is None:
             sys.exit(f"the world has no {kind} with the label {label}")
-        skill.ph.specify(parameter, thing)
+        skill.ph.specify(parameter, element)
     reported: Queue = Queue()
     manager.set_monitor_cb(reported.put)
     manager.execute(skill_list=[skill])

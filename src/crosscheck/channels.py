@@ -34,7 +34,7 @@ def find_types_that_differ(robot: Robot) -> Iterator[Diagnostic]:
             mention = reported.get((use.kind, use.name))
             if mention is not None and use.type is not None and mention.type != use.type:
                 found = TypesDiffer(
-                    thing=use.name, one=mention.type, other=use.type, skill=skill.name
+                    resource=use.name, one=mention.type, other=use.type, skill=skill.name
                 )
                 label = TypesDiffer.InRules(one=mention.type).at(mention.span)
                 yield found.at(robot.span_of(use.place), label)

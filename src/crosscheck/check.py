@@ -12,10 +12,10 @@ from crosscheck.deadlines import find_too_long, find_without_deadline
 from crosscheck.errors import NotAllAsked
 from crosscheck.exemptions import find_unused, find_wider
 from crosscheck.fights import find_fights
+from crosscheck.individuals import find_never_in_scene, find_no_numbers, find_nothing_to_take
 from crosscheck.permissions import find_not_granted
 from crosscheck.recoveries import find_hindered
 from crosscheck.robot import Robot, load
-from crosscheck.things import find_never_in_scene, find_no_numbers, find_nothing_to_take
 from crosscheck.tree_conditions import find_tree_conditions
 from crosscheck.workable import find_unworkable
 from dslkit.diagnostics import Diagnostic

@@ -95,10 +95,10 @@ class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
     individual.
     """
 
-    title = "{thing} {problem} {property}, so {rules} {hold} while `{skill}` uses it"
+    title = "{individual} {problem} {property}, so {rules} {hold} while `{skill}` uses it"
     label = "{rules} cannot read {property} of this individual"
     help = "add one numeric {property} to this individual, or query a class without this individual"
-    thing: str
+    individual: str
     problem: str
     property: str
     rules: str
@@ -120,25 +120,25 @@ class NeverWorks(Error, code="CHK201", name="skill-never-works"):
     rule: str
 
     class Needed(Remark):
-        says = "`{skill}` needs {thing}"
+        says = "`{skill}` needs {resource}"
         skill: str
-        thing: str
+        resource: str
 
     class Taken(Remark):
-        says = "`{action}` takes {thing} away"
+        says = "`{action}` takes {resource} away"
         action: str
-        thing: str
+        resource: str
 
 
 class RulesNeverLetWork(Error, code="CHK202", name="rules-never-let-work"):
     """A skill that needs a resource that one of several rules takes away whenever it runs."""
 
     title = "`{skill}` can never work: one of {rules} is active whenever `{skill}` runs"
-    label = "`{skill}` needs {thing}"
+    label = "`{skill}` needs {resource}"
     help = "change the conditions so that all these rules can be inactive while `{skill}` runs"
     skill: str
     rules: str
-    thing: str
+    resource: str
 
     class Active(Remark):
         says = "active in some of the cases"
@@ -154,10 +154,10 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
     skill: str
 
     class Ended(Remark):
-        says = "`{action}` ends `{skill}`, which needs {thing}"
+        says = "`{action}` ends `{skill}`, which needs {resource}"
         action: str
         skill: str
-        thing: str
+        resource: str
 
     class Started(Remark):
         says = "the skill restarts here after a failure"
@@ -188,10 +188,10 @@ class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
     """A topic or server that has different types in rules and skills."""
 
-    title = "{thing} is {one} in the rules, but {other} in `{skill}`"
+    title = "{resource} is {one} in the rules, but {other} in `{skill}`"
     label = "{other} here"
     help = "correct one of the types"
-    thing: str
+    resource: str
     one: str
     other: str
     skill: str

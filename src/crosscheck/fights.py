@@ -55,7 +55,7 @@ def _acts_only_with(inquiry: Inquiry, rule: int, skill: str) -> bool:
 def _finding(robot: Robot, skill: Skill, taking: Taking, again: ChildSkill) -> Diagnostic:
     rule = robot.machine.rules[taking.rule]
     action = robot.machine.reactions.actions[taking.task.action].name
-    ended = Fight.Ended(action=action, skill=skill.name, thing=taking.use.name)
+    ended = Fight.Ended(action=action, skill=skill.name, resource=taking.use.name)
     return Fight(rule=rule.name, skill=skill.name).at(
         rule.head,
         ended.at(taking.task.span),

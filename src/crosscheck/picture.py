@@ -18,11 +18,11 @@ class Guarded:
     """A rule that affects a resource of a skill, and may take it away."""
 
     rule: str
-    thing: str
+    resource: str
     is_taken: bool
 
     def __str__(self) -> str:
-        return f"{self.rule} ({self.thing})"
+        return f"{self.rule} ({self.resource})"
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def _pictured(robot: Robot, skill: Skill) -> Pictured:
 def _guards(robot: Robot, skill: Skill) -> Iterator[Guarded]:
     taken = {(each.rule, each.use.name) for each in takings(robot.machine, skill.uses)}
     for number, rule in enumerate(robot.machine.rules):
-        things = touched(robot.machine, number)
+        resources = touched(robot.machine, number)
         for name in dict.fromkeys(use.name for use in skill.uses):
-            if name in things:
+            if name in resources:
                 yield Guarded(rule.name, name, (number, name) in taken)

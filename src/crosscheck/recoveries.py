@@ -35,8 +35,8 @@ def _is_in_force(robot: Robot, run: TreeRun, taking: Taking) -> bool:
 
 def _finding(robot: Robot, run: TreeRun, skill: Skill, taking: Taking) -> Diagnostic:
     rule = robot.machine.rules[run.rule].name
-    found = TreeHindered(rule=rule, tree=run.skill.name, thing=taking.use.name)
-    needed = TreeHindered.Needed(skill=skill.name, thing=taking.use.name)
+    found = TreeHindered(rule=rule, tree=run.skill.name, resource=taking.use.name)
+    needed = TreeHindered.Needed(skill=skill.name, resource=taking.use.name)
     return found.at(
         taking.task.span,
         TreeHindered.Runs(tree=run.skill.name).at(run.task.span),

@@ -8,21 +8,21 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 class TreeHindered(Error, code="CHK206", name="tree-hindered-by-its-rule"):
     """A behavior tree that needs a resource that its own rule takes away."""
 
-    title = "`{rule}` runs `{tree}` but takes {thing} away from it"
+    title = "`{rule}` runs `{tree}` but takes {resource} away from it"
     label = "this action is in force while `{tree}` runs"
     help = "move this action to another rule, or after the tree"
     rule: str
     tree: str
-    thing: str
+    resource: str
 
     class Runs(Remark):
         says = "`{tree}` runs here"
         tree: str
 
     class Needed(Remark):
-        says = "`{skill}` needs {thing}"
+        says = "`{skill}` needs {resource}"
         skill: str
-        thing: str
+        resource: str
 
 
 class NeededHere(Remark):

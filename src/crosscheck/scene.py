@@ -32,37 +32,39 @@ class SceneModel:
     iris: Mapping[str, str]
     snapshots: Snapshots
 
-    def things(self, *classes: str) -> tuple[str, ...]:
+    def individuals(self, *classes: str) -> tuple[str, ...]:
         """The IRIs of the individuals of some classes or of derived classes."""
-        found = (thing for name in classes for thing in self.world.things(self.iris[name]))
+        found = (
+            individual for name in classes for individual in self.world.individuals(self.iris[name])
+        )
         return tuple(dict.fromkeys(found))
 
-    def is_a(self, thing: str, classes: Iterable[str]) -> bool:
+    def is_a(self, individual: str, classes: Iterable[str]) -> bool:
         """Say whether an individual is of one of some classes."""
-        return any(self.world.is_a(thing, self.iris[name]) for name in classes)
+        return any(self.world.is_a(individual, self.iris[name]) for name in classes)
 
-    def classes(self, things: Iterable[str]) -> tuple[str, ...]:
+    def classes(self, individuals: Iterable[str]) -> tuple[str, ...]:
         """The names of the classes of some individuals, sorted."""
         ontology = self.world.ontology
-        iris = {iri for thing in things for iri in self.world.classes(thing)}
+        iris = {iri for individual in individuals for iri in self.world.classes(individual)}
         return tuple(sorted(name_in(ontology, iri) for iri in iris))
 
-    def numbers(self, thing: str) -> Mapping[str, float]:
+    def numbers(self, individual: str) -> Mapping[str, float]:
         """The numbers of an individual, as the message about running skills reports them. A
         property with several values, or with a value that is not a number, is NaN.
         """
-        found = self.snapshots.properties(self.world, thing)
+        found = self.snapshots.properties(self.world, individual)
         return {each.property: each.number for each in found}
 
-    def spelled(self, thing: str) -> str:
+    def spelled(self, individual: str) -> str:
         """The IRI with the prefix of the scene, such as `office:Whiteboard-5`."""
-        return spelled_in(self.document, thing, self.world.ontology.model)
+        return spelled_in(self.document, individual, self.world.ontology.model)
 
-    def place(self, thing: str) -> Span:
+    def place(self, individual: str) -> Span:
         """The place where an individual is described; the start of the scene for an individual of
         the ontology.
         """
-        return place_in(self.document, self.world.ontology.model, thing)
+        return place_in(self.document, self.world.ontology.model, individual)
 
 
 @dataclass(frozen=True)

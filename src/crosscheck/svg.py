@@ -15,13 +15,13 @@ _TITLES = ("skills", "topics and servers", "rules")
 _STYLE = """
 text { font: 14px sans-serif; fill: #1b2733; }
 .title { font-weight: bold; }
-.thing { fill: #f4f7fa; stroke: #7a8c9e; rx: 5; }
+.resource { fill: #f4f7fa; stroke: #7a8c9e; rx: 5; }
 path { fill: none; stroke: #7a8c9e; stroke-width: 1.5; }
 .takes { stroke: #c0392b; }
 .exempt { stroke: #2874a6; stroke-dasharray: 6 4; }
 """
 _DARK = """
-.thing { fill: #1f2830; }
+.resource { fill: #1f2830; }
 .takes { stroke: #ff7b66; }
 .exempt { stroke: #6fb1e4; }
 """
@@ -71,8 +71,8 @@ def _edges(skills: Sequence[Pictured]) -> Iterator[_Edge]:
             yield _Edge(own, (1, name), "uses", f"{skill.name} uses {name}")
         for each in skill.guards:
             style, verb = ("takes", "can take away") if each.is_taken else ("uses", "guards")
-            title = f"{each.rule} {verb} {each.thing}"
-            yield _Edge((1, each.thing), (2, each.rule), style, title)
+            title = f"{each.rule} {verb} {each.resource}"
+            yield _Edge((1, each.resource), (2, each.rule), style, title)
         for rule in skill.exempt_from:
             title = f"{rule} is not applied while {skill.name} runs"
             yield _Edge(own, (2, rule), "exempt", title)
@@ -95,7 +95,7 @@ def _box(column: int, name: str, row: int) -> str:
     x, y = _COLUMNS[column], _MARGIN + _ROW * row
     shown = name if len(name) <= 34 else f"{name[:33]}…"
     return (
-        f'<rect class="thing" x="{x}" y="{y}" width="{_BOX}" height="{_HEIGHT}">'
+        f'<rect class="resource" x="{x}" y="{y}" width="{_BOX}" height="{_HEIGHT}">'
         f"<title>{escape(name)}</title>"
         f'</rect><text x="{x + 10}" y="{y + 20}">{escape(shown)}</text>'
     )

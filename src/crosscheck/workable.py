@@ -42,15 +42,15 @@ def _finding(
         first = found[0]
         names = [machine.rules[rule].name for rule in rules]
         labels = [RulesNeverLetWork.Active().at(machine.rules[rule].head) for rule in rules]
-        several = RulesNeverLetWork(skill=skill.name, rules=listed(names), thing=first.use.name)
+        several = RulesNeverLetWork(skill=skill.name, rules=listed(names), resource=first.use.name)
         yield several.at(robot.span_of(first.use.place), *labels)
         return
     rule, name = machine.rules[alone.rule], alone.use.name
     action = machine.reactions.actions[alone.task.action].name
     yield NeverWorks(skill=skill.name, rule=rule.name).at(
         rule.head,
-        NeverWorks.Taken(action=action, thing=name).at(alone.task.span),
-        NeverWorks.Needed(skill=skill.name, thing=name).at(robot.span_of(alone.use.place)),
+        NeverWorks.Taken(action=action, resource=name).at(alone.task.span),
+        NeverWorks.Needed(skill=skill.name, resource=name).at(robot.span_of(alone.use.place)),
         notes=_shown(inquiry.about(alone.rule), skill.name),
     )
 

@@ -235,7 +235,7 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
     steps = chains(skill)
     for parameter in skill.parameters:
         key = f" ({parameter.key!r})" if parameter.key != parameter.name else ""
-        shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_thing else "")
+        shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_individual else "")
         if parameter.is_output:
             yield f"{shown}  set by the skill"
         elif parameter.kind is not ParameterKind.INFERRED:

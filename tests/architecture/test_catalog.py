@@ -66,7 +66,7 @@ ROSSMARIE = Tool(
         "catalog": {9},
     },
 )
-# 0 skills files, 1 ontologies, 2 descriptions, 3 what is said about things, 4 meaning,
+# 0 skills files, 1 ontologies, 2 descriptions, 3 what is said about individuals, 4 meaning,
 # 5 behavior trees, 6 scenes, 7 migration, 8 running, drawing, planning and learning, 9 defects of
 # the tool.
 EZSKIROS = Tool(

@@ -156,7 +156,11 @@ rule near: if gap < 0.3 m and ({condition}) then {{ recover; }} clear {clear};
         (f"Drop({passed('Wipe')})", "doing Wipe", []),  # a primitive still has what it needed
         (f"Drop({passed('Rub')})", "doing Rub or doing Wipe", ["CHK208", "CHK212"]),
         (f"Drop({passed('Carry')})", "doing Carry", ["CHK208"]),  # it may have dropped it
-        (f"Drop({passed('Carry')})", "doing Carry and doing Rub", ["CHK208"]),  # of other things
+        (
+            f"Drop({passed('Carry')})",
+            "doing Carry and doing Rub",
+            ["CHK208"],
+        ),  # of other individuals
         (f"Take({passed('Rub')})", "doing Rub", ["CHK207"]),
         (f"Take({passed('Wipe')})", "doing Wipe", ["CHK207"]),
         (f"Take({passed('Drive')})".replace("Drive", "Rub"), "not doing Rub", ["CHK208", "CHK212"]),

@@ -82,7 +82,7 @@ def test_a_number_is_one_number(robot: Path, values: str, problem: str | None) -
     assert bool(found) is (problem is not None)
 
 
-def test_each_thing_that_can_be_taken_is_looked_at(robot: Path) -> None:
+def test_each_individual_that_can_be_taken_is_looked_at(robot: Path) -> None:
     rule = "doing Wipe and norm(force) > most"
     found = in_scene(robot, rule, (f" ; {STRONG}", ""), (f" ; {GLASS}", ""))
     assert [each.primary.span.text for each in found] == [
@@ -91,7 +91,9 @@ def test_each_thing_that_can_be_taken_is_looked_at(robot: Path) -> None:
     ]
 
 
-def test_a_class_without_a_thing_is_reported_once_and_what_there_is_instead(robot: Path) -> None:
+def test_a_class_without_an_individual_is_reported_once_and_what_there_is_instead(
+    robot: Path,
+) -> None:
     gone = ("office:GlassBoard-6", "office:Whiteboard-6"), (", office:GlassBoard", "")
     asked = "doing Wipe(Board: GlassBoard)"
     (found,) = in_scene(robot, f"{asked} or {asked}", *gone)[:1]

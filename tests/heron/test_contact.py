@@ -165,7 +165,9 @@ def seconds(stamp: Message) -> float:
     return float(stamp.sec) + 1e-9 * float(stamp.nanosec)
 
 
-def test_the_context_tells_of_a_compound_and_of_its_child_with_things_and_permissions() -> None:
+def test_the_context_tells_of_a_compound_and_of_its_child_with_individuals_and_permissions() -> (
+    None
+):
     message = contexts(2)[-1]
     assert names(message) == ["TidyUp", "Push"]
     assert seconds(message.header.stamp) == pytest.approx(4.0)

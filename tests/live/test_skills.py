@@ -23,7 +23,7 @@ STALE = {"contact", "heavy", "next_fragile"}
 """The rules that are active while nobody knows which skills run, and something is touched."""
 
 Skill = tuple[str, list[tuple[str, str, float]]]
-"""A skill, and for each parameter the class and the weight of the thing (kg)."""
+"""A skill, and for each parameter the class and the weight of the individual (kg)."""
 
 GLASS: Skill = ("Push", [("Object", "skiros.Glass", 0.3)])
 HEAVY_GLASS: Skill = ("Push", [("Object", "skiros.Glass", 7.0)])
@@ -67,7 +67,7 @@ def passes(robot: Ears, speed: float, namespace: str = "") -> None:
     until(lambda: robot.last(f"{namespace}/cmd_vel") == speed, f"{speed} m/s passes")
 
 
-def test_a_rule_gives_way_to_a_skill_with_its_things(begin: Begin) -> None:
+def test_a_rule_gives_way_to_a_skill_with_its_individuals(begin: Begin) -> None:
     robot = begin("")
     becomes(robot, {"contact"})
     passes(robot, 0.0)

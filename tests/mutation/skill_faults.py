@@ -62,7 +62,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "running.skill in step.skills and (any if step.arguments else all)(",
         ),
         Damage(
-            "a thing is of its first class",
+            "an individual is of its first class",
             "any(each.type in classes for each in _called(running, parameter))",
             "[each.type in classes for each in _called(running, parameter)][:1] == [True]",
         ),
@@ -191,14 +191,14 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "",
         ),
         Damage(
-            "a thing has one class",
+            "an individual has one class",
             "for other, beside in others.items():",
             "for other, beside in ():",
         ),
         Damage(
             "skills run as they are declared",
             "    own = _distinguished(",
-            "    return [(thing.type,)]\n    own = _distinguished(",
+            "    return [(individual.type,)]\n    own = _distinguished(",
         ),
         Damage(
             "calls of one skill are left out",
@@ -209,7 +209,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
     "ir/calls.py": (
         Damage("calls that answer too much", "if yes <= left]", "if yes & left]"),
         Damage(
-            "a thing is of no class",
+            "an individual is of no class",
             "SkillArgument(parameter, type=kind)",
             "SkillArgument(parameter)",
         ),
@@ -234,7 +234,7 @@ NODE: Sequence[Damage] = (
     ),
     Damage("a class is that of any argument", "argument.parameter == limit.parameter && ", ""),
     Damage(
-        "a thing is of its first class",
+        "an individual is of its first class",
         "if (argument.parameter == limit.parameter && has(limit.classes, argument.type))\n"
         "            return true;",
         "if (argument.parameter == limit.parameter)\n"

@@ -75,8 +75,8 @@ def calls() -> Iterator[str]:
 
 
 def _of_two_classes(folder: Path) -> Iterator[str]:
-    """A thing that is a product and a box, and yet none of the chests, which are both: chance meets
-    one too seldom.
+    """An individual that is a product and a box, and yet none of the chests, which are both: chance
+    meets one too seldom.
     """
     found = content()
     chest = {**found["classes"][0], "name": "toys.Chest", "parents": ["skiros.Product", "toys.Box"]}

@@ -1,8 +1,8 @@
 """Runs of random trees in small worlds, with choices made by chance.
 
-A child that can start finds things for its inferred parameters, and then succeeds, fails, or fails
-half way; one that is stopped has done some of its work, too. What it makes so pushes out of the
-world what cannot stay, and nothing else. What starts again in a later tick ends in this tick.
+A child that can start finds individuals for its inferred parameters, and then succeeds, fails, or
+fails half way; one that is stopped has done some of its work, too. What it makes so pushes out of
+the world what cannot stay, and nothing else. What starts again in a later tick ends in this tick.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
-from ezskiros.trees.tree import ThingReference
-from support.contract_trees import OWN, RELATIONS, THINGS, Drawn, Facts, holds
+from ezskiros.trees.tree import IndividualReference
+from support.contract_trees import INDIVIDUALS, OWN, RELATIONS, Drawn, Facts, holds
 from support.ontologies import START
 
 Ticks = Generator[None, None, bool]
@@ -163,73 +163,73 @@ class Run:
                 self.is_broken = True
                 self.broken_holds += [] if place.is_retried else [clause]
         skill = self.drawn.skills.skill(call.skill)
-        things = self._things(call, skill)
-        if things is None:
+        individuals = self._individuals(call, skill)
+        if individuals is None:
             is_spared = place.is_again and place.is_spared
             self.false_starts.append((call, place.is_retried or is_spared))
             return False
         self.started.append(call)
         for parameter in skill.parameters:
             if parameter.kind is ParameterKind.INFERRED:
-                self.names[parameter.name] = things[parameter.name]
+                self.names[parameter.name] = individuals[parameter.name]
         try:
             if not place.is_again and self.chance.random() < 0.5:
                 yield
         except GeneratorExit:
-            self._make_some(skill, things)
+            self._make_some(skill, individuals)
             raise
         if self.chance.random() < 0.25:
-            self._make_some(skill, things)
+            self._make_some(skill, individuals)
             return False
-        self._make(skill.post, things)
-        return all(holds(each.statement, self.world, things) for each in skill.post)
+        self._make(skill.post, individuals)
+        return all(holds(each.statement, self.world, individuals) for each in skill.post)
 
-    def _things(self, call: SkillCall, skill: SkillInterface) -> dict[str, int] | None:
-        """Things for all parameters by which the child can start."""
-        things = {
+    def _individuals(self, call: SkillCall, skill: SkillInterface) -> dict[str, int] | None:
+        """Individuals for all parameters by which the child can start."""
+        individuals = {
             name: self.names[given.parameter.name]
             for name, given in call.arguments.items()
-            if isinstance(given, ThingReference)
+            if isinstance(given, IndividualReference)
         }
         free = [
-            each.name for each in skill.parameters if each.name not in things
+            each.name for each in skill.parameters if each.name not in individuals
             and each.name not in self.names
         ]  # fmt: skip
-        things |= {
+        individuals |= {
             each.name: self.names[each.name]
             for each in skill.parameters
-            if each.name not in things and each.name not in free
+            if each.name not in individuals and each.name not in free
         }
-        choices = [*product(THINGS, repeat=len(free))]
+        choices = [*product(INDIVIDUALS, repeat=len(free))]
         self.chance.shuffle(choices)
         for choice in choices:
-            found = {**things, **dict(zip(free, choice, strict=True))}
+            found = {**individuals, **dict(zip(free, choice, strict=True))}
             if all(holds(each.statement, self.world, found) for each in (*skill.pre, *skill.hold)):
                 return found
         return None
 
-    def _make_some(self, skill: SkillInterface, things: Mapping[str, int]) -> None:
-        self._make([each for each in skill.post if self.chance.random() < 0.5], things)
+    def _make_some(self, skill: SkillInterface, individuals: Mapping[str, int]) -> None:
+        self._make([each for each in skill.post if self.chance.random() < 0.5], individuals)
 
-    def _make(self, clauses: Sequence[Clause], things: Mapping[str, int]) -> None:
+    def _make(self, clauses: Sequence[Clause], individuals: Mapping[str, int]) -> None:
         """Make conditions hold, and keep all else that can stay."""
         wanted: set[tuple[str, int, int]] = set()
         for clause in clauses:
             said = clause.statement
             if isinstance(said, AnyOf):
-                if holds(said, self.world, things):
+                if holds(said, self.world, individuals):
                     continue
                 said = self.chance.choice(said.parts)
             assert isinstance(said, Relation)
             if said.is_true:
                 name = said.relation.removeprefix(START)
-                wanted.add((name, things[said.subject], things[said.object]))
+                wanted.add((name, individuals[said.subject], individuals[said.object]))
         rules = self.drawn.rules
 
         def is_fine(facts: set[tuple[str, int, int]]) -> bool:
             world = rules.closed(facts)
             return rules.is_possible(world) and all(
-                holds(each.statement, world, things)
+                holds(each.statement, world, individuals)
                 for each in clauses
                 if isinstance(each.statement, Relation) and not each.statement.is_true
             )
@@ -251,7 +251,7 @@ def start(drawn: Drawn, chance: random.Random) -> set[tuple[str, int, int]] | No
         run = Run(drawn, facts, chance)
         said = [*drawn.compound.pre, *drawn.compound.hold]
         run._make(said, OWN)
-        for name, one, other in product(RELATIONS, THINGS, THINGS):
+        for name, one, other in product(RELATIONS, INDIVIDUALS, INDIVIDUALS):
             more = {*run.facts, (name, one, other)}
             world = drawn.rules.closed(more)
             is_wanted = all(holds(each.statement, world, OWN) for each in said)

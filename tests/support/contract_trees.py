@@ -15,7 +15,7 @@ from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
-from ezskiros.trees.tree import ThingReference
+from ezskiros.trees.tree import IndividualReference
 from support.ontologies import START, turtle
 
 Facts = frozenset[tuple[str, int, int]]
@@ -28,9 +28,9 @@ KINDS = (
     "owl:TransitiveProperty",
 )
 BETWEEN = (":p rdfs:subPropertyOf :q .", ":p owl:inverseOf :q .")
-THINGS = range(4)
+INDIVIDUALS = range(4)
 OWN = {"A": 0, "B": 1}
-"""The parameters of the compound, and the things that they stand for."""
+"""The parameters of the compound, and the individuals that they stand for."""
 FILE = SourceFile("skills.py", " " * 4000)
 
 
@@ -92,11 +92,11 @@ def ontology_of(rules: Rules) -> Ontology:
     return turtle("\n".join([*lines, *sorted(rules.others)]))
 
 
-def holds(said: Statement, facts: Facts, things: Mapping[str, int]) -> bool:
+def holds(said: Statement, facts: Facts, individuals: Mapping[str, int]) -> bool:
     if isinstance(said, AnyOf):
-        return any(holds(part, facts, things) for part in said.parts) == said.is_true
+        return any(holds(part, facts, individuals) for part in said.parts) == said.is_true
     assert isinstance(said, Relation)
-    fact = (said.relation.removeprefix(START), things[said.subject], things[said.object])
+    fact = (said.relation.removeprefix(START), individuals[said.subject], individuals[said.object])
     return (fact in facts) == said.is_true
 
 
@@ -178,7 +178,9 @@ class Drawing:
                 kinds["I"] = ParameterKind.INFERRED
             called = type(f"S{len(known)}", (), {})
             self.skills.known[called] = self.skill(called.__name__, kinds)
-        given = {name: ThingReference(self.chance.choice(compound.parameters)) for name in "XY"}
+        given = {
+            name: IndividualReference(self.chance.choice(compound.parameters)) for name in "XY"
+        }
         return SkillCall(called, None, given, self.span())
 
     def node(self, compound: SkillInterface, depth: int) -> Node:

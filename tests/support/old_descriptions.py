@@ -53,12 +53,12 @@ class Line:
 def descriptions(draw: st.DrawFn) -> str:
     """A module with one description that can be translated."""
     keys = draw(st.lists(st.sampled_from(KEYS), unique=True, max_size=6))
-    is_thing = {key: key == "Robot" or draw(st.booleans()) for key in keys}
-    parameters = [draw(_things(key) if is_thing[key] else _basics(key)) for key in keys]
-    things = [key for key in keys if is_thing[key]]
-    if "Robot" not in things:  # SkiROS2 adds it
-        things.append("Robot")
-    conditions = draw(st.lists(_added(things), max_size=6)) if things else []
+    is_individual = {key: key == "Robot" or draw(st.booleans()) for key in keys}
+    parameters = [draw(_individuals(key) if is_individual[key] else _basics(key)) for key in keys]
+    individuals = [key for key in keys if is_individual[key]]
+    if "Robot" not in individuals:  # SkiROS2 adds it
+        individuals.append("Robot")
+    conditions = draw(st.lists(_added(individuals), max_size=6)) if individuals else []
     lines = [*parameters, *(line for each in conditions for line in each)]
     if draw(st.booleans()):  # in whatever order
         lines = [*(line for each in conditions for line in each), *parameters]
@@ -84,7 +84,7 @@ def _module(lines: list[Line], doc: str) -> str:
 
 
 @st.composite
-def _things(draw: st.DrawFn, key: str) -> str:
+def _individuals(draw: st.DrawFn, key: str) -> str:
     kind, owl_class = draw(st.sampled_from(KINDS)), draw(st.sampled_from(CLASSES))
     options = draw(st.lists(st.sampled_from(OPTIONS), max_size=3))
     written = f", [{', '.join(f'ParamOptions.{each}' for each in options)}]" if options else ""
@@ -109,13 +109,13 @@ def _doc(draw: st.DrawFn) -> str:
 
 
 @st.composite
-def _added(draw: st.DrawFn, things: list[str]) -> list[str]:
+def _added(draw: st.DrawFn, individuals: list[str]) -> list[str]:
     """The statements that add one condition."""
     place = draw(st.sampled_from(["Pre", "Hold", "Post"]))
     if draw(st.integers(0, 3)):
-        return [f"self.add{place}Condition({draw(_conditions(things))})"]
+        return [f"self.add{place}Condition({draw(_conditions(individuals))})"]
     name = draw(st.sampled_from(["either", "other"]))
-    parts = draw(st.lists(_conditions(things), min_size=2, max_size=4))
+    parts = draw(st.lists(_conditions(individuals), min_size=2, max_size=4))
     return [
         f"{name} = self.getOrCond({draw(TRUTHS)})",
         *(f"{name}.addCondition({part})" for part in parts),
@@ -124,9 +124,9 @@ def _added(draw: st.DrawFn, things: list[str]) -> list[str]:
 
 
 @st.composite
-def _conditions(draw: st.DrawFn, things: list[str]) -> str:
+def _conditions(draw: st.DrawFn, individuals: list[str]) -> str:
     """The call that makes a condition."""
-    subject, other = (repr(draw(st.sampled_from(things))) for _ in range(2))
+    subject, other = (repr(draw(st.sampled_from(individuals))) for _ in range(2))
     label, wanted = f'"{draw(LABELS)}"'.replace('say "so"', "say so"), draw(TRUTHS)
     relation, name = (repr(draw(st.sampled_from(each))) for each in (RELATIONS, PROPERTIES))
     operator, value = repr(draw(st.sampled_from(["=", "<", ">", "<=", ">="]))), draw(VALUES)

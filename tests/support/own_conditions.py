@@ -1,5 +1,5 @@
 """Implementations that have pre-conditions of their own, and which of them SkiROS2 and the engine
-take for which thing. The nut weighs 2, the bolt 5, and nobody knows the weight of the feather.
+take for which individual. The nut weighs 2, the bolt 5, and nobody knows the weight of the feather.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ class lift(Move.SkillBase):
 
 
 class Shove(SkillDescription):
-    def description(self, Thing: skiros.Product):
+    def description(self, Piece: skiros.Product):
         pass
 
 
 class shove(Shove.SkillBase):
     def execute(self):
-        self.world.set_value(self.params.Thing, skiros.Weight, 2.0)
-        return self.success(f"shoved {self.params.Thing.label}")
+        self.world.set_value(self.params.Piece, skiros.Weight, 2.0)
+        return self.success(f"shoved {self.params.Piece.label}")
 
 
 class push(Move.SkillBase):
@@ -42,7 +42,7 @@ class push(Move.SkillBase):
         self.pre_conditions += ~(Object.Weight < 3.0)
 
     def expandBT(self, params):
-        self.serialstar(Shove(Thing=params.Object), Shove(Thing=params.Object))
+        self.serialstar(Shove(Piece=params.Object), Shove(Piece=params.Object))
 
 
 class leave(Move.SkillBase):
@@ -130,7 +130,7 @@ class lift(PrimitiveBase):
 
 class Shove(SkillDescription):
     def createDescription(self):
-        self.addParam("Thing", Element("skiros:Product"), ParamTypes.Required)
+        self.addParam("Piece", Element("skiros:Product"), ParamTypes.Required)
 
 
 class shove(PrimitiveBase):
@@ -138,7 +138,7 @@ class shove(PrimitiveBase):
         self.setDescription(Shove(), self.__class__.__name__)
 
     def execute(self):
-        return self.success("shoved %s" % self.params["Thing"].value.label)
+        return self.success("shoved %s" % self.params["Piece"].value.label)
 
 
 class push(SkillBase):
@@ -146,15 +146,15 @@ class push(SkillBase):
         self.setDescription(Move(), self.__class__.__name__)
 
     def modifyDescription(self, skill):
-        # Heavy things
+        # Heavy individuals
         skill.addPreCondition(self.getHasPropCond("Weighed", "skiros:Weight", "Object", True))
         skill.addPreCondition(
             self.getPropCond("Heavy", "skiros:Weight", "Object", "<", 3.0, False))
 
     def expand(self, skill):
         skill(
-            self.skill("Shove", "", remap={"Thing": "Object"}),
-            self.skill("Shove", "", remap={"Thing": "Object"}),
+            self.skill("Shove", "", remap={"Piece": "Object"}),
+            self.skill("Shove", "", remap={"Piece": "Object"}),
         )
 
 

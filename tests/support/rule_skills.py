@@ -40,14 +40,16 @@ def content() -> dict[str, Any]:
     return found
 
 
-def running(skill: str, **things: str) -> RunningSkill:
-    """A skill that runs, with the classes of its things."""
-    return RunningSkill(skill, tuple(SkillArgument(name, type=t) for name, t in things.items()))
+def running(skill: str, **individuals: str) -> RunningSkill:
+    """A skill that runs, with the classes of its individuals."""
+    return RunningSkill(
+        skill, tuple(SkillArgument(name, type=t) for name, t in individuals.items())
+    )
 
 
-def ahead(skill: str, **things: str) -> RunningSkill:
-    """A skill that can start next, with the classes of its things that are known."""
-    return replace(running(skill, **things), is_ahead=True)
+def ahead(skill: str, **individuals: str) -> RunningSkill:
+    """A skill that can start next, with the classes of its individuals that are known."""
+    return replace(running(skill, **individuals), is_ahead=True)
 
 
 class Robot:

@@ -45,8 +45,8 @@ def _running(random: Random, world: World, skill: str) -> RunningSkill:
 def _argument(
     random: Random, world: World, parameter: Mapping[str, Any]
 ) -> Iterator[SkillArgument]:
-    """An argument: of a thing once for each class, none of them above another. There is none of
-    what is optional, of what the skill has yet to find out, and of what is gone from the world.
+    """An argument: of an individual once for each class, none of them above another. There is none
+    of what is optional, of what the skill has yet to find out, and of what is gone from the world.
     """
     name, type_ = parameter["name"], parameter["type"]
     if random.random() < 0.15:

@@ -28,7 +28,7 @@ _ASKED = ("float", "int", "bool")
 class Query:
     """A query as rules write it: for a boolean the classes of parameters, in `limits`, and
     whether it is about what can start next (`is_ahead`); for a number its `parameter`, and the
-    `property` of the thing that is it. `is_boolean` tells that the number is one of a boolean.
+    `property` of the individual that is it. `is_boolean` tells that the number is one of a boolean.
     """
 
     skill: str
@@ -57,13 +57,13 @@ class World:
         """Say whether a class is another one, or is derived from it."""
         return _leads(self.classes, name, wanted, set())
 
-    def things(self, skill: str) -> dict[str, dict[str, Any]]:
-        """The parameters of a skill that are things."""
+    def individuals(self, skill: str) -> dict[str, dict[str, Any]]:
+        """The parameters of a skill that are individuals."""
         parameters = self.skills[skill]["parameters"]
         return {each["name"]: each for each in parameters if each["type"] in self.classes}
 
     def may_be(self, type_: str) -> list[str]:
-        """The classes that some thing of a class may have as well."""
+        """The classes that some individual of a class may have as well."""
         return [
             name
             for name in self.classes
@@ -119,7 +119,7 @@ def _is_as_defined(context: SkillContext) -> bool:
 
 
 def _one_of(query: Query, running: RunningSkill) -> float:
-    """The number, however often it is reported: of a thing once for each of its classes."""
+    """The number, however often it is reported: of an individual once for each of its classes."""
     found = [each for each in running.arguments if each.parameter == query.parameter]
     numbers = [each.number for each in found]
     if query.property is not None:
@@ -259,7 +259,7 @@ def random_query(random: Random, world: World, skills: Sequence[str]) -> Query:
     if numbers and random.random() < 0.4:
         return random.choice(numbers)
     limits = []
-    for name, parameter in world.things(skill).items():
+    for name, parameter in world.individuals(skill).items():
         if random.random() < 0.6:
             type_ = parameter["type"]
             possible = world.may_be(type_)
@@ -274,12 +274,12 @@ def random_query(random: Random, world: World, skills: Sequence[str]) -> Query:
 
 
 def _numbers(world: World, skill: str) -> Iterator[Query]:
-    things = world.things(skill)
+    individuals = world.individuals(skill)
     for parameter in world.skills[skill]["parameters"]:
         name, type_ = parameter["name"], parameter["type"]
         if type_ in _ASKED:
             yield Query(skill, (), name, None, type_ == "bool")
-        for each in world.properties.values() if name in things else ():
+        for each in world.properties.values() if name in individuals else ():
             if any(world.is_class(one, type_) or world.is_class(type_, one) for one in each["of"]):
                 yield Query(skill, (), name, each["name"], each["type"] == "bool")
 

@@ -28,7 +28,7 @@ State = enum.Enum("State", "Success Failure Running Idle Uninitialized")
 
 
 class Element:
-    """A thing of which the class is known."""
+    """An individual of which the class is known."""
 
     def __init__(self, etype: str = "Unknown", elabel: str = "", eid: str = "") -> None:
         self.type, self.label, self.id = etype, elabel, eid

@@ -97,13 +97,13 @@ class Core:
 
         return self.wm.add_element(Element(kind, label))
 
-    def things(self, kind="", label=""):
+    def individuals(self, kind="", label=""):
         from skiros2_common.core.world_element import Element
 
         return self.wm.resolve_elements(Element(kind, label))
 
     def labelled(self, kind, label):
-        (found,) = self.things(kind, label)
+        (found,) = self.individuals(kind, label)
         return found
 
     def load(self, library, *skills):

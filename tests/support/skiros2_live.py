@@ -16,7 +16,7 @@ _START = Path(__file__).with_name("skiros2_start.py")
 
 @dataclass(frozen=True)
 class Robot:
-    """A workspace of SkiROS2, and the skills of a library; `begins` is started, with things by
+    """A workspace of SkiROS2, and the skills of a library; `begins` is started, with individuals by
     their labels: `Object=cable`.
     """
 

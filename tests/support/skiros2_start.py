@@ -1,5 +1,7 @@
 # mypy: ignore-errors
-"""Starts a skill by its name in real SkiROS2, with things by their labels; ends when told to."""
+"""Starts a skill by its name in real SkiROS2, with individuals by their labels; ends when told
+to.
+"""
 
 from __future__ import annotations
 

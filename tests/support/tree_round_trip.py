@@ -17,7 +17,7 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.nodes import Decorator, Node, Processor
 from ezskiros.skills.stand_ins import standing_in
 from ezskiros.skills.values import Symbol
-from ezskiros.trees.tree import ThingReference, ValueReference
+from ezskiros.trees.tree import IndividualReference, ValueReference
 from support import skiros2_api
 from support.round_trip import _run, old_forms, write_ontology
 
@@ -185,6 +185,6 @@ def _new(node: Node, compound: SkillInterface, checked: Checked) -> Tree:
 
 
 def _given(value: object) -> object:
-    if isinstance(value, (ThingReference, ValueReference)):
+    if isinstance(value, (IndividualReference, ValueReference)):
         return f"${value.parameter.key}"
     return COMPUTED if isinstance(value, Symbol) else value

@@ -10,7 +10,7 @@ from typing import Generic as _Generic, Literal as _Literal, NoReturn as _Nothin
 from typing import TypeAlias as _TypeAlias, TypeVar as _TypeVar
 
 from ezskiros.ontology.model import Individual as _Individual
-from ezskiros.ontology.things import Condition as _Condition
+from ezskiros.ontology.symbols import Condition as _Condition
 
 _T = _TypeVar("_T")
 _N = _TypeVar("_N")

@@ -60,7 +60,7 @@ def _skill(skill: Pictured) -> Json:
         "uses": skill.uses,
         "permits": skill.permits,
         "guards": [
-            {"rule": each.rule, "uses": each.thing, "interrupts": each.is_taken}
+            {"rule": each.rule, "uses": each.resource, "interrupts": each.is_taken}
             for each in skill.guards
         ],
         "exempt_from": skill.exempt_from,

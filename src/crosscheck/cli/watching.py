@@ -102,8 +102,8 @@ def _summary(watch: Watch) -> list[str]:
         lines.append(f"skill {skill}: ran {_times(count.times)}, {count.seconds:.1f} s in all")
     for rule, count in sorted(watch.rules.counts.items()):
         lines.append(f"rule {rule}: active {_times(count.times)}, {count.seconds:.1f} s in all")
-    for (rule, thing, skill), times in sorted(watch.takings.items()):
-        lines.append(f"rule {rule}: took {thing} from {skill} {_times(times)}")
+    for (rule, resource, skill), times in sorted(watch.takings.items()):
+        lines.append(f"rule {rule}: took {resource} from {skill} {_times(times)}")
     return lines
 
 
@@ -141,8 +141,8 @@ def _json_of(watch: Watch) -> object:
                 for name, each in sorted(watch.rules.counts.items())
             },
             "takings": [
-                {"rule": rule, "thing": thing, "skill": skill, "times": times}
-                for (rule, thing, skill), times in sorted(watch.takings.items())
+                {"rule": rule, "resource": resource, "skill": skill, "times": times}
+                for (rule, resource, skill), times in sorted(watch.takings.items())
             ],
         }
     }

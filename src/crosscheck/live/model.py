@@ -9,11 +9,11 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class RunningCall:
-    """A call of a skill: `goal` is its name, `things` are pairs of a parameter and its value."""
+    """A call of a skill: `goal` is its name, `arguments` are pairs of a parameter and its value."""
 
     skill: str
     goal: str
-    things: tuple[tuple[str, str], ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,10 @@ def context_of(message: Any) -> RunningContext:
 
 
 def _running(message: Any) -> RunningCall:
-    things = {_text(each.parameter): _text(each.value or each.type) for each in message.arguments}
-    return RunningCall(_text(message.skill), _text(message.goal), tuple(things.items()))
+    arguments = {
+        _text(each.parameter): _text(each.value or each.type) for each in message.arguments
+    }
+    return RunningCall(_text(message.skill), _text(message.goal), tuple(arguments.items()))
 
 
 def state_of(message: Any) -> NodeState:

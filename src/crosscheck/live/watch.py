@@ -45,7 +45,7 @@ class Watch:
         self.skills: Tally[_Call] = Tally()
         self.rules: Tally[str] = Tally()
         self.takings: dict[tuple[str, str, str], int] = {}
-        """The number of times that a rule took a thing from a skill, by these three names."""
+        """The number of times that a rule took a resource from a skill, by these three names."""
         self.findings = 0
         self.has_errors = False
 
@@ -134,8 +134,8 @@ class Watch:
 
     def _starts(self, running: RunningCall) -> LiveChange:
         self.skills.begin((running.skill, running.goal), running.skill, self.now)
-        things = ", ".join(f"{name} = {value}" for name, value in running.things)
-        text = f"{running.skill} starts" + (f": {things}" if things else "")
+        arguments = ", ".join(f"{name} = {value}" for name, value in running.arguments)
+        text = f"{running.skill} starts" + (f": {arguments}" if arguments else "")
         return LiveChange(
             ChangeKind.SKILL_STARTS, text, {"skill": running.skill, "goal": running.goal}
         )
@@ -245,10 +245,10 @@ class Watch:
         for key, taking in found.items():
             if key not in self._taken:
                 self.takings[key] = self.takings.get(key, 0) + 1
-                rule, thing, skill = key
-                text = f"{rule} takes {thing} from {skill} ({taking.task.span})"
+                rule, resource, skill = key
+                text = f"{rule} takes {resource} from {skill} ({taking.task.span})"
                 yield LiveChange(
-                    ChangeKind.TAKES, text, {"rule": rule, "thing": thing, "skill": skill}
+                    ChangeKind.TAKES, text, {"rule": rule, "resource": resource, "skill": skill}
                 )
         self._taken = frozenset(found)
 

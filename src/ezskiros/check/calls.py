@@ -23,7 +23,7 @@ from ezskiros.ontology.statements import (
     Statement,
     ValueComparison,
 )
-from ezskiros.ontology.things import UnknownValue, described
+from ezskiros.ontology.symbols import UnknownValue, described
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import ParameterKind
@@ -33,7 +33,7 @@ from ezskiros.skills.values import SymbolicValue
 from ezskiros.trees.library import Implementations, Library
 from ezskiros.trees.names import all_shared
 from ezskiros.trees.native import native_implementations
-from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+from ezskiros.trees.tree import IndividualReference, Tree, ValueReference
 
 
 def check_calls(tree: Tree, library: Library) -> Iterator[Diagnostic]:
@@ -132,12 +132,12 @@ class _Checker:
         match value:
             case UnknownValue():
                 return
-            case ThingReference(parameter=given) | ValueReference(parameter=given):
+            case IndividualReference(parameter=given) | ValueReference(parameter=given):
                 yield from self._passed(parameter, given, span)
-            case SymbolicValue() if not parameter.is_thing:
+            case SymbolicValue() if not parameter.is_individual:
                 return  # its value is known when the robot runs
-            case _ if parameter.is_thing:
-                found = errors.NoThingGiven(
+            case _ if parameter.is_individual:
+                found = errors.NoIndividualGiven(
                     parameter=parameter.name,
                     wanted=self._spelled(parameter),
                     found=described(value),

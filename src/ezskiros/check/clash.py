@@ -35,7 +35,7 @@ class Clash:
     """A contradiction: the statements `said` cannot hold together, by `axioms` of the ontology, and
     by `why`.
 
-    `iris` are the other entities of the ontology in the reason; `thing` is the parameter whose
+    `iris` are the other entities of the ontology in the reason; `individual` is the parameter whose
     class is part of the reason.
     """
 
@@ -44,7 +44,7 @@ class Clash:
     axioms: tuple[Axiom, ...] = ()
     why: str = ""
     iris: tuple[str, ...] = ()
-    thing: str | None = None
+    individual: str | None = None
 
     def reason(self, model: Model) -> str:
         """The full reason, in one sentence."""

@@ -74,13 +74,13 @@ class ClashFindings:
         of the ontology.
         """
         *others, last = (places[each].span for each in _in_order(clash, places))
-        is_of_thing = clash.kind is world_errors.ImpossibleThing
-        other = world_errors.OfOneThing() if is_of_thing else world_errors.AtOneTime()
+        is_of_individual = clash.kind is world_errors.ImpossibleIndividual
+        other = world_errors.OfOneIndividual() if is_of_individual else world_errors.AtOneTime()
         labels = [other.at(span) for span in others if span != last]
-        thing = self._skill.parameter(clash.thing) if clash.thing else None
-        if thing is not None and thing.iri:
-            declared = world_errors.DeclaredAs(owl_class=spelled_iri(thing.iri, self._model))
-            labels.append(declared.at(thing.span))
+        individual = self._skill.parameter(clash.individual) if clash.individual else None
+        if individual is not None and individual.iri:
+            declared = world_errors.DeclaredAs(owl_class=spelled_iri(individual.iri, self._model))
+            labels.append(declared.at(individual.span))
         for iri in clash.declared():
             label = self._ontology.label(iri, IriHere(iri=spelled_iri(iri, self._model)))
             labels += [label] if label else []

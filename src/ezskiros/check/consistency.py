@@ -16,9 +16,9 @@ from ezskiros.check import errors, world_errors
 from ezskiros.check.clash import Clash, FactReason
 from ezskiros.check.clash_findings import ClashFindings, ClashMoment, Places, places_of
 from ezskiros.check.entailed import Fact
+from ezskiros.check.individual_classes import class_clashes
 from ezskiros.check.relations import misfit, simple, wanted
 from ezskiros.check.spelled import spelled_iri
-from ezskiros.check.thing_classes import class_clashes
 from ezskiros.check.worlds import Literals, PossibleWorld, alternatives, known_classes
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Union

@@ -128,7 +128,7 @@ def _too_many(facts: Facts, classes: KnownClasses, model: Model) -> Iterator[Cla
             for fact in found[limit.most :]:
                 several = [facts[each] for each in (*found[: limit.most], fact)]
                 yield limit.exceeded(several, subject)
-    for (iri, thing), (first, *more) in subjects.items():
+    for (iri, individual), (first, *more) in subjects.items():
         if of_subjects := limit_of_subjects(iri, model):
             for fact in more:
-                yield of_subjects.exceeded([facts[first], facts[fact]], thing)
+                yield of_subjects.exceeded([facts[first], facts[fact]], individual)

@@ -34,7 +34,7 @@ def chains(skill: SkillInterface) -> dict[str, Step]:
     known = [
         each.name
         for each in skill.parameters
-        if each.is_thing and each.kind is ParameterKind.REQUIRED
+        if each.is_individual and each.kind is ParameterKind.REQUIRED
     ]
     inferred = {each.name for each in skill.parameters if each.kind is ParameterKind.INFERRED}
     found: dict[str, Step] = {}
@@ -66,7 +66,12 @@ def check_inference(
     reached = chains(skill)
     clauses = (*skill.pre, *skill.hold, *skill.post)
     used = implemented_with | {name for clause in clauses for name in names(clause.statement)}
-    used |= {thing.parameter for each in skill.permits for thing in each.things if thing.parameter}
+    used |= {
+        individual.parameter
+        for each in skill.permits
+        for individual in each.individuals
+        if individual.parameter
+    }
     for parameter in skill.parameters:
         if parameter.iri is None:
             continue

@@ -18,11 +18,13 @@ class Limit(NamedTuple):
     reason: FactReason = FactReason()
     is_of_class: bool = False
 
-    def exceeded(self, reasons: Iterable[FactReason], thing: str) -> Clash:
+    def exceeded(self, reasons: Iterable[FactReason], individual: str) -> Clash:
         """The clash of an individual that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
-        return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
+        return Clash(
+            whole.said, kind, whole.axioms, individual=individual if self.is_of_class else None
+        )
 
 
 def limits(iri: str, classes: Mapping[str, FactReason], model: Model) -> Iterator[Limit]:

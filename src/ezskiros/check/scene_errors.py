@@ -22,8 +22,8 @@ class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
 class UnknownSceneClass(Error, code="EZS601", name="unknown-class-in-scene"):
     """An individual of a class that the ontology does not have."""
 
-    title = "{thing} is a {owl_class}, but the ontology has no such class"
-    thing: str
+    title = "{individual} is a {owl_class}, but the ontology has no such class"
+    individual: str
     owl_class: str
 
 
@@ -31,17 +31,17 @@ class UnknownSceneProperty(Error, code="EZS602", name="unknown-property-in-scene
     """A relation or data property that the ontology does not have."""
 
     title = "the ontology has no relation or property {property}"
-    label = "used on {thing}"
+    label = "used on {individual}"
     property: str
-    thing: str
+    individual: str
 
 
-class UnknownThing(Error, code="EZS603", name="unknown-thing"):
+class UnknownIndividual(Error, code="EZS603", name="unknown-individual"):
     """A relation to an individual that the scene does not describe."""
 
-    title = "{property} relates {thing} to {other}, which the scene does not describe"
+    title = "{property} relates {individual} to {other}, which the scene does not describe"
     help = "add {other} to the scene, or correct its name"
-    thing: str
+    individual: str
     property: str
     other: str
 
@@ -49,9 +49,9 @@ class UnknownThing(Error, code="EZS603", name="unknown-thing"):
 class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
     """A relation of an individual outside its domain or range."""
 
-    title = "{thing} is a {found}, but {property} needs a {wanted}"
+    title = "{individual} is a {found}, but {property} needs a {wanted}"
     label = "{property} is used here"
-    thing: str
+    individual: str
     found: str
     property: str
     wanted: str
@@ -63,9 +63,9 @@ class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
 class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
     """A value of another type than the property."""
 
-    title = "{property} of {thing} is {found}, but its type is {wanted}"
+    title = "{property} of {individual} is {found}, but its type is {wanted}"
     property: str
-    thing: str
+    individual: str
     found: str
     wanted: str
 
@@ -73,19 +73,19 @@ class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
 class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
     """A relation with a value, or a data property with an individual."""
 
-    title = "{property} is a {kind}, but {thing} gives it {found}"
+    title = "{property} is a {kind}, but {individual} gives it {found}"
     property: str
     kind: str
-    thing: str
+    individual: str
     found: str
 
 
 class MissingRelation(Warning, code="EZS607", name="missing-relation"):
     """An individual without a relation that the ontology requires of its class."""
 
-    title = "{thing} has no relation {property} to a {wanted}"
+    title = "{individual} has no relation {property} to a {wanted}"
     note = "the ontology requires one for every {owl_class}"
-    thing: str
+    individual: str
     wanted: str
     property: str
     owl_class: str
@@ -94,10 +94,10 @@ class MissingRelation(Warning, code="EZS607", name="missing-relation"):
 class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
     """Two individuals with the same number, which SkiROS2 uses as their identifier."""
 
-    title = "{thing} and {other} have the same number"
+    title = "{individual} and {other} have the same number"
     label = "SkiROS2 identifies individuals by their numbers"
     help = "give one of them an unused number"
-    thing: str
+    individual: str
     other: str
 
     class Other(Remark):
@@ -107,9 +107,9 @@ class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
 class TwoObjects(Error, code="EZS609", name="two-objects"):
     """A functional relation with two objects, or an inverse functional one with two subjects."""
 
-    title = "{first} and {second} are both related to {thing} by {property}"
+    title = "{first} and {second} are both related to {individual} by {property}"
     note = "{property} is {kind} and allows only one"
-    thing: str
+    individual: str
     property: str
     first: str
     second: str
@@ -120,7 +120,7 @@ ALL: tuple[type[Template], ...] = (
     NoOntologyForScene,
     UnknownSceneClass,
     UnknownSceneProperty,
-    UnknownThing,
+    UnknownIndividual,
     SceneDoesNotFit,
     WrongSceneValue,
     KindOfProperty,

@@ -36,7 +36,7 @@ def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
 
 
 @dataclass
-class _Thing:
+class _Individual:
     """The description of one individual in a scene."""
 
     iri: str
@@ -51,26 +51,26 @@ class _Scene:
     def __init__(self, document: Document, ontology: Ontology) -> None:
         self._document = document
         self._ontology, self._model = ontology, ontology.model
-        self._things = _things(document)
-        declared = (iri for iri, each in self._things.items() if _CLASSES & set(each.types))
+        self._individuals = _individuals(document)
+        declared = (iri for iri, each in self._individuals.items() if _CLASSES & set(each.types))
         self._own_classes = set(declared)
 
     def check(self) -> Iterator[Diagnostic]:
-        for thing in self._things.values():
-            if thing.iri in self._own_classes:
+        for individual in self._individuals.values():
+            if individual.iri in self._own_classes:
                 continue
-            yield from self._types(thing)
-            yield from self._relations(thing)
-            yield from self._values(thing)
-            yield from self._missing(thing)
+            yield from self._types(individual)
+            yield from self._relations(individual)
+            yield from self._values(individual)
+            yield from self._missing(individual)
         yield from self._numbers()
         yield from self._functional()
         yield from find_locations(self._document, self._model).diagnostics
 
     # --- one individual ---------------------------------------------------------------------------
 
-    def _types(self, thing: _Thing) -> Iterator[Diagnostic]:
-        for kind in thing.types:
+    def _types(self, individual: _Individual) -> Iterator[Diagnostic]:
+        for kind in individual.types:
             if (
                 kind.startswith(RESERVED)
                 or kind in self._model.classes
@@ -78,42 +78,42 @@ class _Scene:
             ):
                 continue
             found = errors.UnknownSceneClass(
-                thing=self._spelled(thing.iri), owl_class=self._spelled(kind)
+                individual=self._spelled(individual.iri), owl_class=self._spelled(kind)
             )
             yield found.at(
-                self._place(thing.iri, kind), help=self._meant(kind, self._model.classes)
+                self._place(individual.iri, kind), help=self._meant(kind, self._model.classes)
             )
 
-    def _relations(self, thing: _Thing) -> Iterator[Diagnostic]:
-        for iri, other in thing.relations:
+    def _relations(self, individual: _Individual) -> Iterator[Diagnostic]:
+        for iri, other in individual.relations:
             if iri.startswith(RESERVED):
                 continue
             if iri not in self._model.relations:
-                yield self._no_relation(thing, iri, other)
-            elif other not in self._things and other not in self._model.individuals:
-                found = errors.UnknownThing(
-                    thing=self._spelled(thing.iri),
+                yield self._no_relation(individual, iri, other)
+            elif other not in self._individuals and other not in self._model.individuals:
+                found = errors.UnknownIndividual(
+                    individual=self._spelled(individual.iri),
                     property=self._spelled(iri),
                     other=self._spelled(other),
                 )
-                near = self._meant(other, self._things)
-                yield found.at(self._place(thing.iri, other), help=near)
+                near = self._meant(other, self._individuals)
+                yield found.at(self._place(individual.iri, other), help=near)
             else:
-                related = (thing.iri, other)
-                yield from self._fits(thing.iri, iri, self._model.domain(iri), related)
+                related = (individual.iri, other)
+                yield from self._fits(individual.iri, iri, self._model.domain(iri), related)
                 yield from self._fits(other, iri, self._model.range(iri), related)
 
-    def _no_relation(self, thing: _Thing, iri: str, other: str) -> Diagnostic:
-        place = self._place(thing.iri, iri)
+    def _no_relation(self, individual: _Individual, iri: str, other: str) -> Diagnostic:
+        place = self._place(individual.iri, iri)
         if iri in self._model.values:
             return errors.KindOfProperty(
                 property=self._spelled(iri),
                 kind="data property",
-                thing=self._spelled(thing.iri),
+                individual=self._spelled(individual.iri),
                 found=f"the individual {self._spelled(other)}",
             ).at(place)
         found = errors.UnknownSceneProperty(
-            property=self._spelled(iri), thing=self._spelled(thing.iri)
+            property=self._spelled(iri), individual=self._spelled(individual.iri)
         )
         return found.at(place, help=self._meant(iri, self._model.relations))
 
@@ -124,7 +124,7 @@ class _Scene:
         for union in wanted:
             if types and not any(self._model.is_a(each, one) for each in types for one in union):
                 found = errors.SceneDoesNotFit(
-                    thing=self._spelled(iri),
+                    individual=self._spelled(iri),
                     found=" and ".join(map(self._spelled, types)),
                     property=self._spelled(relation),
                     wanted=" or ".join(map(self._spelled, sorted(union))),
@@ -135,33 +135,35 @@ class _Scene:
 
     def _classes_of(self, iri: str) -> list[str]:
         """The known classes of an individual of the scene or of the ontology."""
-        if iri in self._things:
-            return [each for each in self._things[iri].types if each in self._model.classes]
+        if iri in self._individuals:
+            return [each for each in self._individuals[iri].types if each in self._model.classes]
         found = self._model.individuals.get(iri)
         return sorted(found.types) if found else []
 
-    def _values(self, thing: _Thing) -> Iterator[Diagnostic]:
-        for iri, value in thing.values:
+    def _values(self, individual: _Individual) -> Iterator[Diagnostic]:
+        for iri, value in individual.values:
             if iri.startswith(RESERVED) or iri == AS_WKT:
                 continue
             if iri in self._model.relations:
                 yield errors.KindOfProperty(
                     property=self._spelled(iri),
                     kind="relation",
-                    thing=self._spelled(thing.iri),
+                    individual=self._spelled(individual.iri),
                     found=f"the value {value.value!r}",
-                ).at(self._place(thing.iri, iri))
+                ).at(self._place(individual.iri, iri))
             elif iri not in self._model.values:
                 found = errors.UnknownSceneProperty(
-                    property=self._spelled(iri), thing=self._spelled(thing.iri)
+                    property=self._spelled(iri), individual=self._spelled(individual.iri)
                 )
                 yield found.at(
-                    self._place(thing.iri, iri), help=self._meant(iri, self._model.values)
+                    self._place(individual.iri, iri), help=self._meant(iri, self._model.values)
                 )
             else:
-                yield from self._value(thing, iri, value)
+                yield from self._value(individual, iri, value)
 
-    def _value(self, thing: _Thing, iri: str, value: pyoxigraph.Literal) -> Iterator[Diagnostic]:
+    def _value(
+        self, individual: _Individual, iri: str, value: pyoxigraph.Literal
+    ) -> Iterator[Diagnostic]:
         declared = self._model.values[iri]
         wanted = [spelled_types(union) for union in self._model.range(iri)]
         if declared.values is not None and value.value not in declared.values:
@@ -170,30 +172,32 @@ class _Scene:
             return
         found = errors.WrongSceneValue(
             property=self._spelled(iri),
-            thing=self._spelled(thing.iri),
+            individual=self._spelled(individual.iri),
             found=f"{value.value!r} ({value.datatype.value.removeprefix(XSD)})",
             wanted=" or ".join(sorted({name for names in wanted for name in names})),
         )
         label = self._ontology.label(iri, DeclaredHere())
-        yield found.at(self._place(thing.iri, iri), *([label] if label else []))
+        yield found.at(self._place(individual.iri, iri), *([label] if label else []))
 
-    def _missing(self, thing: _Thing) -> Iterator[Diagnostic]:
-        above = {each for kind in self._classes_of(thing.iri) for each in self._model.above(kind)}
+    def _missing(self, individual: _Individual) -> Iterator[Diagnostic]:
+        above = {
+            each for kind in self._classes_of(individual.iri) for each in self._model.above(kind)
+        }
         for kind in sorted(above & set(self._model.classes)):
             for iri, unions in self._model.classes[kind].some.items():
                 for union in unions:
-                    if not self._has(thing, iri, union):
+                    if not self._has(individual, iri, union):
                         yield errors.MissingRelation(
-                            thing=self._spelled(thing.iri),
+                            individual=self._spelled(individual.iri),
                             wanted=" or ".join(map(self._spelled, sorted(union))),
                             property=self._spelled(iri),
                             owl_class=self._spelled(kind),
-                        ).at(self._place(thing.iri))
+                        ).at(self._place(individual.iri))
 
-    def _has(self, thing: _Thing, iri: str, union: Union) -> bool:
+    def _has(self, individual: _Individual, iri: str, union: Union) -> bool:
         others = (
             other
-            for relation, other in thing.relations
+            for relation, other in individual.relations
             if iri in self._model.properties_above(relation)
         )
         return any(
@@ -207,27 +211,29 @@ class _Scene:
 
     def _numbers(self) -> Iterator[Diagnostic]:
         seen: dict[str, str] = {}
-        for iri in self._things:
+        for iri in self._individuals:
             if not (match := _NUMBERED.search(iri)):
                 continue
             other = seen.setdefault(match[1], iri)
             if other != iri:
-                found = errors.RepeatedNumber(thing=self._spelled(iri), other=self._spelled(other))
+                found = errors.RepeatedNumber(
+                    individual=self._spelled(iri), other=self._spelled(other)
+                )
                 yield found.at(self._place(iri), found.Other().at(self._place(other)))
 
     def _functional(self) -> Iterator[Diagnostic]:
         objects: dict[tuple[str, str], list[str]] = defaultdict(list)
         subjects: dict[tuple[str, str], list[str]] = defaultdict(list)
-        for thing in self._things.values():
-            for iri, other in thing.relations:
+        for individual in self._individuals.values():
+            for iri, other in individual.relations:
                 declared = self._model.relations.get(iri)
                 if declared is not None:
-                    _note(objects, subjects, declared, thing.iri, other)
+                    _note(objects, subjects, declared, individual.iri, other)
         for found in (objects, subjects):
             for (one, iri), (first, *more) in found.items():
                 for second in more:
                     yield errors.TwoObjects(
-                        thing=self._spelled(one),
+                        individual=self._spelled(one),
                         property=self._spelled(iri),
                         first=self._spelled(first),
                         second=self._spelled(second),
@@ -249,20 +255,20 @@ class _Scene:
         return place_in(self._document, self._model, subject, *parts)
 
 
-def _things(document: Document) -> dict[str, _Thing]:
+def _individuals(document: Document) -> dict[str, _Individual]:
     """The individuals that a scene describes, in the order of the file."""
-    found: dict[str, _Thing] = {}
+    found: dict[str, _Individual] = {}
     for triple in document.triples:
         if not isinstance(triple.subject, pyoxigraph.NamedNode):
             continue
-        thing = found.setdefault(triple.subject.value, _Thing(triple.subject.value))
+        individual = found.setdefault(triple.subject.value, _Individual(triple.subject.value))
         match triple.object:
             case pyoxigraph.NamedNode(value=value) if triple.predicate.value == _TYPE:
-                thing.types.append(value)
+                individual.types.append(value)
             case pyoxigraph.NamedNode(value=value):
-                thing.relations.append((triple.predicate.value, value))
+                individual.relations.append((triple.predicate.value, value))
             case pyoxigraph.Literal():
-                thing.values.append((triple.predicate.value, triple.object))
+                individual.values.append((triple.predicate.value, triple.object))
             case _:  # open: a blank node
                 pass
     return found

@@ -67,11 +67,11 @@ def _aliases(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
     seen: dict[str, str] = {}
     for shared in shared_names(call, skill):
         name = shared.parameter.name
-        if not shared.is_passed or not shared.parameter.is_thing:
+        if not shared.is_passed or not shared.parameter.is_individual:
             continue
         if shared.shared in seen:
             other = seen[shared.shared]
-            found = errors.SameThingTwice(
+            found = errors.SameIndividualTwice(
                 skill=skill.name, one=other, other=name, shared=shared.shared
             )
             yield found.at(_value_place(call, name), *_labels(skill, other, name))
@@ -125,4 +125,4 @@ def _declared(parameter: Parameter) -> Label:
 
 
 def _spelled(parameter: Parameter) -> str:
-    return repr(parameter.type) if parameter.is_thing else parameter.type.__name__
+    return repr(parameter.type) if parameter.is_individual else parameter.type.__name__

@@ -74,7 +74,7 @@ class WrongArgument(Error, code="EZS524", name="wrong-argument"):
     found: str
 
 
-class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
+class NoIndividualGiven(Error, code="EZS525", name="no-individual-given"):
     """A value for a parameter that stands for an individual."""
 
     title = "`{parameter}` stands for a {wanted} but gets {found}"
@@ -133,7 +133,7 @@ class NameClash(Error, code="EZS528", name="name-clash"):
     other: str
 
 
-class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
+class SameIndividualTwice(Warning, code="EZS529", name="same-individual-twice"):
     """Two parameters of a child with the same individual."""
 
     title = "`{one}` and `{other}` of `{skill}` are both `{shared}`"
@@ -346,12 +346,12 @@ ALL: tuple[type[Template], ...] = (
     OtherSkillsImplementation,
     UnknownArgument,
     WrongArgument,
-    NoThingGiven,
+    NoIndividualGiven,
     PassedMisfit,
     PassedMayNotFit,
     PassedLacksProperty,
     NameClash,
-    SameThingTwice,
+    SameIndividualTwice,
     MissingArgument,
     NotWrittenOnAllPaths,
     ReadBesides,

@@ -31,8 +31,8 @@ def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> 
     found: dict[tuple[str, str], list[Said]] = defaultdict(list)
     for each in said:
         found[each.subject, each.property].append(each)
-    for (thing, iri), about in found.items():
-        values = _Values(thing, iri, classes, model)
+    for (individual, iri), about in found.items():
+        values = _Values(individual, iri, classes, model)
         accepted: list[Said] = []
         for each in about:
             clash = values.clash(accepted, each)
@@ -46,9 +46,9 @@ def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> 
 class _Values:
     """The possible values of a property of an individual."""
 
-    def __init__(self, thing: str, iri: str, classes: KnownClasses, model: Model) -> None:
-        self._thing, self._iri, self._name = thing, iri, spelled_iri(iri, model)
-        known = limits(iri, classes.get(thing, {}), model)
+    def __init__(self, individual: str, iri: str, classes: KnownClasses, model: Model) -> None:
+        self._individual, self._iri, self._name = individual, iri, spelled_iri(iri, model)
+        known = limits(iri, classes.get(individual, {}), model)
         self._limit = min(known, key=lambda limit: limit.most, default=None)
         declared = model.values.get(iri)
         self._listed = declared.values if declared else None
@@ -71,13 +71,13 @@ class _Values:
         if not asked.some:
             return None
         if self._limit and self._limit.most == 0:
-            return self._limit.exceeded([FactReason(together)], self._thing)
+            return self._limit.exceeded([FactReason(together)], self._individual)
         if asked.none:
             return self._none(together, f"without a {self._name} there is no value to compare")
         if not self._has_first(asked):
             return self._none(together, f"there is no such value of {self._name}")
         if asked.needs_several() and self._limit and self._limit.most == 1:
-            found = self._limit.exceeded([FactReason(together)], self._thing)
+            found = self._limit.exceeded([FactReason(together)], self._individual)
             return replace(found, kind=world_errors.NoCommonValue)
         return None
 

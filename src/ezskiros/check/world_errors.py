@@ -18,7 +18,7 @@ class AtOneTime(Remark):
     says = "this cannot hold at the same time"
 
 
-class OfOneThing(Remark):
+class OfOneIndividual(Remark):
     """The label of a condition that no individual satisfies together with the reported one."""
 
     says = "this cannot hold for the same individual"
@@ -71,7 +71,7 @@ class HasNone(Clashing, code="EZS318", name="has-none"):
     title = "{together} cannot hold {when}"
 
 
-class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
+class ImpossibleIndividual(Clashing, code="EZS319", name="impossible-individual"):
     """An individual of two disjoint classes."""
 
     title = "{together} would make an individual a member of disjoint classes"
@@ -138,7 +138,7 @@ ALL: tuple[type[Template], ...] = (
     BothWays,
     ToItself,
     HasNone,
-    ImpossibleThing,
+    ImpossibleIndividual,
     NoCommonValue,
     TwoValues,
     EndsItsHold,

@@ -10,14 +10,14 @@ from typing import Any
 
 from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.running import Running
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.export.vocabulary import name_in, name_of, type_of
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import Value
 from ezskiros.skills.interface import Parameter
-from ezskiros.skills.permits import Permission, PermittedThing
+from ezskiros.skills.permits import Permission, PermittedIndividual
 from ezskiros.skills.quantities import UNITS
 
 MOST_AHEAD = 64
@@ -168,7 +168,7 @@ class Snapshots:
 
     def _arguments(self, parameter: Parameter, value: object) -> Iterator[SkillArgument]:
         name = parameter.name
-        if not isinstance(value, WorldThing):
+        if not isinstance(value, WorldIndividual):
             yield SkillArgument(name, _text(value), number=_number(value))
             return
         world: World = value._world  # noqa: SLF001
@@ -177,27 +177,27 @@ class Snapshots:
         for each in named or [_declared(parameter)]:
             yield SkillArgument(name, _text(value), each, properties=properties)
 
-    def properties(self, world: World, thing: str) -> Iterator[SkillProperty]:
+    def properties(self, world: World, individual: str) -> Iterator[SkillProperty]:
         """The numbers of an individual, by its IRI. A property with several values is NaN."""
-        classes = _classes(world, thing)
+        classes = _classes(world, individual)
         key = id(world.ontology), tuple(classes)
         known = self._numbers.get(key)
         if known is None:
             known = self._numbers[key] = list(_numbers_of(world.ontology, classes))
         for iri, name, scale in known:
-            values = {_number(each) for each in world.values(thing, iri)}
+            values = {_number(each) for each in world.values(individual, iri)}
             if values:
                 number = values.pop() * scale if len(values) == 1 else math.nan
                 yield SkillProperty(name, number if math.isfinite(number) else math.nan)
 
 
-def _classes(world: World, thing: str) -> list[str]:
+def _classes(world: World, individual: str) -> list[str]:
     """The classes of an individual, without superclasses of its other classes; none if the
     individual no longer exists.
     """
-    if not world.exists(thing):
+    if not world.exists(individual):
         return []
-    known, model = world.classes(thing), world.ontology.model
+    known, model = world.classes(individual), world.ontology.model
     return sorted(each for each in known if not _is_above_another(each, known, model))
 
 
@@ -225,22 +225,22 @@ def _numbers_of(ontology: Ontology, classes: Sequence[str]) -> Iterator[tuple[st
 def _permitted(found: Permission, values: Mapping[str, Any]) -> Iterator[SkillPermission]:
     """A permission for each individual; none for a parameter without a value."""
     limit = found.limit.si if found.limit else math.nan
-    if not found.things:
+    if not found.individuals:
         yield SkillPermission(found.kind.value, "", limit)
-    for each in found.things:
+    for each in found.individuals:
         name = _permitted_class(each, values)
         if name is not None:
             yield SkillPermission(found.kind.value, name, limit)
 
 
-def _permitted_class(found: PermittedThing, values: Mapping[str, Any]) -> str | None:
+def _permitted_class(found: PermittedIndividual, values: Mapping[str, Any]) -> str | None:
     """The class for which an individual has a permission. If the individual has several classes,
     one is enough: the permission is for individuals of all of them.
     """
     if found.parameter is None:
         return name_of(found.owl_class)
     value = values.get(found.parameter)
-    if not isinstance(value, WorldThing):
+    if not isinstance(value, WorldIndividual):
         return None
     world: World = value._world  # noqa: SLF001
     classes = _classes(world, value.iri)

@@ -68,7 +68,7 @@ class BoundChild:
 
     def outputs(self) -> Iterator[str]:
         """The names that have a new value after the child has succeeded."""
-        return (self.names[each.name] for each in self._things() if each.is_output)
+        return (self.names[each.name] for each in self._individuals() if each.is_output)
 
     def changes(self, how: How) -> list[WorldChange]:
         """The changes by a success of the child, in order."""
@@ -79,7 +79,7 @@ class BoundChild:
         return list(self._all_made())
 
     def _all_made(self) -> Iterator[tuple[Made, Origin]]:
-        for each in self._things():
+        for each in self._individuals():
             origin = Origin(each.span, "parameter", self.call)
             name = self.names[each.name]
             if each.is_output:
@@ -92,10 +92,12 @@ class BoundChild:
             yield said.statement, Origin(said.clause.span, "post", self.call)
 
     def _of_kind(self, kind: ParameterKind) -> Iterator[Parameter]:
-        return (each for each in self._things() if each.kind is kind and not each.is_output)
+        return (each for each in self._individuals() if each.kind is kind and not each.is_output)
 
-    def _things(self) -> Iterator[Parameter]:
-        return (each for each in self.skill.parameters if each.is_thing and each.name in self.names)
+    def _individuals(self) -> Iterator[Parameter]:
+        return (
+            each for each in self.skill.parameters if each.is_individual and each.name in self.names
+        )
 
 
 class TreeChildren:

@@ -18,7 +18,7 @@ from ezskiros.contracts.remarks import Branch
 from ezskiros.contracts.repairs import Repairs, in_order
 from ezskiros.contracts.statements import TreeCondition, asked
 from ezskiros.contracts.walk import TreeWalk
-from ezskiros.ontology.things import UnknownValue
+from ezskiros.ontology.symbols import UnknownValue
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.nodes import calls
@@ -123,7 +123,7 @@ def known_at_start(skill: SkillInterface) -> KnownFacts:
     """The knowledge at the start of a compound."""
     said = (*asked(skill.pre, "pre", {}), *asked(skill.hold, "hold", {}))
     facts = {each.statement: Origin(each.clause.span, each.kind) for each in reversed(said)}
-    bound = (each.name for each in skill.parameters if each.is_thing and not each.is_output)
+    bound = (each.name for each in skill.parameters if each.is_individual and not each.is_output)
     return KnownFacts(dict(reversed(facts.items())), frozenset(bound))
 
 

@@ -12,8 +12,8 @@ from dslkit.diagnostics import Severity
 from ezskiros.check import errors
 from ezskiros.check.clash import Clash, FactReason
 from ezskiros.check.entailed import fact_of
+from ezskiros.check.individual_classes import class_clashes
 from ezskiros.check.inference import names as names_of
-from ezskiros.check.thing_classes import class_clashes
 from ezskiros.check.worlds import PossibleWorld, alternatives
 from ezskiros.contracts.knowledge import (
     KnownFacts,

@@ -26,7 +26,7 @@ from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, 
 from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names
-from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+from ezskiros.trees.tree import IndividualReference, Tree, ValueReference
 
 _CONTROLS: Mapping[Flow, tuple[str, Mapping[str, str]]] = {
     Flow.SERIAL: ("ReactiveSequence", {}),
@@ -206,7 +206,7 @@ class _Writer:
             if isinstance(given, SymbolicValue) and not isinstance(given, ValueReference):
                 computed = errors.ComputedArgument(parameter=parameter.name)
                 self.found.add(computed.at(call.span))
-            elif given is not None and not isinstance(given, (ThingReference, ValueReference)):
+            elif given is not None and not isinstance(given, (IndividualReference, ValueReference)):
                 found[parameter.name] = self._literal(given, parameter, call.span, is_inside)
         return {each.name: found[each.name] for each in skill.parameters if each.name in found}
 

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from ezskiros.check.spelled import spelled
 from ezskiros.drawing.nested import Nested
 from ezskiros.ontology.statements import Statement
-from ezskiros.ontology.things import UnknownValue
+from ezskiros.ontology.symbols import UnknownValue
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
-from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+from ezskiros.trees.tree import IndividualReference, Tree, ValueReference
 
 TOKENS = {
     Flow.SERIAL: "->",
@@ -167,7 +167,7 @@ def _arguments(call: SkillCall) -> Iterator[Line]:
     """The values of the parameters of a child, in source order."""
     for name, given in call.arguments.items():
         match given:
-            case ThingReference(parameter=parameter) | ValueReference(parameter=parameter):
+            case IndividualReference(parameter=parameter) | ValueReference(parameter=parameter):
                 yield Line(Role.PASSED, f"{name} <- {parameter.name}")
             case UnknownValue():
                 yield Line(Role.VALUE, f"{name} = ?")

@@ -7,7 +7,7 @@ import enum
 from collections.abc import Iterable
 from typing import Any
 
-from ezskiros.engine.values import WorldThing, wanted
+from ezskiros.engine.values import WorldIndividual, wanted
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import ParameterKind
@@ -32,12 +32,16 @@ def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) ->
         parameter = _parameter(skill, name)
         if name in found:
             raise WrongArgumentError(f"`{name}` is given twice")
-        read = _thing(parameter, value, world) if parameter.is_thing else _basic(parameter, value)
+        read = (
+            _individual(parameter, value, world)
+            if parameter.is_individual
+            else _basic(parameter, value)
+        )
         found[name] = read
     for parameter in skill.parameters:
         is_needed = parameter.kind is ParameterKind.REQUIRED and parameter.default is None
         if is_needed and not parameter.is_output and parameter.name not in found:
-            would = f"; {_those(parameter, world)}" if parameter.is_thing else ""
+            would = f"; {_those(parameter, world)}" if parameter.is_individual else ""
             text = f"`{parameter.name}`, {wanted(parameter)}, is not given"
             raise WrongArgumentError(f"{text}: {parameter.name}=...{would}")
     return found
@@ -58,11 +62,11 @@ def _parameter(skill: SkillInterface, name: str) -> Parameter:
     return parameter
 
 
-def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
+def _individual(parameter: Parameter, name: str, world: World) -> WorldIndividual:
     found = world.named(name)
     fitting = [each for each in found if world.is_a(each, parameter.iri or "")]
     if len(fitting) == 1:
-        return WorldThing(fitting[0], world)
+        return WorldIndividual(fitting[0], world)
     if fitting:
         spelled = ", ".join(map(world.spelled, fitting))
         problem = f"several individuals are called {name!r}: {spelled}"
@@ -77,18 +81,18 @@ def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
 
 def _those(parameter: Parameter, world: World) -> str:
     """Name the individuals of the class of a parameter."""
-    things = world.things(parameter.iri or "")
-    if not things:
+    individuals = world.individuals(parameter.iri or "")
+    if not individuals:
         missing = f"the world has no individual that is {wanted(parameter)}"
         return f"{missing}: add one to the scene (`--scene`)"
-    shown = [_with_label(each, world) for each in things[:_MOST_NAMED]]
-    more = f" and {len(things) - _MOST_NAMED} more" if len(things) > _MOST_NAMED else ""
+    shown = [_with_label(each, world) for each in individuals[:_MOST_NAMED]]
+    more = f" and {len(individuals) - _MOST_NAMED} more" if len(individuals) > _MOST_NAMED else ""
     return f"choose from {', '.join(shown)}{more}"
 
 
-def _with_label(thing: str, world: World) -> str:
-    label = world.label(thing)
-    return f"{world.spelled(thing)} ({label})" if label else world.spelled(thing)
+def _with_label(individual: str, world: World) -> str:
+    label = world.label(individual)
+    return f"{world.spelled(individual)} ({label})" if label else world.spelled(individual)
 
 
 def _basic(parameter: Parameter, text: str) -> object:

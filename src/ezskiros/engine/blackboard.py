@@ -14,11 +14,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ezskiros.engine.plans import ChildStart
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import ROBOT, Parameter
-from ezskiros.trees.tree import ThingReference, ValueReference
+from ezskiros.trees.tree import IndividualReference, ValueReference
 
 Cell = list[Any]
 """A list with the value; empty without a value. For an unknown individual the value is None:
@@ -59,7 +59,7 @@ def remaps_of(call: SkillCall, plan: ChildStart, above: Remaps | None) -> Remaps
     parameters = {each.name: each.key for each in plan.skill.parameters}
     found = Remaps(parameters.values())
     for name, value in call.arguments.items():
-        if isinstance(value, (ThingReference, ValueReference)):
+        if isinstance(value, (IndividualReference, ValueReference)):
             found.add(parameters[name], value.parameter.key)
     if above is not None:
         found.add_all(above)
@@ -104,7 +104,7 @@ class Cells:
     def start(self) -> dict[str, Any]:
         """The values at the start of the skill: by default, by the call, or from the blackboard."""
         for parameter, _, _, fixed in self._parameters:
-            is_empty = fixed is None and not parameter.is_thing
+            is_empty = fixed is None and not parameter.is_individual
             self._cells[parameter.name] = [] if is_empty else [fixed]
         return self.read()
 
@@ -116,9 +116,11 @@ class Cells:
         """
         for parameter, key, kind, fixed in self._parameters:
             found = self._blackboard.read(key, kind)
-            if found is not None and (fixed is None or (parameter.is_thing and found == [fixed])):
+            if found is not None and (
+                fixed is None or (parameter.is_individual and found == [fixed])
+            ):
                 self._cells[parameter.name] = found
-            if parameter.is_thing:
+            if parameter.is_individual:
                 self._forget_what_is_gone(self._cells[parameter.name])
         return self.values()
 
@@ -156,8 +158,10 @@ class Cells:
 
 def _kind(parameter: Parameter) -> type:
     """The type of the values of a parameter. For SkiROS2 all individuals have one type."""
-    return WorldThing if parameter.is_thing else parameter.type
+    return WorldIndividual if parameter.is_individual else parameter.type
 
 
 def _is_of(cell: Cell, kind: type) -> bool:
-    return all(isinstance(each, kind) or (each is None and kind is WorldThing) for each in cell)
+    return all(
+        isinstance(each, kind) or (each is None and kind is WorldIndividual) for each in cell
+    )

@@ -13,7 +13,7 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.engine import user_code
 from ezskiros.engine.events import Code, Reason
-from ezskiros.ontology.things import depends_on_symbol
+from ezskiros.ontology.symbols import depends_on_symbol
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
@@ -45,8 +45,10 @@ class Expansions:
         if fixed is not None:
             return fixed
         known = {each.name: values[each.name] for each in skill.parameters}
-        things = {each.name for each in skill.parameters if each.is_thing}
-        reported = (value is not None if name in things else value for name, value in known.items())
+        individuals = {each.name for each in skill.parameters if each.is_individual}
+        reported = (
+            value is not None if name in individuals else value for name, value in known.items()
+        )
         key = (implementation, tuple(reported))
         if key not in self._by_values:
             self._by_values[key] = _built(implementation, skill, known)

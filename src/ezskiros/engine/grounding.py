@@ -11,7 +11,7 @@ from ezskiros.engine.events import Code, Reason
 from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.inference import Solution, infer
 from ezskiros.engine.plans import ChildStart
-from ezskiros.engine.values import WorldThing, wanted
+from ezskiros.engine.values import WorldIndividual, wanted
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Clause, Parameter
 
@@ -31,7 +31,7 @@ def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
         if values[parameter.name] is None:
             text = f"`{parameter.name}`, {wanted(parameter)}, has no value ({parameter.span})"
             return Reason(Code.START, text)
-    for parameter in plan.things:
+    for parameter in plan.individuals:
         value = values[parameter.name]
         if value is not None and not value._world.is_a(value.iri, parameter.iri):  # noqa: SLF001
             text = f"`{parameter.name}` must be {wanted(parameter)}, but {value} is not"
@@ -101,7 +101,7 @@ class Grounding:
             self.chosen = (taken, found.solutions)
         shared = dict(plan.shared)
         for name, iri in taken.items():
-            self._values[name] = WorldThing(iri, world)
+            self._values[name] = WorldIndividual(iri, world)
             if name in shared:
                 self._names.inferred.add(shared[name])
         return broken_pre(plan, self._values, world)
@@ -109,7 +109,7 @@ class Grounding:
 
 def bound(values: Mapping[str, Any]) -> dict[str, str]:
     """The individuals among some values, as IRIs."""
-    return {name: each.iri for name, each in values.items() if type(each) is WorldThing}
+    return {name: each.iri for name, each in values.items() if type(each) is WorldIndividual}
 
 
 def broken_pre(plan: ChildStart, values: Mapping[str, Any], world: World) -> Reason | None:
@@ -123,10 +123,10 @@ def broken(
     """The first condition that does not hold: its text, its place, and the facts of the world."""
     if not clauses:
         return None
-    things = bound(values)
+    individuals = bound(values)
     for clause in clauses:
-        if not holds(clause.statement, things, world):
-            why = reason(clause.statement, things, world)
+        if not holds(clause.statement, individuals, world):
+            why = reason(clause.statement, individuals, world)
             return Reason(code, f"{reported}: {_written(clause)}: {why}")
     return None
 

@@ -43,7 +43,7 @@ def infer(
 
     With `is_equality`, every comparison of a property tests for equality, as in SkiROS2.
     """
-    candidates = {each.name: world.things(each.iri or "") for each in free}
+    candidates = {each.name: world.individuals(each.iri or "") for each in free}
     empty = tuple(each for each in free if not candidates[each.name])
     if empty:
         return Inferred((), empty)
@@ -75,8 +75,8 @@ def _narrowed(
     The search would exclude the others too, but only after it has tried them with all other
     candidates.
     """
-    known = {name: {thing} for name, thing in given.items()}
-    known |= {name: set(things) for name, things in candidates.items()}
+    known = {name: {individual} for name, individual in given.items()}
+    known |= {name: set(individuals) for name, individuals in candidates.items()}
     before = 0
     while before != (before := sum(map(len, known.values()))):
         for said in statements:
@@ -117,8 +117,8 @@ class _Search:
             return
         name = self.order[depth]
         asked = [each for each in self.statements if self._is_decided_by(each, name, bound)]
-        for thing in self.candidates[name]:
-            bound[name] = thing
+        for individual in self.candidates[name]:
+            bound[name] = individual
             if all(holds(each, bound, self.world) for each in asked):
                 yield from self.solutions(bound, depth + 1)
         bound.pop(name, None)

@@ -43,7 +43,7 @@ def locked(skill: SkillInterface) -> tuple[str, ...]:
 
 
 def _with(skill: SkillInterface, option: Option) -> Iterator[Parameter]:
-    return (each for each in skill.parameters if each.is_thing and option in each.options)
+    return (each for each in skill.parameters if each.is_individual and option in each.options)
 
 
 class Owner(Protocol):
@@ -72,14 +72,14 @@ class Locks:
         """Lock the individuals of some parameters. Returns None on success, otherwise the
         reason.
         """
-        things = {name: values[name] for name in names if values[name] is not None}
-        for name, thing in things.items():
-            owners = self._owners.get(thing.iri)
+        individuals = {name: values[name] for name in names if values[name] is not None}
+        for name, individual in individuals.items():
+            owners = self._owners.get(individual.iri)
             if owners and not _is_above(owners[-1], skill):
                 path = "/".join(owners[-1].path)
-                return Reason(Code.PRE, f"`{name}`, {thing}, is locked by {path}")
-        for thing in things.values():
-            self._owners.setdefault(thing.iri, []).append(skill)
+                return Reason(Code.PRE, f"`{name}`, {individual}, is locked by {path}")
+        for individual in individuals.values():
+            self._owners.setdefault(individual.iri, []).append(skill)
         return None
 
     def release(self, skill: Owner) -> None:

@@ -38,7 +38,7 @@ class ChildStart(NamedTuple):
     found_out: tuple[tuple[str, str], ...]
     needed: tuple[Parameter, ...]
     inferred: tuple[Parameter, ...]
-    things: tuple[Parameter, ...]
+    individuals: tuple[Parameter, ...]
     outputs: tuple[Parameter, ...]
     emptied: tuple[str, ...]
     locked: tuple[str, ...]
@@ -73,7 +73,7 @@ class _Known:
     """The types whose values need no conversion. An integer may have to become a float."""
     needed: tuple[Parameter, ...]
     inferred: tuple[Parameter, ...]
-    things: tuple[Parameter, ...]
+    individuals: tuple[Parameter, ...]
     outputs: tuple[Parameter, ...]
     emptied: tuple[str, ...]
     locked: tuple[str, ...]
@@ -121,7 +121,7 @@ class ChildPlans:
             found_out=tuple(pair for pair in known.found_out.get(kind, ()) if pair[0] not in given),
             needed=known.needed,
             inferred=known.inferred,
-            things=known.things,
+            individuals=known.individuals,
             outputs=known.outputs,
             emptied=known.emptied,
             locked=known.locked,
@@ -154,7 +154,7 @@ class ChildPlans:
             inferred=tuple(
                 each for each in skill.parameters if each.kind is ParameterKind.INFERRED
             ),
-            things=tuple(each for each in skill.parameters if each.is_thing),
+            individuals=tuple(each for each in skill.parameters if each.is_individual),
             outputs=tuple(each for each in skill.parameters if each.is_output),
             emptied=emptied(skill),
             locked=locked(skill),

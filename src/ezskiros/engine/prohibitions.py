@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ezskiros.ontology import Ontology
 from ezskiros.skills.interface import SkillInterface
 
-_FORM = re.compile(r"(?P<skill>[A-Za-z_]\w*)(?:\((?P<things>[^()]+)\))?", re.ASCII)
+_FORM = re.compile(r"(?P<skill>[A-Za-z_]\w*)(?:\((?P<individuals>[^()]+)\))?", re.ASCII)
 
 
 class UnknownProhibitionError(ValueError):
@@ -22,12 +22,12 @@ class UnknownProhibitionError(ValueError):
 
 @dataclass(frozen=True)
 class Prohibition:
-    """A skill that rules stop whenever all `things` apply: pairs of a parameter and the IRI of the
-    class of its individual. Without `things`, the skill is always stopped.
+    """A skill that rules stop whenever all `individuals` apply: pairs of a parameter and the IRI of
+    the class of its individual. Without `individuals`, the skill is always stopped.
     """
 
     skill: str
-    things: tuple[tuple[str, str], ...] = ()
+    individuals: tuple[tuple[str, str], ...] = ()
 
 
 def read_prohibition(
@@ -39,18 +39,18 @@ def read_prohibition(
         raise UnknownProhibitionError(
             f"`{text}` is not a skill, or a skill with the classes of its individuals"
         )
-    name, things = found["skill"], found["things"]
+    name, individuals = found["skill"], found["individuals"]
     skill = skills.get(name)
     if skill is None:
         raise UnknownProhibitionError(f"there is no skill `{name}`")
-    parts = [] if things is None else things.split(",")
-    return Prohibition(name, tuple(_thing(each.strip(), skill, ontology) for each in parts))
+    parts = [] if individuals is None else individuals.split(",")
+    return Prohibition(name, tuple(_individual(each.strip(), skill, ontology) for each in parts))
 
 
-def _thing(text: str, skill: SkillInterface, ontology: Ontology) -> tuple[str, str]:
+def _individual(text: str, skill: SkillInterface, ontology: Ontology) -> tuple[str, str]:
     name, _, kind = text.partition("=")
     parameter = skill.parameter(name)
-    if parameter is None or not parameter.is_thing:
+    if parameter is None or not parameter.is_individual:
         raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` for an individual")
     classes = ontology.model.classes
     iris = [iri for iri, spelled in ontology.spelled.items() if spelled == kind and iri in classes]

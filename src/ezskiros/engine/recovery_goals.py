@@ -19,7 +19,7 @@ from ezskiros.engine.prohibitions import (
     read_prohibition,
 )
 from ezskiros.engine.running import Running
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall, SkillClass
@@ -148,7 +148,7 @@ def _spelled(value: object) -> str | None:
     match value:
         case None:
             return None
-        case WorldThing():
+        case WorldIndividual():
             return value.iri
         case enum.Enum():
             return value.name

@@ -10,7 +10,7 @@ from typing import Any
 from ezskiros.engine.conditions import make
 from ezskiros.engine.grounding import bound
 from ezskiros.engine.plans import ChildStart
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Parameter
 
@@ -24,14 +24,14 @@ def simulate(plan: ChildStart, values: dict[str, Any], world: World) -> None:
     for parameter in plan.skill.parameters:
         if parameter.is_output and values[parameter.name] is None:
             values[parameter.name] = _made_up(parameter, world)
-    things = bound(values)
+    individuals = bound(values)
     for clause in plan.skill.post:
-        make(clause.statement, things, world)
+        make(clause.statement, individuals, world)
 
 
 def _made_up(parameter: Parameter, world: World) -> object:
     if parameter.iri is not None:
-        return WorldThing(world.new(parameter.iri), world)
+        return WorldIndividual(world.new(parameter.iri), world)
     if issubclass(parameter.type, enum.Enum):
         return next(iter(parameter.type))
     return parameter.type()

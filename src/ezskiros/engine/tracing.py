@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any, TextIO
 
 from ezskiros.engine.events import Event
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 
 
 class TraceWriter:
@@ -59,6 +59,6 @@ class TraceWriter:
 
 def _plain(value: Any) -> object:
     """A value as JSON data: individuals as IRIs, members of enumerations as names."""
-    if isinstance(value, WorldThing):
+    if isinstance(value, WorldIndividual):
         return value.iri
     return value.name if isinstance(value, enum.Enum) else value

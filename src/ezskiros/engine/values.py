@@ -12,7 +12,7 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 
 
 @dataclass(frozen=True)
-class WorldThing:
+class WorldIndividual:
     """An individual of the world model, as the value of a parameter. Its text is its name, such as
     `skiros:Location-3`.
     """
@@ -81,10 +81,10 @@ class Values:
 def fits(value: Any, parameter: Parameter) -> bool:
     """Say whether a parameter can have a value. None means that there is no value."""
     if value is None:
-        return parameter.is_thing
-    if isinstance(value, WorldThing):
+        return parameter.is_individual
+    if isinstance(value, WorldIndividual):
         return parameter.iri is not None and value._world.is_a(value.iri, parameter.iri)  # noqa: SLF001
-    if parameter.is_thing:
+    if parameter.is_individual:
         return False
     if parameter.type is float and type(value) is int:
         return True
@@ -95,7 +95,7 @@ def fits(value: Any, parameter: Parameter) -> bool:
 
 def wanted(parameter: Parameter) -> str:
     """Describe the valid values of a parameter, for messages."""
-    if parameter.is_thing:
+    if parameter.is_individual:
         return f"a {parameter.type!r}"
     if issubclass(parameter.type, enum.Enum):
         return f"one of {', '.join(each.name for each in parameter.type)}"

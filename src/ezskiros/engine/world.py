@@ -61,7 +61,7 @@ class World:
 
     # --- queries --------------------------------------------------------------------------------
 
-    def things(self, owl_class: str) -> list[str]:
+    def individuals(self, owl_class: str) -> list[str]:
         """All individuals of a class or one of its subclasses, by name."""
         found = {
             quad.subject.value
@@ -72,19 +72,19 @@ class World:
         }
         return sorted(found, key=_by_name)
 
-    def exists(self, thing: str) -> bool:
+    def exists(self, individual: str) -> bool:
         """Say whether an individual exists."""
-        return any(self._facts(thing, _TYPE))
+        return any(self._facts(individual, _TYPE))
 
-    def classes(self, thing: str) -> list[str]:
+    def classes(self, individual: str) -> list[str]:
         """The stated classes of an individual."""
-        found = self._facts(thing, _TYPE)
+        found = self._facts(individual, _TYPE)
         named = {each.value for each in found if isinstance(each, pyoxigraph.NamedNode)}
         return sorted(named - _NO_CLASS)
 
-    def is_a(self, thing: str, owl_class: str) -> bool:
+    def is_a(self, individual: str, owl_class: str) -> bool:
         """Say whether an individual is of a class."""
-        return any(self._model.is_a(each, owl_class) for each in self.classes(thing))
+        return any(self._model.is_a(each, owl_class) for each in self.classes(individual))
 
     def labelled(self, label: str) -> list[str]:
         """The individuals with a label (rdfs:label), by name."""
@@ -115,12 +115,12 @@ class World:
         """The subjects of a relation with this object, by name."""
         return self._reached(other, relation, is_from_subject=False)
 
-    def values(self, thing: str, data_property: str) -> list[Value]:
+    def values(self, individual: str, data_property: str) -> list[Value]:
         """The values of a data property."""
         return [
             value_of(term)
             for each in self._properties(data_property)
-            for term in self._facts(thing, each)
+            for term in self._facts(individual, each)
             if isinstance(term, pyoxigraph.Literal)
         ]
 
@@ -130,22 +130,22 @@ class World:
         """A new individual of a class, with a name as in SkiROS2: the class and a number."""
         taken = {each.rpartition("-")[2] for each in self._named()}
         number = next(each for each in self._numbers if str(each) not in taken)
-        thing = f"{owl_class}-{number}"
-        self._add(thing, _TYPE, pyoxigraph.NamedNode(owl_class))
-        return thing
+        individual = f"{owl_class}-{number}"
+        self._add(individual, _TYPE, pyoxigraph.NamedNode(owl_class))
+        return individual
 
-    def remove(self, thing: str) -> None:
+    def remove(self, individual: str) -> None:
         """Remove an individual and all facts about it."""
-        node = pyoxigraph.NamedNode(thing)
+        node = pyoxigraph.NamedNode(individual)
         for quad in [
             *self._store.quads_for_pattern(node, None, None),
             *self._store.quads_for_pattern(None, None, node),
         ]:
             self._store.remove(quad)
 
-    def set_class(self, thing: str, owl_class: str) -> None:
+    def set_class(self, individual: str, owl_class: str) -> None:
         """Add a class to an individual."""
-        self._add(thing, _TYPE, pyoxigraph.NamedNode(owl_class))
+        self._add(individual, _TYPE, pyoxigraph.NamedNode(owl_class))
 
     def relate(self, subject: str, relation: str, other: str) -> None:
         """Make a relation true. If the relation allows only one subject or object, the previous one
@@ -169,19 +169,19 @@ class World:
             ends = (subject, other) if is_forward else (other, subject)
             self._forget(ends[0], each, ends[1])
 
-    def set_value(self, thing: str, data_property: str, value: Value) -> None:
+    def set_value(self, individual: str, data_property: str, value: Value) -> None:
         """Set a data property to this only value."""
-        self.unset(thing, data_property)
-        self._add(thing, data_property, pyoxigraph.Literal(value))
+        self.unset(individual, data_property)
+        self._add(individual, data_property, pyoxigraph.Literal(value))
 
-    def set_some_value(self, thing: str, data_property: str) -> None:
+    def set_some_value(self, individual: str, data_property: str) -> None:
         """Set a data property to any value that the ontology allows."""
-        self.set_value(thing, data_property, self._some_value(data_property))
+        self.set_value(individual, data_property, self._some_value(data_property))
 
-    def unset(self, thing: str, data_property: str) -> None:
+    def unset(self, individual: str, data_property: str) -> None:
         """Remove all values of a data property."""
         for each in self._properties(data_property):
-            self._forget(thing, each, None)
+            self._forget(individual, each, None)
 
     # --- statements of the ontology ---------------------------------------------------------------
 
@@ -250,8 +250,8 @@ class World:
             found.update(dict.fromkeys(steps))
         return sorted(found, key=_by_name)
 
-    def _steps(self, thing: str, relation: str, is_from_subject: bool) -> Iterator[str]:
-        node = pyoxigraph.NamedNode(thing)
+    def _steps(self, individual: str, relation: str, is_from_subject: bool) -> Iterator[str]:
+        node = pyoxigraph.NamedNode(individual)
         for each, is_forward in self._implying(relation):
             link = pyoxigraph.NamedNode(each)
             is_subject = is_forward is is_from_subject
@@ -298,9 +298,9 @@ class World:
         start, name = split(iri)
         return f"{self._prefixes[start]}:{name}" if start in self._prefixes else iri
 
-    def label(self, thing: str) -> str | None:
+    def label(self, individual: str) -> str | None:
         """The first label of an individual."""
-        found = self._facts(thing, _LABEL)
+        found = self._facts(individual, _LABEL)
         labels = (each.value for each in found if isinstance(each, pyoxigraph.Literal))
         return min(labels, default=None)
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import Value
-from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.symbols import OntologyClass
 from ezskiros.ontology.world import PropertyOf
 
-OwlClass = ThingClass | str
+OwlClass = OntologyClass | str
 OwlProperty = PropertyOf | str
 
 
@@ -28,68 +28,76 @@ class WorldModel:
 
     # --- queries --------------------------------------------------------------------------------
 
-    def thing(self, name: str) -> WorldThing:
+    def individual(self, name: str) -> WorldIndividual:
         """The individual with a name, such as `skiros:Location-3`, a label or an IRI.
 
         Raises `LookupError` if there is none, or if there are several.
         """
         found = self._world.named(name)
         if len(found) == 1:
-            return WorldThing(found[0], self._world)
+            return WorldIndividual(found[0], self._world)
         shown = ", ".join(map(self._world.spelled, found))
         raise LookupError(f"{name!r} is {shown}" if found else f"there is no {name!r} in the world")
 
-    def things(self, owl_class: OwlClass) -> list[WorldThing]:
+    def individuals(self, owl_class: OwlClass) -> list[WorldIndividual]:
         """All individuals of a class or its subclasses, by name."""
-        return self._made(self._world.things(self._class(owl_class)))
+        return self._made(self._world.individuals(self._class(owl_class)))
 
-    def is_a(self, thing: WorldThing, owl_class: OwlClass) -> bool:
+    def is_a(self, individual: WorldIndividual, owl_class: OwlClass) -> bool:
         """Say whether an individual is of a class or its subclasses."""
-        return self._world.is_a(thing.iri, self._class(owl_class))
+        return self._world.is_a(individual.iri, self._class(owl_class))
 
-    def are_related(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> bool:
+    def are_related(
+        self, subject: WorldIndividual, relation: OwlProperty, other: WorldIndividual
+    ) -> bool:
         """Say whether a relation holds, directly or as a consequence of other facts."""
         return self._world.are_related(subject.iri, self._relation(relation), other.iri)
 
-    def related(self, subject: WorldThing, relation: OwlProperty) -> list[WorldThing]:
+    def related(self, subject: WorldIndividual, relation: OwlProperty) -> list[WorldIndividual]:
         """The objects of a relation with this subject, by name."""
         return self._made(self._world.related(subject.iri, self._relation(relation)))
 
-    def relating(self, relation: OwlProperty, other: WorldThing) -> list[WorldThing]:
+    def relating(self, relation: OwlProperty, other: WorldIndividual) -> list[WorldIndividual]:
         """The subjects of a relation with this object, by name."""
         return self._made(self._world.relating(self._relation(relation), other.iri))
 
-    def values(self, thing: WorldThing, data_property: OwlProperty) -> list[Value]:
+    def values(self, individual: WorldIndividual, data_property: OwlProperty) -> list[Value]:
         """The values of a data property."""
-        return self._world.values(thing.iri, self._data_property(data_property))
+        return self._world.values(individual.iri, self._data_property(data_property))
 
     # --- changes ----------------------------------------------------------------------------------
 
-    def relate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
+    def relate(
+        self, subject: WorldIndividual, relation: OwlProperty, other: WorldIndividual
+    ) -> None:
         """Make a relation true. If the relation allows only one subject or object, the previous one
         is removed.
         """
         self._world.relate(subject.iri, self._relation(relation), other.iri)
 
-    def unrelate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
+    def unrelate(
+        self, subject: WorldIndividual, relation: OwlProperty, other: WorldIndividual
+    ) -> None:
         """Make a relation false, including all facts that imply it."""
         self._world.unrelate(subject.iri, self._relation(relation), other.iri)
 
-    def set_value(self, thing: WorldThing, data_property: OwlProperty, value: Value) -> None:
+    def set_value(
+        self, individual: WorldIndividual, data_property: OwlProperty, value: Value
+    ) -> None:
         """Set a data property to this only value."""
-        self._world.set_value(thing.iri, self._data_property(data_property), value)
+        self._world.set_value(individual.iri, self._data_property(data_property), value)
 
-    def unset(self, thing: WorldThing, data_property: OwlProperty) -> None:
+    def unset(self, individual: WorldIndividual, data_property: OwlProperty) -> None:
         """Remove all values of a data property."""
-        self._world.unset(thing.iri, self._data_property(data_property))
+        self._world.unset(individual.iri, self._data_property(data_property))
 
-    def new(self, owl_class: OwlClass) -> WorldThing:
+    def new(self, owl_class: OwlClass) -> WorldIndividual:
         """A new individual of a class, with a name as in SkiROS2: the class and a number."""
-        return WorldThing(self._world.new(self._class(owl_class)), self._world)
+        return WorldIndividual(self._world.new(self._class(owl_class)), self._world)
 
-    def remove(self, thing: WorldThing) -> None:
+    def remove(self, individual: WorldIndividual) -> None:
         """Remove an individual and all facts about it."""
-        self._world.remove(thing.iri)
+        self._world.remove(individual.iri)
 
     # --- names ------------------------------------------------------------------------------------
 
@@ -97,11 +105,11 @@ class WorldModel:
     def _model(self) -> Model:
         return self._world.ontology.model
 
-    def _made(self, iris: list[str]) -> list[WorldThing]:
-        return [WorldThing(iri, self._world) for iri in iris]
+    def _made(self, iris: list[str]) -> list[WorldIndividual]:
+        return [WorldIndividual(iri, self._world) for iri in iris]
 
     def _class(self, named: OwlClass) -> str:
-        if isinstance(named, ThingClass):
+        if isinstance(named, OntologyClass):
             return named.iri
         return self._known(named, self._model.classes, "class")
 

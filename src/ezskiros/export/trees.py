@@ -13,7 +13,7 @@ from ezskiros.skills.nodes import Decoration, Decorator, Node, Processor
 from ezskiros.skills.values import Symbol, plain
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names
-from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+from ezskiros.trees.tree import IndividualReference, Tree, ValueReference
 
 MOST_LEVELS = 200
 """The most levels of a tree. JSON readers support this depth without care, but not ten times this
@@ -77,7 +77,7 @@ def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:
 
 def spelled_value(value: object) -> str | None:
     """A value as Python source; None for a value that is computed at run time."""
-    if isinstance(value, (ThingReference, ValueReference)):
+    if isinstance(value, (IndividualReference, ValueReference)):
         return value.parameter.name
     value = plain(value)
     if isinstance(value, enum.Enum):

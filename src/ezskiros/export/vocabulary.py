@@ -18,7 +18,7 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import RESERVED
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.places import EntityDeclarations
-from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.symbols import OntologyClass
 from ezskiros.session import NOWHERE
 from ezskiros.skills.quantities import UNITS
 
@@ -96,7 +96,7 @@ def name_in(ontology: Ontology, iri: str) -> str:
     return ontology.spelled.get(iri, iri)
 
 
-def name_of(owl_class: ThingClass) -> str:
+def name_of(owl_class: OntologyClass) -> str:
     """The name in Python of a class of an ontology."""
     ontology = owl_class.vocabulary
     return name_in(ontology, owl_class.iri) if isinstance(ontology, Ontology) else owl_class.iri

@@ -20,7 +20,7 @@ from ezskiros.export.trees import spelled_value, tree_of
 from ezskiros.export.vocabulary import Vocabulary, name_in, name_of
 from ezskiros.locations import Location
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.symbols import OntologyClass
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.interface import BASIC, Clause, Parameter, SkillInterface
@@ -160,7 +160,7 @@ class _Writer:
             "kind": found.kind.value,
             "with": [
                 {"parameter": each.parameter, "class": name_of(each.owl_class)}
-                for each in found.things
+                for each in found.individuals
             ],
             "limit": vars(found.limit) if found.limit else None,
             "place": self._places.of(found.span),
@@ -196,10 +196,10 @@ class _Writer:
         }
 
 
-def _classes_in(skill: SkillInterface) -> Iterator[ThingClass]:
+def _classes_in(skill: SkillInterface) -> Iterator[OntologyClass]:
     """The classes that the parameters and the permissions of a skill name."""
-    yield from (each.type for each in skill.parameters if isinstance(each.type, ThingClass))
-    yield from (thing.owl_class for each in skill.permits for thing in each.things)
+    yield from (each.type for each in skill.parameters if isinstance(each.type, OntologyClass))
+    yield from (individual.owl_class for each in skill.permits for individual in each.individuals)
 
 
 def _parents(description: SkillClass) -> list[str]:
@@ -213,7 +213,7 @@ def _parents(description: SkillClass) -> list[str]:
 
 
 def _type_of(found: Parameter) -> str:
-    if isinstance(found.type, ThingClass):
+    if isinstance(found.type, OntologyClass):
         return name_of(found.type)
     return found.type.__name__ if found.type in BASIC else "enum"
 

@@ -257,7 +257,7 @@ def _values(skill: SkillInterface, params: Any) -> dict[str, Any]:
     found = {}
     for each in skill.parameters:
         value = params.getParamValue(each.key)
-        if each.is_thing:
+        if each.is_individual:
             found[each.name] = value if value is not None and value.id else None
         else:
             found[each.name] = raised(value, each)

@@ -7,16 +7,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from ezskiros.engine.values import Values, WorldThing
+from ezskiros.engine.values import Values, WorldIndividual
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_tree import lowered, raised
 from ezskiros.hosts.skiros2_world import HostedWorld
 from ezskiros.skills.interface import Parameter, SkillInterface
 
 
-class HostedThing(WorldThing):
+class HostedIndividual(WorldIndividual):
     """An individual with all methods of SkiROS2's `Element`, such as
-    `thing.getData("skiros:Position")`.
+    `individual.getData("skiros:Position")`.
     """
 
     def __init__(self, element: Any, world: HostedWorld) -> None:
@@ -51,7 +51,7 @@ class HostedValues(Values):
     def __setattr__(self, name: str, value: Any) -> None:
         skill: SkillInterface = self._skill
         parameter = skill.parameter(name)
-        if parameter is not None and parameter.is_thing and isinstance(value, api().Element):
+        if parameter is not None and parameter.is_individual and isinstance(value, api().Element):
             self._given[name] = value
         else:
             super().__setattr__(name, value)
@@ -61,9 +61,9 @@ class HostedValues(Values):
 def taken(parameter: Parameter, params: Any, world: HostedWorld) -> Any:
     """A value from SkiROS2. Raises `ValueError` for a missing required value or a wrong value."""
     value = params.getParamValue(parameter.key)
-    if not parameter.is_thing:
+    if not parameter.is_individual:
         return raised(value, parameter)
-    return HostedThing(value, world) if value is not None and value.id else None
+    return HostedIndividual(value, world) if value is not None and value.id else None
 
 
 def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> None:
@@ -71,11 +71,11 @@ def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> N
 
     A changed element is written to the world model, and a new element is added.
     """
-    if isinstance(value, HostedThing):
+    if isinstance(value, HostedIndividual):
         value = world.written(value.element) if value.is_changed else world.element(value.iri)
-    elif isinstance(value, WorldThing):
+    elif isinstance(value, WorldIndividual):
         value = world.element(value.iri)
-    elif parameter.is_thing and value is not None:
+    elif parameter.is_individual and value is not None:
         value = world.written(value)
     elif value is not None:
         value = lowered(value, parameter)
@@ -85,8 +85,8 @@ def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> N
 def refresh(parameters: Iterable[Parameter], params: Any, world: HostedWorld) -> None:
     """Give SkiROS2 the changed elements again, because it checks conditions with them."""
     for each in parameters:
-        value = params.getParamValue(each.key) if each.is_thing else None
-        thing = world.iri(value.id) if value is not None else None
-        if thing in world.changed and world.exists(thing):
-            params.specify(each.key, world.element(thing))
+        value = params.getParamValue(each.key) if each.is_individual else None
+        individual = world.iri(value.id) if value is not None else None
+        if individual in world.changed and world.exists(individual):
+            params.specify(each.key, world.element(individual))
     world.changed.clear()

@@ -24,15 +24,15 @@ class HostedWorld(World):
 
     # --- queries --------------------------------------------------------------------------------
 
-    def things(self, owl_class: str) -> list[str]:
+    def individuals(self, owl_class: str) -> list[str]:
         """All individuals of a class or one of its subclasses, sorted."""
         found = self._wmi.resolve_elements(api().Element(self._model.short(owl_class)))
         return sorted(self.iri(each.id) for each in found or ())
 
-    def exists(self, thing: str) -> bool:
+    def exists(self, individual: str) -> bool:
         """Say whether an individual exists."""
         try:
-            return bool(self.element(thing))
+            return bool(self.element(individual))
         except Exception as problem:
             if (
                 type(problem).__name__ != "WmException"
@@ -40,13 +40,13 @@ class HostedWorld(World):
                 raise
             return False
 
-    def is_a(self, thing: str, owl_class: str) -> bool:
+    def is_a(self, individual: str, owl_class: str) -> bool:
         """Say whether an individual is of a class."""
-        return self._model.is_a(self.classes(thing)[0], owl_class)
+        return self._model.is_a(self.classes(individual)[0], owl_class)
 
-    def classes(self, thing: str) -> list[str]:
+    def classes(self, individual: str) -> list[str]:
         """The class of an individual."""
-        return [self.iri(self.element(thing).type)]
+        return [self.iri(self.element(individual).type)]
 
     def related(self, subject: str, relation: str) -> list[str]:
         """The objects of a relation with this subject, sorted."""
@@ -60,10 +60,10 @@ class HostedWorld(World):
         """Say whether a relation holds."""
         return bool(self._wmi.get_relations(*map(self._model.short, (subject, relation, other))))
 
-    def values(self, thing: str, data_property: str) -> list[Value]:
+    def values(self, individual: str, data_property: str) -> list[Value]:
         """The values of a data property."""
         name = self._model.short(data_property)
-        element = self.element(thing)
+        element = self.element(individual)
         return list(element.getProperty(name).values) if element.hasProperty(name) else []
 
     # --- changes ----------------------------------------------------------------------------------
@@ -72,10 +72,10 @@ class HostedWorld(World):
         """A new individual of a class."""
         return self.iri(self._wmi.add_element(api().Element(self._model.short(owl_class))).id)
 
-    def remove(self, thing: str) -> None:
+    def remove(self, individual: str) -> None:
         """Remove an individual and all facts about it."""
-        self._wmi.remove_element(self.element(thing), recursive=False)
-        self._forget_them([thing])
+        self._wmi.remove_element(self.element(individual), recursive=False)
+        self._forget_them([individual])
 
     def relate(self, subject: str, relation: str, other: str) -> None:
         """Make a relation true. If the relation allows only one subject or object, the previous one
@@ -95,21 +95,21 @@ class HostedWorld(World):
         """Make a relation false."""
         self._set(subject, relation, other, value=False)
 
-    def set_value(self, thing: str, data_property: str, value: Value) -> None:
+    def set_value(self, individual: str, data_property: str, value: Value) -> None:
         """Set a data property to this only value."""
-        element = deepcopy(self.element(thing))
+        element = deepcopy(self.element(individual))
         element.setProperty(self._model.short(data_property), value)
         self._wmi.update_element_properties(element)
-        self._forget_them([thing])
+        self._forget_them([individual])
 
-    def unset(self, thing: str, data_property: str) -> None:
+    def unset(self, individual: str, data_property: str) -> None:
         """Remove all values of a data property."""
-        element = deepcopy(self.element(thing))
+        element = deepcopy(self.element(individual))
         name = self._model.short(data_property)
         if element.hasProperty(name):
             element.removeProperty(name)
             self._wmi.update_element_properties(element)
-            self._forget_them([thing])
+            self._forget_them([individual])
 
     # --- names ------------------------------------------------------------------------------------
 
@@ -122,9 +122,9 @@ class HostedWorld(World):
         prefix, _, name = spelled.partition(":")
         return self._model.names[prefix] + name if prefix in self._model.names else spelled
 
-    def label(self, thing: str) -> str | None:
+    def label(self, individual: str) -> str | None:
         """The label of an individual."""
-        return self.element(thing).label or None
+        return self.element(individual).label or None
 
     def labelled(self, label: str) -> list[str]:
         """The individuals with a label, sorted."""
@@ -134,9 +134,9 @@ class HostedWorld(World):
 
     # --- the world model --------------------------------------------------------------------------
 
-    def element(self, thing: str) -> Any:
+    def element(self, individual: str) -> Any:
         """The SkiROS2 element of an individual."""
-        return self._wmi.get_element(self._model.short(thing))
+        return self._wmi.get_element(self._model.short(individual))
 
     def written(self, element: Any) -> Any:
         """Write an element to the world model, which may not contain it yet, and return its new
@@ -157,12 +157,16 @@ class HostedWorld(World):
 
         SkiROS2 stores each relation in both individuals, with "-1" for the individual itself.
         """
-        thing = subject or other
+        individual = subject or other
         kinds = self._wmi.get_sub_properties(self._model.short(relation))
         ends = ("-1", kinds, "") if subject else ("", kinds, "-1")
         return [
-            (self._end(each["src"], thing), self.iri(each["type"]), self._end(each["dst"], thing))
-            for each in self.element(thing).getRelations(*ends)
+            (
+                self._end(each["src"], individual),
+                self.iri(each["type"]),
+                self._end(each["dst"], individual),
+            )
+            for each in self.element(individual).getRelations(*ends)
         ]
 
     def _end(self, spelled: str, own: str) -> str:
@@ -172,11 +176,11 @@ class HostedWorld(World):
         self._wmi.set_relation(*map(self._model.short, (subject, relation, other)), value)
         self._forget_them([subject, other])
 
-    def _forget_them(self, things: Iterable[str]) -> None:
+    def _forget_them(self, individuals: Iterable[str]) -> None:
         """Discard cached individuals that have changed. SkiROS2 keeps the old state until the
         change is reported, which is after it has checked conditions.
         """
         known: dict[str, Any] = getattr(self._wmi, "_elements_cache", {})
-        for thing in things:
-            self.changed.add(thing)
-            known.pop(self._model.short(thing), None)
+        for individual in individuals:
+            self.changed.add(individual)
+            known.pop(self._model.short(individual), None)

@@ -37,12 +37,12 @@ def differences(lessons: Lessons) -> Iterator[Difference]:
         if trip.share.runs < _LEAST_RUNS:
             continue
         for name in sorted({name for places in trip.at for name, _ in places}):
-            tripped, free = _things(trip, name)
+            tripped, free = _individuals(trip, name)
             if tripped and free:
                 yield Difference(trip, name, tripped, free)
 
 
-def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
+def _individuals(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
     """The individuals of a parameter with which a rule became active, and the others. Both are
     empty if the rule became active only sometimes with one individual, or without any.
     """
@@ -65,10 +65,10 @@ def proposals(lessons: Lessons, known: Map) -> Iterator[str]:
 def _rule(found: Difference, known: Map) -> Iterator[str]:
     """A rule that acts before the robot is at the place."""
     owl_class = _class_of(found, known)
-    things = listed([known.short(each) for each in found.tripped])
+    individuals = listed([known.short(each) for each in found.tripped])
     yield from _evidence(found, known, "//")
     if owl_class is None:
-        yield f"// Declare a new CLASS in the ontology, and give it to {things} in the scene."
+        yield f"// Declare a new CLASS in the ontology, and give it to {individuals} in the scene."
     lost = [known.short(iri) for iri in found.tripped if not known.is_placed(iri)]
     if lost:
         yield f"// Add the location of {listed(lost)} to the scene."

@@ -8,19 +8,19 @@ from dslkit.diagnostics import Error, Template, Warning
 class WrongPolygon(Error, code="EZS610", name="wrong-polygon"):
     """A polygon that encloses no area, or is ambiguous."""
 
-    title = "the polygon of {thing} {reason}"
+    title = "the polygon of {individual} {reason}"
     help = 'write the corners in m and repeat the first corner: "POLYGON ((0 0, 4 0, 4 2, 0 0))"'
-    thing: str
+    individual: str
     reason: str
 
 
 class HalfKnown(Warning, code="EZS611", name="half-known-location"):
     """An individual with an incomplete position or size."""
 
-    title = "{thing} has {found} but no {missing}"
-    label = "rules cannot locate {thing}"
+    title = "{individual} has {found} but no {missing}"
+    label = "rules cannot locate {individual}"
     help = "add {missing}, or remove {found}"
-    thing: str
+    individual: str
     found: str
     missing: str
 
@@ -28,8 +28,8 @@ class HalfKnown(Warning, code="EZS611", name="half-known-location"):
 class WrongPlace(Error, code="EZS612", name="wrong-place-of-location"):
     """An invalid coordinate, size or orientation."""
 
-    title = "{property} of {thing} {reason}"
-    thing: str
+    title = "{property} of {individual} {reason}"
+    individual: str
     property: str
     reason: str
 

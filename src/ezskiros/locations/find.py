@@ -62,7 +62,7 @@ class _WrongError(Exception):
 
 
 @dataclass
-class _Thing:
+class _Individual:
     """An individual of a scene with its values."""
 
     iri: str
@@ -77,30 +77,30 @@ class _Finder:
         self.wrong: list[Diagnostic] = []
 
     def find(self) -> Iterator[Location]:
-        for thing in _things(self._document):
-            is_location = any(self._model.is_a(each, _LOCATION) for each in thing.types)
+        for individual in _individuals(self._document):
+            is_location = any(self._model.is_a(each, _LOCATION) for each in individual.types)
             corners: tuple[Point, ...] = ()
             try:
-                corners = self._corners(thing)
-                if corners and not self._one(thing, _FRAME):
-                    stated = AS_WKT if AS_WKT in thing.values else _POSITION[0]
-                    raise self._half(thing, stated, _FRAME)
+                corners = self._corners(individual)
+                if corners and not self._one(individual, _FRAME):
+                    stated = AS_WKT if AS_WKT in individual.values else _POSITION[0]
+                    raise self._half(individual, stated, _FRAME)
             except _WrongError as problem:
                 self.wrong.append(problem.found)
                 is_location, corners = True, ()
             if corners or is_location:
-                yield self._location(thing, corners)
+                yield self._location(individual, corners)
 
-    def _location(self, thing: _Thing, corners: tuple[Point, ...]) -> Location:
-        label = next(iter(thing.values.get(RDFS + "label", ())), "")
-        frame = next(iter(thing.values.get(_FRAME, ())), "") if corners else ""
-        types = tuple(sorted(each for each in thing.types if not each.startswith(RESERVED)))
-        span = self._declarations.place(thing.iri) or Span(self._document.file, 0, 0)
-        return Location(thing.iri, label, types, frame, corners, span)
+    def _location(self, individual: _Individual, corners: tuple[Point, ...]) -> Location:
+        label = next(iter(individual.values.get(RDFS + "label", ())), "")
+        frame = next(iter(individual.values.get(_FRAME, ())), "") if corners else ""
+        types = tuple(sorted(each for each in individual.types if not each.startswith(RESERVED)))
+        span = self._declarations.place(individual.iri) or Span(self._document.file, 0, 0)
+        return Location(individual.iri, label, types, frame, corners, span)
 
-    def _corners(self, thing: _Thing) -> tuple[Point, ...]:
+    def _corners(self, individual: _Individual) -> tuple[Point, ...]:
         """The corners of an individual; none if the scene has no position for it."""
-        text = self._one(thing, AS_WKT)
+        text = self._one(individual, AS_WKT)
         if text is not None:
             # The import of Shapely takes as long as the check of a file, and few scenes have
             # polygons.
@@ -109,48 +109,54 @@ class _Finder:
             try:
                 return corners_of(text)
             except NoPolygonError as problem:
-                wrong = errors.WrongPolygon(thing=self._spelled(thing.iri), reason=str(problem))
-                raise _WrongError(wrong.at(self._place(thing.iri, AS_WKT))) from None
-        position = self._numbers(thing, _POSITION)
+                wrong = errors.WrongPolygon(
+                    individual=self._spelled(individual.iri), reason=str(problem)
+                )
+                raise _WrongError(wrong.at(self._place(individual.iri, AS_WKT))) from None
+        position = self._numbers(individual, _POSITION)
         if position is None:
             return ()
         x, y = position
-        size = self._numbers(thing, _SIZE[:2])
-        return ((x, y),) if size is None else self._box(thing, (x, y), size)
+        size = self._numbers(individual, _SIZE[:2])
+        return ((x, y),) if size is None else self._box(individual, (x, y), size)
 
-    def _box(self, thing: _Thing, position: Point, size: Sequence[float]) -> tuple[Point, ...]:
+    def _box(
+        self, individual: _Individual, position: Point, size: Sequence[float]
+    ) -> tuple[Point, ...]:
         from ezskiros.locations.box import footprint
 
-        height = self._number(thing, _SIZE[2])
+        height = self._number(individual, _SIZE[2])
         edges = (*size, 0.0 if height is None else height)
         for edge, iri in zip(edges, _SIZE, strict=True):
             if edge < 0 or (edge == 0 and iri != _SIZE[2]):
-                raise self._odd(thing, iri, f"is {edge:g}; a size must be more than 0 m")
-        found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
+                raise self._odd(individual, iri, f"is {edge:g}; a size must be more than 0 m")
+        found = self._numbers(individual, _ORIENTATION) or _UPRIGHT
         x, y, z, w = found
         if not math.hypot(x, y, z, w) > 0.5:
-            raise self._odd(thing, _ORIENTATION[3], "is not part of a quaternion of length 1")
+            raise self._odd(individual, _ORIENTATION[3], "is not part of a quaternion of length 1")
         try:
             return footprint(position, (x, y, z, w), edges)
         except NoPolygonError as problem:
-            raise self._odd(thing, _SIZE[0], f"makes a box whose footprint {problem}") from None
+            raise self._odd(
+                individual, _SIZE[0], f"makes a box whose footprint {problem}"
+            ) from None
 
     # --- values -----------------------------------------------------------------------------------
 
-    def _numbers(self, thing: _Thing, iris: Sequence[str]) -> Sequence[float] | None:
+    def _numbers(self, individual: _Individual, iris: Sequence[str]) -> Sequence[float] | None:
         """The values of properties that belong together; None if all are missing."""
-        found = [self._number(thing, iri) for iri in iris]
+        found = [self._number(individual, iri) for iri in iris]
         known = [each for each in found if each is not None]
         if not known:
             return None
         if len(known) < len(found):
             missing = iris[found.index(None)]
             there = next(iri for iri, each in zip(iris, found, strict=True) if each is not None)
-            raise self._half(thing, there, missing)
+            raise self._half(individual, there, missing)
         return known
 
-    def _number(self, thing: _Thing, iri: str) -> float | None:
-        text = self._one(thing, iri)
+    def _number(self, individual: _Individual, iri: str) -> float | None:
+        text = self._one(individual, iri)
         if text is None:
             return None
         try:
@@ -158,40 +164,40 @@ class _Finder:
         except ValueError:
             number = math.nan
         if not abs(number) <= FARTHEST:
-            raise self._odd(thing, iri, f"is {text}, not a number up to {FARTHEST:.0f}")
+            raise self._odd(individual, iri, f"is {text}, not a number up to {FARTHEST:.0f}")
         return number
 
-    def _one(self, thing: _Thing, iri: str) -> str | None:
-        found = thing.values.get(iri, ())
+    def _one(self, individual: _Individual, iri: str) -> str | None:
+        found = individual.values.get(iri, ())
         if len(found) > 1:
-            raise self._odd(thing, iri, "has several values")
+            raise self._odd(individual, iri, "has several values")
         return found[0] if found else None
 
     # --- findings and words ---------------------------------------------------------------------
 
-    def _half(self, thing: _Thing, found: str, missing: str) -> _WrongError:
+    def _half(self, individual: _Individual, found: str, missing: str) -> _WrongError:
         return _WrongError(
             errors.HalfKnown(
-                thing=self._spelled(thing.iri),
+                individual=self._spelled(individual.iri),
                 found=self._spelled(found),
                 missing=self._spelled(missing),
-            ).at(self._place(thing.iri, found))
+            ).at(self._place(individual.iri, found))
         )
 
-    def _odd(self, thing: _Thing, iri: str, reason: str) -> _WrongError:
+    def _odd(self, individual: _Individual, iri: str, reason: str) -> _WrongError:
         wrong = errors.WrongPlace(
-            thing=self._spelled(thing.iri), property=self._spelled(iri), reason=reason
+            individual=self._spelled(individual.iri), property=self._spelled(iri), reason=reason
         )
-        return _WrongError(wrong.at(self._place(thing.iri, iri)))
+        return _WrongError(wrong.at(self._place(individual.iri, iri)))
 
     def _spelled(self, iri: str) -> str:
         return spelled_in(self._document, iri, self._model)
 
-    def _place(self, thing: str, *parts: str) -> Span:
-        return place_in(self._document, self._model, thing, *parts)
+    def _place(self, individual: str, *parts: str) -> Span:
+        return place_in(self._document, self._model, individual, *parts)
 
 
-def _things(document: Document) -> Iterator[_Thing]:
+def _individuals(document: Document) -> Iterator[_Individual]:
     """The individuals that a scene describes, in the order of the file, without its classes."""
     types: dict[str, list[str]] = defaultdict(list)
     values: dict[str, dict[str, list[str]]] = {}
@@ -199,11 +205,11 @@ def _things(document: Document) -> Iterator[_Thing]:
         if not isinstance(triple.subject, pyoxigraph.NamedNode):
             continue
         iri, said = triple.subject.value, triple.predicate.value
-        of_thing = values.setdefault(iri, defaultdict(list))
+        of_individual = values.setdefault(iri, defaultdict(list))
         if isinstance(triple.object, pyoxigraph.Literal):
-            of_thing[said].append(triple.object.value)
+            of_individual[said].append(triple.object.value)
         elif isinstance(triple.object, pyoxigraph.NamedNode) and said == RDF + "type":
             types[iri].append(triple.object.value)
     for iri, found in values.items():
         if not {OWL + "Class", RDFS + "Class"} & set(types[iri]):
-            yield _Thing(iri, types[iri], found)
+            yield _Individual(iri, types[iri], found)

@@ -51,14 +51,14 @@ class OrBuilder:
 class ConditionReader:
     """Reads the conditions of one description.
 
-    `things` are its parameters for individuals, `others` its other parameters: names by key.
+    `individuals` are its parameters for individuals, `others` its other parameters: names by key.
     `mentioned` are the names of parameters in conditions.
     """
 
     names: FileNames
     known: KnownValues
     code: Callable[[cst.CSTNode], str]
-    things: Mapping[str, str]
+    individuals: Mapping[str, str]
     others: Mapping[str, str]
     variables: dict[str, Expression | OrBuilder] = field(default_factory=dict)
     mentioned: set[str] = field(default_factory=set)
@@ -98,7 +98,7 @@ class ConditionReader:
 
     def relation(self, given: Arguments) -> Expression:
         """A relation, such as `Robot.at(Location)`."""
-        subject, other = self._thing(given, "subj"), self._thing(given, "obj")
+        subject, other = self._individual(given, "subj"), self._individual(given, "obj")
         light, node = given.text("olabel"), given["olabel"]
         attribute = self.names.attribute(subject, light, node)
         text = f"{attribute}({other})"
@@ -138,7 +138,7 @@ class ConditionReader:
 
     def of_type(self, given: Arguments) -> Expression:
         """A class, such as `of_type(Object, skiros.Product)`."""
-        subject, light = self._thing(given, "subj"), given.text("value")
+        subject, light = self._individual(given, "subj"), given.text("value")
         text = f"{self.names.our('of_type')}({subject}, {self.names.entity(light, given['value'])})"
         return Expression(text, self._labels(given, (subject, light, "type"), is_true=True))
 
@@ -151,13 +151,17 @@ class ConditionReader:
         return self._about(given, "generated", ("generated", "generate", "consume"))
 
     def _about(self, given: Arguments, function: str, words: tuple[str, ...]) -> Expression:
-        subject, is_true = self._thing(given, "subj"), given.truth("desired_state")
+        subject, is_true = self._individual(given, "subj"), given.truth("desired_state")
         labels = self._labels(given, (subject, *words), is_true=is_true)
         text = f"{self.names.our(function)}({subject})"
         return _stated(Expression(text, labels), is_true=is_true)
 
     def _property(self, given: Arguments) -> str:
-        subject, light, node = self._thing(given, "subj"), given.text("olabel"), given["olabel"]
+        subject, light, node = (
+            self._individual(given, "subj"),
+            given.text("olabel"),
+            given["olabel"],
+        )
         attribute = self.names.attribute(subject, light, node)
         return attribute or f"{self.names.entity(light, node)}({subject})"
 
@@ -167,7 +171,7 @@ class ConditionReader:
     def _value(self, value: cst.BaseExpression) -> str:
         """A compared value. Raises `LeftError` if it may not be a value."""
         code = self.code(value)
-        hidden = {*self.things.values(), *self.others.values(), *self.variables}
+        hidden = {*self.individuals.values(), *self.others.values(), *self.variables}
         names = {each.value for each in m.findall(value, m.Name()) if isinstance(each, cst.Name)}
         if self.known.type_of(value) not in BASIC or names & hidden:
             raise LeftError(errors.UntypedValue(found=f"`{' '.join(code.split())}`"), value)
@@ -175,18 +179,18 @@ class ConditionReader:
         is_plain = is_plain or isinstance(value, (cst.UnaryOperation, cst.Attribute, cst.Call))
         return code if is_plain and not value.lpar else f"({code})"
 
-    def _thing(self, given: Arguments, key: str) -> str:
+    def _individual(self, given: Arguments, key: str) -> str:
         """The parameter in a condition. Raises `LeftError` if it does not stand for an
         individual.
         """
         wanted = given.text(key)
-        if name := self.things.get(wanted):
+        if name := self.individuals.get(wanted):
             self.mentioned.add(name)
             return name
         found = (
             "does not stand for an individual" if wanted in self.others else "is not a parameter"
         )
-        raise LeftError(errors.NotAThing(key=wanted, found=found), given[key])
+        raise LeftError(errors.NotAnIndividual(key=wanted, found=found), given[key])
 
     def _labels(self, given: Arguments, said: tuple[str, ...], *, is_true: bool) -> tuple[str, ...]:
         """The label, if it adds information; the code of a computed label."""

@@ -159,13 +159,13 @@ class _Translator:
 
     def _read_conditions(self, steps: Sequence[DescriptionStatement], added: Set[str]) -> None:
         declared = [each for _, each in self._parameters]
-        things = {each.key: each.name for each in declared if each.is_thing}
-        others = {each.key: each.name for each in declared if not each.is_thing}
-        unclear = keys_of(steps) - {*things, *others}
-        robot = {ROBOT} - {*things, *others} - unclear
-        things |= {key: key for key in robot}
-        self._names.hidden = self._hidden = {*things.values(), *others.values(), *added, ROBOT}
-        reader = ConditionReader(self._names, self._known, self._code, things, others)
+        individuals = {each.key: each.name for each in declared if each.is_individual}
+        others = {each.key: each.name for each in declared if not each.is_individual}
+        unclear = keys_of(steps) - {*individuals, *others}
+        robot = {ROBOT} - {*individuals, *others} - unclear
+        individuals |= {key: key for key in robot}
+        self._names.hidden = self._hidden = {*individuals.values(), *others.values(), *added, ROBOT}
+        reader = ConditionReader(self._names, self._known, self._code, individuals, others)
         for step in steps:
             if step.call is not None and method(step.call) == "addParam":
                 continue
@@ -174,7 +174,7 @@ class _Translator:
             except LeftError as left:
                 # A statement about an untranslated parameter is not wrong because of that.
                 about = getattr(left.template, "key", None)
-                if not (isinstance(left.template, errors.NotAThing) and about in unclear):
+                if not (isinstance(left.template, errors.NotAnIndividual) and about in unclear):
                     self._leave(left, step.statement)
         if robot and (self._has_robot or robot & reader.mentioned):
             self._add([implicit_robot(self._names)])

@@ -104,7 +104,7 @@ class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
     found: str
 
 
-class NotAThing(Error, code="EZS711", name="not-a-thing"):
+class NotAnIndividual(Error, code="EZS711", name="not-an-individual"):
     """A condition about a parameter that does not stand for an individual."""
 
     title = "a condition uses `{key}`, which {found}"
@@ -201,7 +201,7 @@ ALL: tuple[type[Template], ...] = (
     NoOption,
     RepeatedParameter,
     UnknownStatement,
-    NotAThing,
+    NotAnIndividual,
     NoOperator,
     NoNamespace,
     UntypedValue,

@@ -233,12 +233,12 @@ class _Migrations:
         ]
 
 
-def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], thing: str) -> str:
+def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], noun: str) -> str:
     """Report the numbers of translated and unchanged parts."""
     translated = sum(len(each) for each, _ in found)
     left = sum(len(each) for _, each in found)
-    return f"{_counted(translated + left, thing)}: {translated} translated, {left} left as they are"
+    return f"{_counted(translated + left, noun)}: {translated} translated, {left} left as they are"
 
 
-def _counted(count: int, thing: str) -> str:
-    return f"{count} {thing}{'' if count == 1 else 's'}"
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}{'' if count == 1 else 's'}"

@@ -94,7 +94,7 @@ class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
     help = "write all children in one call"
 
 
-class AskedThing(Error, code="EZS729", name="asked-thing"):
+class QueriedIndividual(Error, code="EZS729", name="queried-individual"):
     """A tree that depends on the world."""
 
     title = "{found} queries the world model"
@@ -215,7 +215,7 @@ ALL: tuple[type[Template], ...] = (
     NoProcessor,
     OwnProcessor,
     SeveralTrees,
-    AskedThing,
+    QueriedIndividual,
     NoTree,
     NoName,
     ParameterUse,

@@ -104,8 +104,10 @@ def _on_top(
     context: TreeContext,
 ) -> Callable[[], _MixinMethods]:
     """A translator of methods for the common parameters of some skills."""
-    things = [{key for key, name in each.names.items() if name in each.things} for each in skills]
-    both = set.intersection(*things) if things else set()
+    individuals = [
+        {key for key, name in each.names.items() if name in each.individuals} for each in skills
+    ]
+    both = set.intersection(*individuals) if individuals else set()
     names = {key: skills[0].names[key] for key in both}
     shared = MigratedSkill(node.name.value, context.path, names, {*names.values()})
     return lambda: _MixinMethods(shared, code, node, context.states).of(skills)

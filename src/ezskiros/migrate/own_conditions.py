@@ -48,10 +48,10 @@ class _Method:
         code: Callable[[cst.CSTNode], str],
     ) -> None:
         self._function, self._code = function, code
-        things = {key: name for key, name in skill.names.items() if name in skill.things}
-        others = {key: name for key, name in skill.names.items() if key not in things}
+        individuals = {key: name for key, name in skill.names.items() if name in skill.individuals}
+        others = {key: name for key, name in skill.names.items() if key not in individuals}
         names.hidden = {*skill.names.values()}
-        self._reader = ConditionReader(names, known, code, things, others)
+        self._reader = ConditionReader(names, known, code, individuals, others)
         self._argument = ""
         self._lines: list[str] = []
         self._findings: list[UntranslatedPart] = []

@@ -169,17 +169,17 @@ class ParameterUses(cst.CSTTransformer):
 
     def visit_Call(self, node: cst.Call) -> bool | None:  # noqa: D102, N802
         self._remember(node)
-        if _setting(node) is not None or self._unsets_thing(node):
+        if _setting(node) is not None or self._unsets_individual(node):
             self._remember_params(node.func)
         return None
 
-    def _unsets_thing(self, node: cst.BaseExpression) -> bool:
+    def _unsets_individual(self, node: cst.BaseExpression) -> bool:
         """Say whether an assignment removes the value of a parameter for an individual. Other
         parameters cannot be without a value.
         """
         key = _unset_key(node)
         name = self._skill.names.get(literal_text(key) or "") if key is not None else None
-        return name in self._skill.things
+        return name in self._skill.individuals
 
     def _remember(self, node: cst.BaseExpression) -> None:
         """Treat `self.params` in an expression as a part of it."""
@@ -233,7 +233,7 @@ class ParameterUses(cst.CSTTransformer):
         self, original_node: cst.Expr, updated_node: cst.Expr
     ) -> cst.BaseSmallStatement:
         call, new = original_node.value, updated_node.value
-        if self._unsets_thing(call):
+        if self._unsets_individual(call):
             key = _unset_key(call)
             assert key is not None
             target = cst.AssignTarget(self._parameter(key))

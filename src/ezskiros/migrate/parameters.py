@@ -32,7 +32,7 @@ class SourceParameter:
     annotation: str
     default: str | None = None
     doc: str = ""
-    is_thing: bool = False
+    is_individual: bool = False
     is_required: bool = False
     kind: str = ""
 
@@ -44,16 +44,16 @@ def implicit_robot(names: FileNames) -> SourceParameter:
     """The parameter that SkiROS2 adds to each skill without a parameter of this name."""
     agent = names.entity("sumo:Agent", cst.Name(ROBOT))
     inferred = f"{names.our('INFERRED')}[{agent}]"
-    return SourceParameter(ROBOT, ROBOT, inferred, is_thing=True, kind="sumo:Agent")
+    return SourceParameter(ROBOT, ROBOT, inferred, is_individual=True, kind="sumo:Agent")
 
 
 def optional_parameter(names: FileNames, key: str, name: str, kind: str) -> SourceParameter:
     """A parameter that children share, and that the description does not declare."""
-    is_thing = kind not in BASIC
-    annotation = names.entity(kind, cst.Name(name)) if is_thing else kind
+    is_individual = kind not in BASIC
+    annotation = names.entity(kind, cst.Name(name)) if is_individual else kind
     annotation = f"{names.our(ParameterKind.OPTIONAL.name)}[{annotation}]"
     annotation = annotation if key == name else names.with_key(annotation, key)
-    return SourceParameter(key, name, annotation, is_thing=is_thing, kind=kind)
+    return SourceParameter(key, name, annotation, is_individual=is_individual, kind=kind)
 
 
 @dataclass
@@ -80,12 +80,16 @@ class ParameterReader:
             case cst.Call() as element if last_name(element.func) == "Element":
                 light, node = _element_class(key, element)
                 annotation, default = self.names.entity(light, node), None
-                options, is_thing, of_kind = _options(written), True, ":".join(split(light, node))
+                options, is_individual, of_kind = (
+                    _options(written),
+                    True,
+                    ":".join(split(light, node)),
+                )
             case value:
                 annotation, default = self._basic(key, value)
                 if kind is ParameterKind.INFERRED:
                     raise LeftError(errors.InferredBasic(key=key), call)
-                options, is_thing = _output_alone(written), False
+                options, is_individual = _output_alone(written), False
                 of_kind = annotation if annotation in BASIC else ""
                 if written is not None and not options and _does_something(written):
                     warn(errors.IgnoredOptions(key=key), written)
@@ -99,7 +103,9 @@ class ParameterReader:
         annotation = self._marked(key, annotation, marks)
         is_required = kind is ParameterKind.REQUIRED and default is None
         name, doc = self.called[key], _doc(given)
-        return SourceParameter(key, name, annotation, default, doc, is_thing, is_required, of_kind)
+        return SourceParameter(
+            key, name, annotation, default, doc, is_individual, is_required, of_kind
+        )
 
     def _marked(self, key: str, annotation: str, marks: Sequence[ParameterKind | Option]) -> str:
         """A class or basic type with all its markers."""

@@ -35,7 +35,7 @@ class MigratedSkill:
     name: str
     path: str
     names: Mapping[str, str] = field(default_factory=dict)
-    things: Collection[str] = frozenset()
+    individuals: Collection[str] = frozenset()
     left_for: Sequence[str] = ()
     needs_robot: bool = False
     kinds: Mapping[str, str] = field(default_factory=dict)
@@ -61,9 +61,16 @@ class MigratedSkill:
         if not kinds:
             return self
         names = {**self.names, **more_names(self.names, kinds)}
-        things = {*self.things, *(names[key] for key, kind in kinds.items() if kind not in BASIC)}
+        individuals = {
+            *self.individuals,
+            *(names[key] for key, kind in kinds.items() if kind not in BASIC),
+        }
         return replace(
-            self, names=names, things=things, kinds={**self.kinds, **kinds}, added=kinds.keys()
+            self,
+            names=names,
+            individuals=individuals,
+            kinds={**self.kinds, **kinds},
+            added=kinds.keys(),
         )
 
 
@@ -73,11 +80,11 @@ def skill_of(
     """The skill of a translated description."""
     found = list(parameters)
     names = {each.key: each.name for each in found}
-    things = {each.name for each in found if each.is_thing}
+    individuals = {each.name for each in found if each.is_individual}
     needs_robot = any(each.key == ROBOT and each.is_required for each in found)
     kinds = {each.key: each.kind for each in found if each.kind}
     return MigratedSkill(
-        name, path, names, things, needs_robot=needs_robot, kinds=kinds, is_new=is_new
+        name, path, names, individuals, needs_robot=needs_robot, kinds=kinds, is_new=is_new
     )
 
 
@@ -161,10 +168,17 @@ def _declared(parameters: cst.Parameters) -> Iterator[SourceParameter]:
         name = each.name.value
         annotation = each.annotation.annotation if each.annotation else cst.Name(name)
         key, kind = _read(annotation)
-        is_thing = isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
+        is_individual = (
+            isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
+        )
         is_required = each.default is None and _NOT_REQUIRED.isdisjoint(_marks(annotation))
         yield SourceParameter(
-            key or name, name, "", is_thing=is_thing, is_required=is_required, kind=_kind(kind)
+            key or name,
+            name,
+            "",
+            is_individual=is_individual,
+            is_required=is_required,
+            kind=_kind(kind),
         )
 
 

@@ -38,7 +38,7 @@ class TreeUses(ParameterUses):
         self._chosen: dict[int, cst.BaseExpression] = {}
         self._dropped: set[int] = set()
         self._done: set[int] = set()
-        self._things: set[str] = set()
+        self._individuals: set[str] = set()
         self._where: PartPosition | None = None
         # Nodes that are identified by `id` must be kept alive, because Python reuses the identity
         # of a deleted object.
@@ -51,7 +51,7 @@ class TreeUses(ParameterUses):
         """The argument of `expandBT`."""
         return cst.Name(self._children.params)
 
-    def _unsets_thing(self, node: cst.BaseExpression) -> bool:  # noqa: ARG002
+    def _unsets_individual(self, node: cst.BaseExpression) -> bool:  # noqa: ARG002
         """Return False: no parameter changes while a tree is built."""
         return False
 
@@ -131,8 +131,8 @@ class TreeUses(ParameterUses):
         for each in node.targets:
             if parameter_key(each.target) is not None:
                 self.leave(implementation_errors.NoTree(found=self.shown()), node)
-            if key is not None and isinstance(each.target, cst.Name) and self._is_thing(key):
-                self._things.add(each.target.value)
+            if key is not None and isinstance(each.target, cst.Name) and self._is_individual(key):
+                self._individuals.add(each.target.value)
 
     def visit_Name(self, node: cst.Name) -> None:  # noqa: D102, N802
         if node.value == self._argument and id(node) not in self._done:
@@ -145,12 +145,12 @@ class TreeUses(ParameterUses):
         super().visit_Attribute(node)
         self._done.add(id(node.attr))
         key = parameter_key(node.value)
-        is_thing = isinstance(node.value, cst.Name) and node.value.value in self._things
-        if is_thing or (key is not None and self._is_thing(key)):
-            self.leave(implementation_errors.AskedThing(found=self.shown()), node)
+        is_individual = isinstance(node.value, cst.Name) and node.value.value in self._individuals
+        if is_individual or (key is not None and self._is_individual(key)):
+            self.leave(implementation_errors.QueriedIndividual(found=self.shown()), node)
 
-    def _is_thing(self, key: cst.BaseExpression) -> bool:
-        return self._skill.names.get(literal_text(key) or "") in self._skill.things
+    def _is_individual(self, key: cst.BaseExpression) -> bool:
+        return self._skill.names.get(literal_text(key) or "") in self._skill.individuals
 
     # --- children -----------------------------------------------------------------------------
 

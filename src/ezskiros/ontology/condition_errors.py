@@ -36,7 +36,7 @@ class OneObject(Error, code="EZS303", name="one-object"):
     count: int
 
 
-class NoThing(Error, code="EZS304", name="no-thing"):
+class NoIndividual(Error, code="EZS304", name="no-individual"):
     """A relation to a value that is not an individual of the world model."""
 
     title = "`{relation}` relates individuals of the world model, not {found}"
@@ -129,7 +129,7 @@ class NoCondition(Error, code="EZS309", name="no-condition"):
     found: str
 
 
-class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
+class IndividualAsCondition(Error, code="EZS313", name="individual-as-condition"):
     """`if Tool:`, or another test of whether an individual exists."""
 
     title = "before the robot runs it is unknown whether `{parameter}` exists"
@@ -142,7 +142,7 @@ ALL: tuple[type[Template], ...] = (
     UnknownProperty,
     AmbiguousProperty,
     OneObject,
-    NoThing,
+    NoIndividual,
     NoValue,
     NotCalled,
     NoTruthValue,
@@ -151,6 +151,6 @@ ALL: tuple[type[Template], ...] = (
     NeedsBrackets,
     NoRelation,
     ValueRelates,
-    ThingAsTruth,
+    IndividualAsCondition,
     Assigned,
 )

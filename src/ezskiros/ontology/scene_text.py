@@ -17,11 +17,11 @@ def spelled_in(document: Document, iri: str, model: Model) -> str:
     return model.short(iri)
 
 
-def place_in(document: Document, model: Model, thing: str, *parts: str) -> Span:
+def place_in(document: Document, model: Model, individual: str, *parts: str) -> Span:
     """The place where a scene describes an individual, or where another name occurs in its
     description; the beginning of the scene if there is no description.
     """
-    spelled = spelled_in(document, thing, model)
+    spelled = spelled_in(document, individual, model)
     found = _find(document.file, spelled, 0, at_line_start=True)
     for part in parts:
         found = _find(document.file, spelled_in(document, part, model), found.end)

@@ -18,16 +18,16 @@ from ezskiros.ontology.model import OwlClass
 from ezskiros.ontology.places import declaration
 from ezskiros.ontology.python_names import identifier, identifiers
 from ezskiros.ontology.read import Document
-from ezskiros.ontology.things import (
+from ezskiros.ontology.symbols import (
     UNKNOWN,
+    OntologyClass,
     RelationOf,
     SameClass,
     Thing,
-    ThingClass,
     UnknownValue,
     ValueOf,
     described,
-    thing_class,
+    ontology_class,
 )
 
 _MOST_USES = 3
@@ -44,8 +44,8 @@ class Ontology:
     def __init__(self, documents: Sequence[Document], *, is_whole: bool = True) -> None:
         self.documents, self.is_whole = documents, is_whole
         self.model = build(documents)
-        self._classes: dict[str, ThingClass] = {}
-        self._others: dict[str, ThingClass] = {}
+        self._classes: dict[str, OntologyClass] = {}
+        self._others: dict[str, OntologyClass] = {}
 
     def files(self) -> list[Path]:
         """The user's files of the ontology."""
@@ -107,7 +107,7 @@ class Ontology:
             found.setdefault(bare, f"{short.partition(':')[0]}.{bare}")
         return found
 
-    def class_of(self, iri: str) -> ThingClass:
+    def class_of(self, iri: str) -> OntologyClass:
         """The Python class of an OWL class. Equivalent classes have the same Python class."""
         if iri not in self._classes:
             same = self._meaning(iri)
@@ -116,7 +116,7 @@ class Ontology:
             self._classes.update(dict.fromkeys(same, made))
         return self._classes[iri]
 
-    def class_as(self, iri: str) -> ThingClass:
+    def class_as(self, iri: str) -> OntologyClass:
         """The Python class of an OWL class under its own name. Equivalent classes have different
         ones.
         """
@@ -133,7 +133,7 @@ class Ontology:
         above = self.model.above(iri) - {THING}
         return frozenset(each for each in above if self.model.is_a(each, iri)) | {iri}
 
-    def _made(self, iri: str) -> ThingClass:
+    def _made(self, iri: str) -> OntologyClass:
         above = self.model.above(iri) - self._meaning(iri) - {THING}
         # One order for all classes, with subclasses first: Python looks up names in this order.
         ordered = sorted(above, key=lambda each: (-len(self.model.above(each)), each))
@@ -146,7 +146,7 @@ class Ontology:
         bases = _bases(tuple(dict.fromkeys(map(self.class_of, direct))), order)
         texts = self._texts(iri)
         name = split(iri)[1] or str(texts["__qualname__"])
-        return thing_class(name, bases or (Thing,), texts, iri, self)
+        return ontology_class(name, bases or (Thing,), texts, iri, self)
 
     def _texts(self, iri: str) -> dict[str, str | None]:
         """The texts of a Python class about its OWL class."""
@@ -166,26 +166,26 @@ class Ontology:
         """The Python names of properties that several namespaces have."""
         return frozenset(name for name, iris in self.properties.items() if len(iris) > 1)
 
-    def attribute(self, thing: Thing, name: str) -> Any:
-        """The meaning of `thing.name`: a relation, or a data property."""
+    def attribute(self, individual: Thing, name: str) -> Any:
+        """The meaning of `individual.name`: a relation, or a data property."""
         candidates = self.properties.get(name, [])
         if len(candidates) > 1:
-            candidates = self._fitting(type(thing), candidates) or candidates
+            candidates = self._fitting(type(individual), candidates) or candidates
         if len(candidates) == 1:
-            return self.about(thing, candidates[0], name)
+            return self.about(individual, candidates[0], name)
         if candidates:
-            session.report(self._ambiguous(thing, name, candidates))
+            session.report(self._ambiguous(individual, name, candidates))
         else:
-            self._report_unknown_property(thing, name)
+            self._report_unknown_property(individual, name)
         return UNKNOWN
 
-    def about(self, thing: Thing, iri: str, name: str) -> RelationOf | ValueOf:
+    def about(self, individual: Thing, iri: str, name: str) -> RelationOf | ValueOf:
         """The property of an individual."""
         if iri in self.model.relations:
-            return RelationOf(thing, iri, name)
-        return ValueOf(thing, iri, name, session.here())
+            return RelationOf(individual, iri, name)
+        return ValueOf(individual, iri, name, session.here())
 
-    def _fitting(self, owl_class: ThingClass, candidates: list[str]) -> list[str]:
+    def _fitting(self, owl_class: OntologyClass, candidates: list[str]) -> list[str]:
         """The candidates whose domain certainly contains the class."""
         above = self.model.above(owl_class.iri)
         return [
@@ -195,21 +195,21 @@ class Ontology:
             and all(not u.isdisjoint(above) for u in self.model.domain(iri))
         ]
 
-    def _ambiguous(self, thing: Thing, name: str, candidates: list[str]) -> Diagnostic:
+    def _ambiguous(self, individual: Thing, name: str, candidates: list[str]) -> Diagnostic:
         shorts = [self.model.short(iri) for iri in candidates]
         is_relation = candidates[0] in self.model.relations
-        example = f"{shorts[0].replace(':', '.')}({thing!r}{', ...' if is_relation else ''})"
+        example = f"{shorts[0].replace(':', '.')}({individual!r}{', ...' if is_relation else ''})"
         found = condition_errors.AmbiguousProperty(
             spelled=name, properties=listed(shorts), example=example
         )
         return found.at(session.here())
 
-    def _report_unknown_property(self, thing: Thing, name: str) -> None:
+    def _report_unknown_property(self, individual: Thing, name: str) -> None:
         near = difflib.get_close_matches(name, self.properties, n=1, cutoff=0.7)
         if not near and not self.is_whole:
             return
         found = condition_errors.UnknownProperty(
-            spelled=name, subject=repr(thing), subject_class=repr(type(thing))
+            spelled=name, subject=repr(individual), subject_class=repr(type(individual))
         )
         labels = [self.label(self.properties[near[0]][0], DeclaredHere())] if near else []
         help = DidYouMean(near=near[0]) if near else None
@@ -221,7 +221,9 @@ class Ontology:
         return remark.at(place) if place else None
 
 
-def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tuple[ThingClass, ...]:
+def _bases(
+    direct: tuple[OntologyClass, ...], order: tuple[OntologyClass, ...]
+) -> tuple[OntologyClass, ...]:
     """The base classes that make Python's lookup order equal to this order: the direct
     superclasses, and further ones if necessary.
     """
@@ -235,7 +237,7 @@ def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tup
     return found
 
 
-def _order(bases: tuple[ThingClass, ...]) -> tuple[type, ...]:
+def _order(bases: tuple[OntologyClass, ...]) -> tuple[type, ...]:
     """The lookup order for some base classes, without Python's own classes and `Thing`; empty if
     there is no consistent order.
     """
@@ -243,7 +245,7 @@ def _order(bases: tuple[ThingClass, ...]) -> tuple[type, ...]:
         found = type("Ordered", bases, {}).__mro__[1:] if bases else ()
     except TypeError:
         return ()
-    return tuple(each for each in found if isinstance(each, ThingClass) and each is not Thing)
+    return tuple(each for each in found if isinstance(each, OntologyClass) and each is not Thing)
 
 
 class Namespace:
@@ -320,7 +322,7 @@ class PropertyOf:
         if isinstance(subject, UnknownValue):
             return UNKNOWN
         if not isinstance(subject, Thing):
-            found = condition_errors.NoThing(relation=self._name, found=described(subject))
+            found = condition_errors.NoIndividual(relation=self._name, found=described(subject))
             session.report(found.at(session.here()))
             return UNKNOWN
         about = self._ontology.about(subject, self._iri, self._name)

@@ -38,7 +38,7 @@ class PlanningAction:
 
     skill: SkillInterface
     description: SkillClass
-    things: tuple[Parameter, ...]
+    individuals: tuple[Parameter, ...]
     needs: tuple[Clause, ...]
     effects: tuple[FluentLiteral, ...]
     asserted: tuple[FluentLiteral, ...]
@@ -90,28 +90,28 @@ def _alternatives(
 def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> PlanningAction:
     """An action with the statements of the skill itself."""
     for parameter in skill.parameters:
-        if parameter.is_thing and parameter.is_output:
+        if parameter.is_individual and parameter.is_output:
             raise NotPlannableError(f"`{parameter.name}` is an output of the skill")
     clauses = [*skill.pre, *skill.hold, *skill.post]
     named = {name for each in clauses for name in names(each.statement)}
-    things = tuple(
+    individuals = tuple(
         each
         for each in skill.parameters
-        if each.is_thing and (each.kind is not ParameterKind.OPTIONAL or each.name in named)
+        if each.is_individual and (each.kind is not ParameterKind.OPTIONAL or each.name in named)
     )
     needs = [_clause(each.statement) for each in (*skill.pre, *skill.hold)]
-    needs += [(FluentLiteral(GONE, (each.name,), False),) for each in things]
-    needs += [(_of_class(each),) for each in things]
+    needs += [(FluentLiteral(GONE, (each.name,), False),) for each in individuals]
+    needs += [(_of_class(each),) for each in individuals]
     asserted = [effect for each in skill.post for effect in _effects(each.statement)]
-    asserted += [FluentLiteral(GONE, (e.name,)) for e in things if Option.CONSUME in e.options]
+    asserted += [FluentLiteral(GONE, (e.name,)) for e in individuals if Option.CONSUME in e.options]
     return PlanningAction(
         skill,
         description,
-        things,
+        individuals,
         tuple(each for each in needs if each is not None),
         (),
         tuple(asserted),
-        tuple(_apart(things, model)),
+        tuple(_apart(individuals, model)),
     )
 
 
@@ -119,9 +119,9 @@ def _of_class(parameter: Parameter) -> FluentLiteral:
     return FluentLiteral(Fluent(About.CLASS, parameter.iri or ""), (parameter.name,))
 
 
-def _apart(things: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str]]:
-    for number, one in enumerate(things):
-        for other in things[number + 1 :]:
+def _apart(individuals: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str]]:
+    for number, one in enumerate(individuals):
+        for other in individuals[number + 1 :]:
             if not model.are_disjoint(one.iri or "", other.iri or ""):
                 yield one.name, other.name
 
@@ -194,7 +194,7 @@ def _with_consequences(
     return PlanningAction(
         action.skill,
         action.description,
-        action.things,
+        action.individuals,
         action.needs,
         tuple(effects.values()),
         action.asserted,

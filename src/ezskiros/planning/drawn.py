@@ -27,10 +27,10 @@ def drawn(plan: Plan) -> Outline:
 
 def _lines(step: PlanStep, plan: Plan) -> Iterator[Line]:
     model = plan.scene.ontology.model
-    for name, iri in step.things.items():
+    for name, iri in step.individuals.items():
         yield Line(Role.VALUE, f"{name} = {model.short(iri)}")
     for each in step.action.skill.parameters:
-        if not each.is_thing and not each.is_output:
+        if not each.is_individual and not each.is_output:
             is_open = each.default is None
             value = f": {each.type.__name__}" if is_open else f" = {each.default!r}"
             yield Line(Role.PASSED if is_open else Role.VALUE, each.name + value)

@@ -13,7 +13,7 @@ class NoGoal(Error, code="EZS850", name="no-goal"):
     why: str
 
 
-class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
+class UnknownIndividual(Error, code="EZS851", name="unknown-individual-in-goal"):
     """An individual in a goal that the scene does not have."""
 
     title = "the scene has no `{spelled}`"
@@ -45,7 +45,7 @@ class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
         skill: str
         needed: str
 
-    class NeedsThing(Remark):
+    class NeedsIndividual(Remark):
         says = "`{skill}` needs a {owl_class}, but the scene has none"
         skill: str
         owl_class: str
@@ -123,7 +123,7 @@ class GoalIsMet(Warning, code="EZS859", name="goal-is-met"):
 
 ALL: tuple[type[Template], ...] = (
     NoGoal,
-    UnknownThing,
+    UnknownIndividual,
     UnknownProperty,
     GoalOutOfReach,
     GoalsTogether,

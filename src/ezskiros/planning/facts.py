@@ -64,9 +64,11 @@ class FluentLiteral:
         """The negated literal."""
         return replace(self, is_true=not self.is_true)
 
-    def bound(self, things: dict[str, str]) -> FluentLiteral:
+    def bound(self, individuals: dict[str, str]) -> FluentLiteral:
         """The literal with individuals instead of parameters."""
-        return replace(self, arguments=tuple(things.get(each, each) for each in self.arguments))
+        return replace(
+            self, arguments=tuple(individuals.get(each, each) for each in self.arguments)
+        )
 
 
 Clause = tuple[FluentLiteral, ...]

@@ -20,20 +20,23 @@ def permitted(
     found = []
     for action in actions:
         about = [*_about(action, without)]
-        if all(each.things for each in about):
+        if all(each.individuals for each in about):
             found.append(replace(action, needs=(*action.needs, *map(_clause, about))))
     return found
 
 
 def stopped_by(
-    action: PlanningAction, things: Mapping[str, str], without: Sequence[Prohibition], world: World
+    action: PlanningAction,
+    individuals: Mapping[str, str],
+    without: Sequence[Prohibition],
+    world: World,
 ) -> Prohibition | None:
     """The first prohibition that applies to a step; None if no rule stops it."""
     return next(
         (
             each
             for each in _about(action, without)
-            if all(world.is_a(things[name], owl_class) for name, owl_class in each.things)
+            if all(world.is_a(individuals[name], owl_class) for name, owl_class in each.individuals)
         ),
         None,
     )
@@ -43,14 +46,16 @@ def _about(action: PlanningAction, without: Iterable[Prohibition]) -> Iterator[P
     """The prohibitions of a skill. If a plan leaves a parameter open, its class is unknown, and so
     is whether rules stop the step.
     """
-    known = {each.name for each in action.things}
+    known = {each.name for each in action.individuals}
     for each in without:
-        if each.skill == action.skill.name and known.issuperset(name for name, _ in each.things):
+        if each.skill == action.skill.name and known.issuperset(
+            name for name, _ in each.individuals
+        ):
             yield each
 
 
 def _clause(prohibition: Prohibition) -> Clause:
     return tuple(
         FluentLiteral(Fluent(About.CLASS, owl_class), (name,), False)
-        for name, owl_class in prohibition.things
+        for name, owl_class in prohibition.individuals
     )

@@ -38,15 +38,17 @@ class GoalError(Exception):
         self.diagnostic = diagnostic
 
 
-def goals(text: str, model: Model, things: Mapping[str, str]) -> list[Goal]:
-    """The goals in a text. `things` maps the names of individuals to IRIs. Raises `GoalError`."""
-    return list(_Reader(text, model, things).goals())
+def goals(text: str, model: Model, individuals: Mapping[str, str]) -> list[Goal]:
+    """The goals in a text. `individuals` maps the names of individuals to IRIs. Raises
+    `GoalError`.
+    """
+    return list(_Reader(text, model, individuals).goals())
 
 
 class _Reader:
-    def __init__(self, text: str, model: Model, things: Mapping[str, str]) -> None:
+    def __init__(self, text: str, model: Model, individuals: Mapping[str, str]) -> None:
         self._file = SourceFile("the goal", text)
-        self._model, self._things = model, things
+        self._model, self._individuals = model, individuals
         self._tokens = [(each[0], each.start(), each.end()) for each in _TOKEN.finditer(text)]
         self._at = 0
 
@@ -81,11 +83,11 @@ class _Reader:
 
     def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> FluentLiteral:
         iri = self._property(*name)
-        subject = self._thing(*rest[0])
+        subject = self._individual(*rest[0])
         if iri in self._model.relations:
             if len(rest) < 2:
                 raise self._wrong("a relation needs two individuals", name[1], rest[0][2])
-            return FluentLiteral(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
+            return FluentLiteral(Fluent(About.RELATION, iri), (subject, self._individual(*rest[1])))
         if len(rest) < 2:
             return FluentLiteral(Fluent(About.PROPERTY, iri), (subject,))
         return FluentLiteral(Fluent(About.COMPARISON, iri, "=", _value(rest[1][0])), (subject,))
@@ -103,12 +105,12 @@ class _Reader:
         help = _near(word, known) or found.WithPrefix()
         raise GoalError(found.at(self._span(start, end), help=help))
 
-    def _thing(self, word: str, start: int, end: int) -> str:
+    def _individual(self, word: str, start: int, end: int) -> str:
         name = word.strip('"')
-        if name in self._things:
-            return self._things[name]
-        found = errors.UnknownThing(spelled=name)
-        help = _near(name, self._things) or found.Known(known=_some(self._things))
+        if name in self._individuals:
+            return self._individuals[name]
+        found = errors.UnknownIndividual(spelled=name)
+        help = _near(name, self._individuals) or found.Known(known=_some(self._individuals))
         raise GoalError(found.at(self._span(start, end), help=help))
 
     # --- tokens -----------------------------------------------------------------------------------
@@ -149,6 +151,6 @@ def _near(word: str, known: Mapping[str, str]) -> Remark | None:
     return DidYouMean(near=near[0]) if near else None
 
 
-def _some(things: Mapping[str, str]) -> str:
-    shown = sorted(name for name in things if ":" in name)[:5]
-    return ", ".join(shown) + (", ..." if len(things) > len(shown) else "") or "nothing"
+def _some(individuals: Mapping[str, str]) -> str:
+    shown = sorted(name for name in individuals if ":" in name)[:5]
+    return ", ".join(shown) + (", ..." if len(individuals) > len(shown) else "") or "nothing"

@@ -31,7 +31,7 @@ class PlanStep:
     """A skill with the individuals of its parameters, as IRIs."""
 
     action: PlanningAction
-    things: Mapping[str, str]
+    individuals: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Problem:
     actions: Sequence[PlanningAction]
     goals: Sequence[FluentLiteral]
     world: World
-    things: Sequence[str]
+    individuals: Sequence[str]
     costs: Sequence[Cost] = ()
     """The time that skills lose to rules. Without costs, all plans are equally good."""
 
@@ -50,13 +50,13 @@ class Problem:
         arities = {name: _arity(fluent) for fluent, name in self._fluents.items()}
         arities |= {name: len(price.parameters) for name, _, price in self._priced()}
         predicates = [
-            f"({name} {_typed(f'?thing_{number}' for number in range(arity))})"
+            f"({name} {_typed(f'?individual_{number}' for number in range(arity))})"
             for name, arity in arities.items()
         ]
         actions = [each for number in range(len(self.actions)) for each in self._variants(number)]
         parts = (
             f"(:requirements {' '.join(_REQUIREMENTS)})",
-            "(:types thing)",
+            "(:types individual)",
             f"(:predicates {' '.join(predicates)})",
             *(("(:functions (total-cost) - number)",) if self.costs else ()),
             *actions,
@@ -75,19 +75,21 @@ class Problem:
         return "\n".join(("(define (problem plan)", *parts, ")\n"))
 
     def steps(self, plan: str) -> list[PlanStep]:
-        """The steps of a plan in a planner's format: one `(skill_0 thing_1 thing_2)` per line."""
+        """The steps of a plan in a planner's format: one `(skill_0 individual_1 individual_2)`
+        per line.
+        """
         iris = {name: iri for iri, name in self._objects.items()}
         lines = [line.split(";")[0].strip("() \r") for line in plan.splitlines()]
         return [self._step(*line.split(), iris=iris) for line in lines if line]
 
     def _step(self, name: str, *given: str, iris: Mapping[str, str]) -> PlanStep:
         action = self.actions[int(name.split("_")[1])]
-        names = (each.name for each in action.things)
+        names = (each.name for each in action.individuals)
         return PlanStep(action, dict(zip(names, (iris[each] for each in given), strict=True)))
 
     @cached_property
     def _objects(self) -> Mapping[str, str]:
-        return {iri: f"thing_{number}" for number, iri in enumerate(self.things)}
+        return {iri: f"individual_{number}" for number, iri in enumerate(self.individuals)}
 
     @cached_property
     def _fluents(self) -> Mapping[Fluent, str]:
@@ -102,7 +104,7 @@ class Problem:
 
     def _so_at_the_start(self) -> Iterator[str]:
         for fluent in self._fluents:
-            for arguments in itertools.product(self.things, repeat=_arity(fluent)):
+            for arguments in itertools.product(self.individuals, repeat=_arity(fluent)):
                 literal = FluentLiteral(fluent, arguments)
                 if is_so(literal, self.world):
                     yield self._literal(literal, self._objects)
@@ -127,14 +129,14 @@ class Problem:
         if self.costs:
             yield "(= (total-cost) 0)"
         for name, _, price in self._priced():
-            for things in price.things:
-                if all(each in self._objects for each in things):
-                    yield f"({name} {' '.join(self._objects[each] for each in things)})"
+            for individuals in price.individuals:
+                if all(each in self._objects for each in individuals):
+                    yield f"({name} {' '.join(self._objects[each] for each in individuals)})"
 
     def _variants(self, number: int) -> Iterator[str]:
         """An action, once for each of its prices."""
         action = self.actions[number]
-        names = {each.name: f"?given_{index}" for index, each in enumerate(action.things)}
+        names = {each.name: f"?given_{index}" for index, each in enumerate(action.individuals)}
         elsewhere = []
         for fact, other, price in self._priced():
             if other == number:
@@ -180,7 +182,7 @@ class Problem:
             and each.arguments[1 - free] == effect.arguments[1 - free]
         ]
         gone = self._literal(effect, {**names, EVERYTHING: "?other"})
-        return f"(forall (?other - thing) (when {_all(differs)} {gone}))"
+        return f"(forall (?other - individual) (when {_all(differs)} {gone}))"
 
 
 def _arity(fluent: Fluent) -> int:
@@ -188,7 +190,7 @@ def _arity(fluent: Fluent) -> int:
 
 
 def _typed(names: Iterable[str]) -> str:
-    return " ".join(f"{name} - thing" for name in names)
+    return " ".join(f"{name} - individual" for name in names)
 
 
 def _not(fact: str) -> str:

@@ -35,7 +35,7 @@ class Plan:
     def expected_s(self) -> float:
         """The expected loss to rules in seconds."""
         return sum(
-            expected_s(each.action.skill.name, each.things, self.costs) for each in self.steps
+            expected_s(each.action.skill.name, each.individuals, self.costs) for each in self.steps
         )
 
 

@@ -20,13 +20,13 @@ _HIGHEST = 1_000_000
 
 @dataclass(frozen=True)
 class Price:
-    """A price of an action for certain individuals: one of `things`, each with the IRIs in the
+    """A price of an action for certain individuals: one of `individuals`, each with the IRIs in the
     order of `parameters`.
     """
 
     cost: int
     parameters: tuple[str, ...]
-    things: tuple[tuple[str, ...], ...]
+    individuals: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Prices:
 
 def prices(action: PlanningAction, costs: Iterable[Cost]) -> Prices:
     """The prices of an action. Places without any loss of time have the usual price."""
-    known = {each.name for each in action.things}
+    known = {each.name for each in action.individuals}
     usual = STEP
     found: defaultdict[tuple[int, tuple[str, ...]], list[tuple[str, ...]]] = defaultdict(list)
     for each in costs:
@@ -52,17 +52,18 @@ def prices(action: PlanningAction, costs: Iterable[Cost]) -> Prices:
         else:
             usual += extra
     at_places = [
-        Price(STEP + extra, names, tuple(things)) for (extra, names), things in found.items()
+        Price(STEP + extra, names, tuple(individuals))
+        for (extra, names), individuals in found.items()
     ]
     return Prices(usual, at_places)
 
 
-def expected_s(skill: str, things: Mapping[str, str], costs: Iterable[Cost]) -> float:
+def expected_s(skill: str, individuals: Mapping[str, str], costs: Iterable[Cost]) -> float:
     """The expected loss of a step in seconds: a skill, with IRIs by parameter."""
     fitting = [
         each
         for each in costs
-        if each.skill == skill and all(things.get(name) == iri for name, iri in each.places)
+        if each.skill == skill and all(individuals.get(name) == iri for name, iri in each.places)
     ]
     at_places = [each.expected_s for each in fitting if each.places and each.lost_s]
     return min(at_places, default=sum(each.expected_s for each in fitting if not each.places))

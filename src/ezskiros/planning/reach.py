@@ -38,7 +38,7 @@ class ReachableFacts:
     """The possible facts of a world, given some actions, until a time of `time.monotonic`."""
 
     world: World
-    things: Sequence[str]
+    individuals: Sequence[str]
     actions: Sequence[PlanningAction]
     until: float
     _new: dict[FluentLiteral, None] = field(default_factory=dict)
@@ -104,13 +104,13 @@ class ReachableFacts:
         """One of the impossible needs, for the individuals with the fewest of them, or a class
         without individuals. None if the action does not affect the goal.
         """
-        for parameter in action.things:
+        for parameter in action.individuals:
             if parameter.name not in bound and not self._candidates(parameter.iri or ""):
                 return parameter.iri
         for spare in range(1, len(action.needs) + 1):
-            things = next(self._bindings(action, bound, spare), None)
-            if things is not None:
-                needs = (tuple(e.bound(things) for e in clause) for clause in action.needs)
+            individuals = next(self._bindings(action, bound, spare), None)
+            if individuals is not None:
+                needs = (tuple(e.bound(individuals) for e in clause) for clause in action.needs)
                 lacking = [each[0] for each in needs if not any(map(self.is_possible, each))]
                 return next((each for each in lacking if each != goal), lacking[0])
         return None
@@ -137,14 +137,14 @@ class ReachableFacts:
     ) -> Iterator[dict[str, str]]:
         if time.monotonic() > self.until:
             raise ReachTimeOverError
-        free = [each for each in action.things if each.name not in bound]
+        free = [each for each in action.individuals if each.name not in bound]
         if not free:
             yield dict(bound)
             return
         parameter = min(free, key=lambda each: len(self._candidates(each.iri or "")))
         name = parameter.name
-        for thing in self._candidates(parameter.iri or ""):
-            bound[name] = thing
+        for individual in self._candidates(parameter.iri or ""):
+            bound[name] = individual
             if self._are_apart(action, bound, name):
                 decided = [each for each in action.needs if name in _names(each) <= bound.keys()]
                 left = self._left(decided, bound, spare)
@@ -163,7 +163,7 @@ class ReachableFacts:
 
     def _candidates(self, owl_class: str) -> list[str]:
         if owl_class not in self._of_class:
-            self._of_class[owl_class] = self.world.things(owl_class)
+            self._of_class[owl_class] = self.world.individuals(owl_class)
         return self._of_class[owl_class]
 
     _of_class: dict[str, list[str]] = field(default_factory=dict)
@@ -182,8 +182,8 @@ class ReachableFacts:
         if EVERYTHING not in effect.arguments:
             yield effect
             return
-        for thing in self.things:
-            yield effect.bound({EVERYTHING: thing})
+        for individual in self.individuals:
+            yield effect.bound({EVERYTHING: individual})
 
 
 def _names(clause: Clause) -> set[str]:
@@ -195,7 +195,7 @@ def _matched(effect: FluentLiteral, goal: FluentLiteral) -> dict[str, str] | Non
     if effect.fluent != goal.fluent or effect.is_true != goal.is_true:
         return None
     found: dict[str, str] = {}
-    for name, thing in zip(effect.arguments, goal.arguments, strict=True):
-        if name != EVERYTHING and found.setdefault(name, thing) != thing:
+    for name, individual in zip(effect.arguments, goal.arguments, strict=True):
+        if name != EVERYTHING and found.setdefault(name, individual) != individual:
             return None
     return found

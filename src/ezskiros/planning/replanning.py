@@ -16,7 +16,7 @@ from types import MappingProxyType
 from dslkit.diagnostics import Diagnostic
 from ezskiros.engine.interruption import NoPlanError, PlannedCalls, Replan
 from ezskiros.engine.prohibitions import Prohibition
-from ezskiros.engine.values import WorldThing
+from ezskiros.engine.values import WorldIndividual
 from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import NotPlannableError, actions, literal
@@ -80,7 +80,9 @@ def _reported(found: Diagnostic) -> str:
 
 
 def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal]:
-    things = {name: each.iri for name, each in values.items() if isinstance(each, WorldThing)}
+    individuals = {
+        name: each.iri for name, each in values.items() if isinstance(each, WorldIndividual)
+    }
     if not skill.post:
         raise NoPlanError(f"`{skill.name}` has no post-condition, so its goal is unknown")
     for each in skill.post:
@@ -90,10 +92,10 @@ def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal
             raise NoPlanError(
                 f"a post-condition of `{skill.name}` cannot be the goal of a plan"
             ) from None
-        unknown = [name for name in wanted.arguments if name not in things]
+        unknown = [name for name in wanted.arguments if name not in individuals]
         if unknown:
             raise NoPlanError(f"`{skill.name}` has no value yet for `{unknown[0]}`")
-        yield Goal(wanted.bound(things), each.span)
+        yield Goal(wanted.bound(individuals), each.span)
 
 
 def _call(step: PlanStep, values: Mapping[str, object], world: World) -> SkillCall:
@@ -101,9 +103,11 @@ def _call(step: PlanStep, values: Mapping[str, object], world: World) -> SkillCa
     parameter with the same name and type.
     """
     skill = step.action.skill
-    found: dict[str, object] = {name: WorldThing(iri, world) for name, iri in step.things.items()}
+    found: dict[str, object] = {
+        name: WorldIndividual(iri, world) for name, iri in step.individuals.items()
+    }
     for each in skill.parameters:
-        if each.is_thing or each.is_output:
+        if each.is_individual or each.is_output:
             continue
         if each.name in values and each.takes(values[each.name]):
             found[each.name] = values[each.name]

@@ -32,7 +32,7 @@ class PlanningScene:
     def names(self) -> Mapping[str, str]:
         """The individuals by name: IRIs, full or short, and labels."""
         model = self.ontology.model
-        things = self.world().things(THING)
+        individuals = self.world().individuals(THING)
         label = pyoxigraph.NamedNode(RDFS + "label")
         found = {
             triple.object.value: triple.subject.value
@@ -40,9 +40,9 @@ class PlanningScene:
             if triple.predicate == label
             and isinstance(triple.subject, pyoxigraph.NamedNode)
             and isinstance(triple.object, pyoxigraph.Literal)
-            and triple.subject.value in things
+            and triple.subject.value in individuals
         }
-        for iri in things:
+        for iri in individuals:
             found[iri] = iri
             found[model.short(iri)] = iri
             for prefix, start in self.document.prefixes.items():

@@ -51,13 +51,13 @@ class Search:
             return [], [errors.GoalIsMet().at(span)]
         if not self.actions:
             return None, [errors.NoSkillsToPlan().at(span)]
-        things, actions = world.things(THING), permitted(self.actions, self.without)
+        individuals, actions = world.individuals(THING), permitted(self.actions, self.without)
         try:
-            reach = ReachableFacts(world, things, actions, time.monotonic() + self.seconds)
+            reach = ReachableFacts(world, individuals, actions, time.monotonic() + self.seconds)
             blocked = [each for each in self.goals if not reach.is_possible(each.literal)]
             if blocked:
                 return None, [*self._blocked(blocked, reach)]
-            problem = Problem(actions, wanted, world, things, self.costs)
+            problem = Problem(actions, wanted, world, individuals, self.costs)
             steps = solve(problem, self.seconds)
         except (TimeOverError, ReachTimeOverError):
             return None, [errors.PlanningTimeOver(seconds=self.seconds).at(span)]
@@ -72,8 +72,10 @@ class Search:
 
     def _said_kind(self, found: Prohibition) -> str:
         """The words `Drive(Target = a skiros:Location)`."""
-        things = found.things
-        return _called(found.skill, [f"{name} = a {self.model.short(it)}" for name, it in things])
+        individuals = found.individuals
+        return _called(
+            found.skill, [f"{name} = a {self.model.short(it)}" for name, it in individuals]
+        )
 
     def _confirmed(
         self, steps: Sequence[PlanStep], wanted: Sequence[FluentLiteral], span: Span
@@ -92,7 +94,7 @@ class Search:
         """The findings for unreachable goals."""
         stopped = self._stopped(reach) if self.without else []
         free = (
-            ReachableFacts(reach.world, reach.things, self.actions, reach.until)
+            ReachableFacts(reach.world, reach.individuals, self.actions, reach.until)
             if stopped
             else reach
         )
@@ -113,10 +115,12 @@ class Search:
                     found[self._said_step(why, bound)] = None
         return [*found]
 
-    def _said_step(self, why: Prohibition, things: Mapping[str, str]) -> str:
+    def _said_step(self, why: Prohibition, individuals: Mapping[str, str]) -> str:
         """The words `Drive(Target = skiros:Location-3)`."""
-        names = dict.fromkeys(name for name, _ in why.things)
-        return _called(why.skill, [f"{each} = {self.model.short(things[each])}" for each in names])
+        names = dict.fromkeys(name for name, _ in why.individuals)
+        return _called(
+            why.skill, [f"{each} = {self.model.short(individuals[each])}" for each in names]
+        )
 
     def _out_of_reach(self, goal: Goal, missing: MissingFact) -> Diagnostic:
         """The finding for a goal, with the skills between the goal and the missing fact."""
@@ -129,7 +133,7 @@ class Search:
         if missing.without is not None:
             owl_class = self.model.short(missing.without)
             name, _ = missing.chain[0]
-            notes[-1] = found.NeedsThing(skill=name, owl_class=owl_class)
+            notes[-1] = found.NeedsIndividual(skill=name, owl_class=owl_class)
         elif missing.circular:
             notes.append(found.Circular(missing=lacking, skills=listed(missing.circular)))
         else:
@@ -141,8 +145,8 @@ class Search:
         return f"`{spelled(literal, model, model.short)}`"
 
 
-def _called(skill: str, things: Sequence[str]) -> str:
-    return f"{skill}({', '.join(things)})" if things else skill
+def _called(skill: str, individuals: Sequence[str]) -> str:
+    return f"{skill}({', '.join(individuals)})" if individuals else skill
 
 
 def _few(steps: Sequence[str]) -> str:

@@ -160,11 +160,11 @@ def _done(step: PlanStep, world: World) -> FluentLiteral | None:
     """Apply a step to a world model. Returns the missing need if this is impossible; then nothing
     changes.
     """
-    things = dict(step.things)
+    individuals = dict(step.individuals)
     for clause in step.action.needs:
-        bound = [each.bound(things) for each in clause]
+        bound = [each.bound(individuals) for each in clause]
         if not any(is_so(each, world) for each in bound):
             return bound[0]
     for effect in sorted(step.action.asserted, key=lambda each: each.is_true):
-        make_so(effect.bound(things), world)
+        make_so(effect.bound(individuals), world)
     return None

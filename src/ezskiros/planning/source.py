@@ -58,7 +58,7 @@ class _Source:
         self._model: Model = self._ontology.model
         self._world: World = plan.scene.world()
         self._needs = list(dict.fromkeys(initial_needs(plan)))
-        self._things = self._named_things()
+        self._individuals = self._named_individuals()
         self._values = {(id(step), each.name): each for step, each in self._open_values()}
 
     def lines(self) -> Iterator[str]:
@@ -73,7 +73,7 @@ class _Source:
         yield ""
         yield "    def description("
         yield "        self,"
-        for iri, name in self._things.items():
+        for iri, name in self._individuals.items():
             yield f"        {name}: {self._class(iri)},"
         for name, kind in self._value_types().items():
             yield f"        {name}: {kind},"
@@ -93,11 +93,11 @@ class _Source:
 
     # --- names ------------------------------------------------------------------------------------
 
-    def _named_things(self) -> dict[str, str]:
+    def _named_individuals(self) -> dict[str, str]:
         """Individuals by IRI, with the names of their parameters."""
         used: dict[str, None] = {}
         for step in self._plan.steps:
-            used.update(dict.fromkeys(step.things.values()))
+            used.update(dict.fromkeys(step.individuals.values()))
         literals = [*self._needs, *(each.literal for each in self._plan.goals)]
         for literal in literals:
             used.update(dict.fromkeys(literal.arguments))
@@ -113,7 +113,7 @@ class _Source:
         """The parameters of the steps, other than individuals, that need a value."""
         for step in self._plan.steps:
             for each in step.action.skill.parameters:
-                if not each.is_thing and each.default is None and not each.is_output:
+                if not each.is_individual and each.default is None and not each.is_output:
                     yield step, each
 
     def _value_name(self, step: PlanStep, parameter: Parameter) -> str:
@@ -121,7 +121,7 @@ class _Source:
         another type.
         """
         kinds = {each.type for each in self._values.values() if each.name == parameter.name}
-        is_taken = len(kinds) > 1 or parameter.name in self._things.values()
+        is_taken = len(kinds) > 1 or parameter.name in self._individuals.values()
         return f"{step.action.skill.name}_{parameter.name}" if is_taken else parameter.name
 
     def _value_types(self) -> dict[str, str]:
@@ -132,8 +132,8 @@ class _Source:
     # --- parts ------------------------------------------------------------------------------------
 
     def _arguments(self, step: PlanStep) -> Iterator[str]:
-        for name, iri in step.things.items():
-            yield f"{name}=params.{self._things[iri]}"
+        for name, iri in step.individuals.items():
+            yield f"{name}=params.{self._individuals[iri]}"
         for other, each in self._open_values():
             if other is step:
                 yield f"{each.name}=params.{self._value_name(step, each)}"
@@ -143,8 +143,8 @@ class _Source:
         wanted = {
             parameter.iri or THING
             for step in self._plan.steps
-            for parameter in step.action.things
-            if step.things[parameter.name] == iri
+            for parameter in step.action.individuals
+            if step.individuals[parameter.name] == iri
         }
         own = [each for each in self._model.classes if self._world.is_a(iri, each)]
         special = [
@@ -169,13 +169,13 @@ class _Source:
         name = identifier(split(literal.fluent.iri)[1])
         if name not in self._ontology.ambiguous():
             return text
-        subject = self._things[literal.arguments[0]]
+        subject = self._individuals[literal.arguments[0]]
         whole = self._model.short(literal.fluent.iri).replace(":", ".")
         text = text.replace(f"{subject}.{name}(", f"{whole}({subject}, ", 1)
         return text.replace(f"{subject}.{name}", f"{whole}({subject})", 1)
 
     def _statement(self, literal: FluentLiteral) -> Statement:
-        names = [self._things[each] for each in literal.arguments]
+        names = [self._individuals[each] for each in literal.arguments]
         fluent = literal.fluent
         if fluent.about is About.RELATION:
             return Relation(names[0], fluent.iri, names[1], literal.is_true)
@@ -189,7 +189,7 @@ class _Source:
         wanted: dict[str, set[str]] = {}
         for name, description in skills.items():
             wanted.setdefault(description.__module__, set()).add(name)
-        used = {self._class(iri).partition(".")[0] for iri in self._things}
+        used = {self._class(iri).partition(".")[0] for iri in self._individuals}
         used |= {
             self._condition(each).lstrip("~(").partition(".")[0]
             for each in (*self._needs, *(goal.literal for goal in self._plan.goals))
@@ -242,7 +242,7 @@ def initial_needs(plan: Plan) -> Iterator[FluentLiteral]:
     world = plan.scene.world()
     changed: list[FluentLiteral] = []
     for step in plan.steps:
-        bound = dict(step.things)
+        bound = dict(step.individuals)
         for clause in step.action.needs:
             literals: Sequence[FluentLiteral] = [each.bound(bound) for each in clause]
             if literals[0].fluent.about not in _CONDITIONS:

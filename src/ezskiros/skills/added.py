@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Generic, TypeVar
 
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, UnknownValue
+from ezskiros.ontology.symbols import UNKNOWN, UnknownValue
 from ezskiros.skills import errors
 
 Item = TypeVar("Item")

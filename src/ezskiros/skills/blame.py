@@ -8,7 +8,7 @@ from types import TracebackType
 from dslkit.source import Span
 from dslkit.source.call_site import place_of
 from ezskiros import session
-from ezskiros.ontology.things import SYMBOL_IN_TEXT
+from ezskiros.ontology.symbols import SYMBOL_IN_TEXT
 
 
 def said(problem: BaseException) -> str:

@@ -14,7 +14,7 @@ from typing import Any
 
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN
+from ezskiros.ontology.symbols import UNKNOWN
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.growing import made
 

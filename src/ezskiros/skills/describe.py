@@ -16,7 +16,7 @@ from types import FunctionType
 from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template
 from ezskiros import session
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.symbols import OntologyClass
 from ezskiros.skills import errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
@@ -66,8 +66,8 @@ def describe(skill: SkillClass) -> DescribedSkill | None:
         doc=inspect.cleandoc(skill.__doc__ or ""),
         unclear=_unclear(method, parameters),
     )
-    types = [each.type for each in parameters if isinstance(each.type, ThingClass)]
-    types += [thing.owl_class for each in first.permits for thing in each.things]
+    types = [each.type for each in parameters if isinstance(each.type, OntologyClass)]
+    types += [individual.owl_class for each in first.permits for individual in each.individuals]
     ontologies = [each.vocabulary for each in types]
     found = next((each for each in ontologies if isinstance(each, Ontology)), None)
     return DescribedSkill(interface, found, are_whole)

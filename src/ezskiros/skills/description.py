@@ -9,12 +9,12 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology.statements import Generated, OfType, Relation, Specified
-from ezskiros.ontology.things import (
+from ezskiros.ontology.symbols import (
     UNKNOWN,
     Condition,
+    OntologyClass,
     RelationOf,
     Thing,
-    ThingClass,
     UnknownValue,
     described,
     is_asked_here,
@@ -118,27 +118,27 @@ PARTS = ("pre_conditions", "hold_conditions", "post_conditions", "permits", "use
 
 def specified(parameter: object) -> Condition | UnknownValue:
     """The condition that a parameter has a value."""
-    thing = _thing(parameter, "specified")
-    return Condition(Specified(thing), session.here()) if thing else UNKNOWN
+    individual = _individual(parameter, "specified")
+    return Condition(Specified(individual), session.here()) if individual else UNKNOWN
 
 
 def generated(parameter: object) -> Condition | UnknownValue:
     """The condition that an individual exists. As a post-condition, the skill creates the
     individual, or, with `~`, removes it.
     """
-    thing = _thing(parameter, "generated")
-    return Condition(Generated(thing), session.here()) if thing else UNKNOWN
+    individual = _individual(parameter, "generated")
+    return Condition(Generated(individual), session.here()) if individual else UNKNOWN
 
 
 def of_type(parameter: object, owl_class: object) -> Condition | UnknownValue:
     """The condition that an individual is of a class."""
-    thing = _thing(parameter, "of_type")
-    if thing is None or isinstance(owl_class, UnknownValue):
+    individual = _individual(parameter, "of_type")
+    if individual is None or isinstance(owl_class, UnknownValue):
         return UNKNOWN
-    if not isinstance(owl_class, ThingClass):
+    if not isinstance(owl_class, OntologyClass):
         session.report(errors.NoClass(found=described(owl_class)).at(session.here()))
         return UNKNOWN
-    return Condition(OfType(thing, owl_class.iri), session.here())
+    return Condition(OfType(individual, owl_class.iri), session.here())
 
 
 def abstract(condition: object) -> Condition | UnknownValue:
@@ -155,11 +155,13 @@ def abstract(condition: object) -> Condition | UnknownValue:
     )
 
 
-def _thing(parameter: object, function: str) -> str | None:
+def _individual(parameter: object, function: str) -> str | None:
     """The name of the parameter; None, after a finding, if it does not stand for an individual."""
     if isinstance(parameter, Thing):
         return repr(parameter)
     if not isinstance(parameter, UnknownValue):
         found = described(parameter)
-        session.report(condition_errors.NoThing(relation=function, found=found).at(session.here()))
+        session.report(
+            condition_errors.NoIndividual(relation=function, found=found).at(session.here())
+        )
     return None

@@ -72,7 +72,7 @@ class WrongDefault(Error, code="EZS205", name="wrong-default"):
     expected: str
 
 
-class ThingDefault(Error, code="EZS206", name="thing-default"):
+class IndividualDefault(Error, code="EZS206", name="individual-default"):
     """A default for a parameter that stands for an individual of the world model."""
 
     title = "`{parameter}` stands for an individual of the world model and cannot have a default"
@@ -263,7 +263,7 @@ ALL: tuple[type[Template], ...] = (
     TextAnnotation,
     NoParameterType,
     WrongDefault,
-    ThingDefault,
+    IndividualDefault,
     MarkedBasic,
     TwoKinds,
     PackedParameters,

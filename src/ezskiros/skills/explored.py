@@ -16,7 +16,7 @@ from typing import Any
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
+from ezskiros.ontology.symbols import UNKNOWN, OntologyClass, symbol
 from ezskiros.skills import errors
 from ezskiros.skills.added import Added
 from ezskiros.skills.interface import Clause, Parameter
@@ -101,7 +101,7 @@ def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
     """The symbols for the parameters."""
     return {
         each.name: symbol(each.type, each.name)
-        if isinstance(each.type, ThingClass)
+        if isinstance(each.type, OntologyClass)
         else SymbolicValue(each.name, each.type)
         for each in parameters
     }

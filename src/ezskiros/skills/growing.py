@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any, TypeVar
 
-from ezskiros.ontology.things import UnknownValue
+from ezskiros.ontology.symbols import UnknownValue
 
 _Node = TypeVar("_Node")
 Children = list[Any] | tuple[Any, ...]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from dslkit.diagnostics import DidYouMean, Remark
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, UnknownValue, described
+from ezskiros.ontology.symbols import UNKNOWN, UnknownValue, described
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.growing import Nowhere, drop, is_growing, made

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from dslkit.source import Span
 from ezskiros.ontology.iris import THING
 from ezskiros.ontology.statements import Statement, Value
-from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.symbols import OntologyClass
 from ezskiros.skills.markers import Option, ParameterKind
 from ezskiros.skills.permits import Permission
 from ezskiros.skills.uses import Use
@@ -48,14 +48,14 @@ class Parameter:
         return Option.OUTPUT in self.options
 
     @property
-    def is_thing(self) -> bool:
+    def is_individual(self) -> bool:
         """Say whether the parameter stands for an individual."""
-        return isinstance(self.type, ThingClass)
+        return isinstance(self.type, OntologyClass)
 
     @property
     def iri(self) -> str | None:
         """The class of the individual; None if the parameter does not stand for one."""
-        return self.type.iri if isinstance(self.type, ThingClass) else None
+        return self.type.iri if isinstance(self.type, OntologyClass) else None
 
     def takes(self, value: object) -> bool:
         """Say whether the parameter can have a basic value or a member of an enumeration. An

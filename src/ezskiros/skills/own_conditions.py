@@ -103,8 +103,8 @@ def _own(
 
 def _signature_help(skill: SkillInterface) -> Remark:
     """The help for the signature of the method, with the first parameter of a skill."""
-    things = [each.name for each in skill.parameters if each.is_thing]
-    first = next(iter([*things, *(each.name for each in skill.parameters)]), "Parameter")
+    individuals = [each.name for each in skill.parameters if each.is_individual]
+    first = next(iter([*individuals, *(each.name for each in skill.parameters)]), "Parameter")
     return tree_errors.Signature(method=METHOD, parameter=first)
 
 

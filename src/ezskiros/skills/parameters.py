@@ -13,7 +13,7 @@ from typing import Annotated, Any, get_args, get_origin
 
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, ThingClass, UnknownValue
+from ezskiros.ontology.symbols import UNKNOWN, OntologyClass, UnknownValue
 from ezskiros.skills import errors, parameter_errors
 from ezskiros.skills.interface import BASIC, ROBOT, Parameter
 from ezskiros.skills.markers import Key, Marker, NoType, Option, ParameterKind
@@ -127,20 +127,20 @@ class _Reader:
         if len({*kinds}) > 1:
             session.report(errors.TwoKinds(parameter=self.name).at(self.annotation_span))
         is_enumeration = isinstance(kind_of, type) and issubclass(kind_of, enum.Enum)
-        if not isinstance(kind_of, ThingClass) and kind_of not in BASIC and not is_enumeration:
+        if not isinstance(kind_of, OntologyClass) and kind_of not in BASIC and not is_enumeration:
             wrong = errors.NoParameterType(parameter=self.name, found=_spelled(kind_of))
             session.report(wrong.at(self.annotation_span))
             return None
-        if self.name == ROBOT and not isinstance(kind_of, ThingClass):
+        if self.name == ROBOT and not isinstance(kind_of, OntologyClass):
             no_robot = parameter_errors.RobotAsValue(found=_spelled(kind_of))
             session.report(no_robot.at(self.name_span))
             return None
         if Option.OUTPUT in options:
             return self._output(kind_of, kinds, options)
-        if isinstance(kind_of, ThingClass):
+        if isinstance(kind_of, OntologyClass):
             if self.given.default is not _EMPTY:
                 span = self.written.defaults.get(self.name, self.annotation_span)
-                session.report(errors.ThingDefault(parameter=self.name).at(span))
+                session.report(errors.IndividualDefault(parameter=self.name).at(span))
             return self._parameter(kind_of, kind, options, None)
         if kind is ParameterKind.INFERRED or options:
             marker = (options[0].name if options else kind.name).upper()

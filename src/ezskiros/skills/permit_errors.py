@@ -14,7 +14,7 @@ class NoPermission(Error, code="EZS250", name="no-permission"):
     found: str
 
 
-class PermittedNoThing(Error, code="EZS251", name="permitted-no-thing"):
+class PermittedNoIndividual(Error, code="EZS251", name="permitted-no-individual"):
     """A permission for a value that is not an individual of the world model."""
 
     title = "`{kind}` takes an individual of the world model, not {found}"
@@ -104,7 +104,7 @@ class WrongRosType(Error, code="EZS258", name="wrong-ros-type"):
 
 ALL: tuple[type[Template], ...] = (
     NoPermission,
-    PermittedNoThing,
+    PermittedNoIndividual,
     NoQuantity,
     UnknownUnit,
     WrongDimension,

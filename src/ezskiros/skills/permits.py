@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from dslkit.diagnostics import DidYouMean, listed
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import (
+from ezskiros.ontology.symbols import (
     UNKNOWN,
     Described,
+    OntologyClass,
     Thing,
-    ThingClass,
     UnknownValue,
     depends_on_symbol,
     described,
@@ -67,13 +67,13 @@ _DIMENSION_WORDS = {
 
 
 @dataclass(frozen=True)
-class PermittedThing:
+class PermittedIndividual:
     """The individuals of a permission: the individual of the parameter, or, without a parameter,
     all individuals of a class. `owl_class` is that class, or the class of the parameter's type.
     """
 
     parameter: str | None
-    owl_class: ThingClass
+    owl_class: OntologyClass
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Permission(Described):
     """
 
     kind: Permit
-    things: tuple[PermittedThing, ...]
+    individuals: tuple[PermittedIndividual, ...]
     limit: Quantity | None
     span: Span = field(compare=False)
 
@@ -112,14 +112,14 @@ class Permits(Added[Permission]):
             self._items.append(value)
 
 
-def contact(thing: object, *others: object) -> Permission | UnknownValue:
+def contact(individual: object, *others: object) -> Permission | UnknownValue:
     """The robot may touch these individuals, given by parameters or classes."""
-    return _permission(Permit.CONTACT, (thing, *others), None)
+    return _permission(Permit.CONTACT, (individual, *others), None)
 
 
-def closeness(thing: object, limit: object) -> Permission | UnknownValue:
+def closeness(individual: object, limit: object) -> Permission | UnknownValue:
     """The robot may come as close to an individual as the limit: `closeness(Person, "0.3 m")`."""
-    return _permission(Permit.CLOSENESS, (thing,), limit)
+    return _permission(Permit.CLOSENESS, (individual,), limit)
 
 
 def speed(limit: object) -> Permission | UnknownValue:
@@ -127,32 +127,32 @@ def speed(limit: object) -> Permission | UnknownValue:
     return _permission(Permit.SPEED, (), limit)
 
 
-def force(thing: object, limit: object) -> Permission | UnknownValue:
+def force(individual: object, limit: object) -> Permission | UnknownValue:
     """The robot may push an individual with a force up to the limit: `force(Object, "20 N")`."""
-    return _permission(Permit.FORCE, (thing,), limit)
+    return _permission(Permit.FORCE, (individual,), limit)
 
 
 def _permission(
-    kind: Permit, things: tuple[object, ...], limit: object
+    kind: Permit, individuals: tuple[object, ...], limit: object
 ) -> Permission | UnknownValue:
     span = session.here()
-    permitted = [_thing(kind, each, span) for each in things]
+    permitted = [_individual(kind, each, span) for each in individuals]
     quantity = _limit(kind, limit, span) if DIMENSIONS[kind] else None
     is_limited = quantity is not None or not DIMENSIONS[kind]
     known = [each for each in permitted if each is not None]
-    if len(known) < len(things) or not is_limited:
+    if len(known) < len(individuals) or not is_limited:
         return UNKNOWN
     return Permission(kind, tuple(known), quantity, span)
 
 
-def _thing(kind: Permit, found: object, span: Span) -> PermittedThing | None:
+def _individual(kind: Permit, found: object, span: Span) -> PermittedIndividual | None:
     """The individual, or the class of individuals; None after a finding."""
     if isinstance(found, Thing):
-        return PermittedThing(repr(found), type(found))
-    if isinstance(found, ThingClass):
-        return PermittedThing(None, found)
+        return PermittedIndividual(repr(found), type(found))
+    if isinstance(found, OntologyClass):
+        return PermittedIndividual(None, found)
     if not isinstance(found, UnknownValue):
-        wrong = errors.PermittedNoThing(kind=kind.value, found=described(found))
+        wrong = errors.PermittedNoIndividual(kind=kind.value, found=described(found))
         session.report(wrong.at(span))
     return None
 

@@ -175,10 +175,10 @@ def _parameters_set(owner: ast.ClassDef) -> Iterator[str]:
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
             yield from filter(None, [_parameter(each)])
         elif isinstance(each, ast.FunctionDef):
-            yield from _things_added(each)
+            yield from _individuals_added(each)
 
 
-def _things_added(method: ast.FunctionDef) -> Iterator[str]:
+def _individuals_added(method: ast.FunctionDef) -> Iterator[str]:
     """The parameters whose individuals a method adds to the world model, under any variable name:
     `pose = self.params.Pose`.
     """
@@ -197,8 +197,12 @@ def _things_added(method: ast.FunctionDef) -> Iterator[str]:
                 added += given.elts if isinstance(given, ast.List) else [given]
             case _:  # open: any other node
                 pass
-    for thing in added:
-        parameter = called.get(thing.id) if isinstance(thing, ast.Name) else _parameter(thing)
+    for individual in added:
+        parameter = (
+            called.get(individual.id)
+            if isinstance(individual, ast.Name)
+            else _parameter(individual)
+        )
         if parameter is not None:
             yield parameter
 

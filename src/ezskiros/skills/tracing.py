@@ -17,7 +17,7 @@ from typing import Generic, TypeVar
 
 from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN
+from ezskiros.ontology.symbols import UNKNOWN
 from ezskiros.skills import errors
 from ezskiros.skills.blame import said, user_files, user_place
 from ezskiros.skills.description import PARTS

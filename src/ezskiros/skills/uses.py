@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, Described, UnknownValue, depends_on_symbol, described
+from ezskiros.ontology.symbols import UNKNOWN, Described, UnknownValue, depends_on_symbol, described
 from ezskiros.skills import permit_errors as errors
 from ezskiros.skills.added import Added
 from ezskiros.skills.ros_names import type_name, why_no_name

@@ -21,7 +21,7 @@ from typing import Any
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
-from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, UnknownValue
+from ezskiros.ontology.symbols import SYMBOL_IN_TEXT, UNKNOWN, Described, UnknownValue
 from ezskiros.skills.growing import times
 from ezskiros.skills.guard import CodeTimeOverError
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import RESERVED, THING
 from ezskiros.ontology.model import Model, Union
-from ezskiros.ontology.things import Thing, ThingClass
+from ezskiros.ontology.symbols import OntologyClass, Thing
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ AMBIGUOUS = MemberMeaning("")
 """The members whose name exists in several namespaces."""
 
 
-def iri_of(owl_class: ThingClass) -> str:
+def iri_of(owl_class: OntologyClass) -> str:
     """The IRI of a class, including `Thing`."""
     return THING if owl_class is Thing else owl_class.iri
 
@@ -41,22 +41,22 @@ class OntologyClasses:
         model = ontology.model
         declared = (iri for iri in model.classes if not iri.startswith(RESERVED))
         found = {each for iri in declared for each in _above(ontology.class_of(iri))} | {Thing}
-        self.known: Sequence[ThingClass] = sorted(
+        self.known: Sequence[OntologyClass] = sorted(
             found, key=lambda each: (len(each.__mro__), iri_of(each))
         )
-        self._below: dict[str, set[ThingClass]] = defaultdict(set)
+        self._below: dict[str, set[OntologyClass]] = defaultdict(set)
         for each in self.known:
             for iri in model.above(iri_of(each)):
                 self._below[iri].add(each)
 
-    def fitting(self, wanted: Iterable[Union]) -> set[ThingClass]:
+    def fitting(self, wanted: Iterable[Union]) -> set[OntologyClass]:
         """The classes whose individuals are in all of these unions."""
         found = set(self.known)
         for union in wanted:
             found &= {each for iri in union for each in self._below.get(iri, ())}
         return found
 
-    def widest(self, wanted: Iterable[Union]) -> list[ThingClass]:
+    def widest(self, wanted: Iterable[Union]) -> list[OntologyClass]:
         """The fitting classes, without subclasses of other fitting classes."""
         found = self.fitting(wanted)
         if Thing in found:  # all other classes are below it
@@ -64,21 +64,21 @@ class OntologyClasses:
         return [each for each in found if found.isdisjoint(_above(each)[1:])]
 
 
-def _above(owl_class: ThingClass) -> list[ThingClass]:
+def _above(owl_class: OntologyClass) -> list[OntologyClass]:
     """A class and its base classes, in Python's lookup order."""
-    return [each for each in owl_class.__mro__ if isinstance(each, ThingClass)]
+    return [each for each in owl_class.__mro__ if isinstance(each, OntologyClass)]
 
 
 def members(
     ontology: Ontology, classes: OntologyClasses
-) -> dict[ThingClass, dict[str, MemberMeaning]]:
+) -> dict[OntologyClass, dict[str, MemberMeaning]]:
     """The attributes of each class that differ from the inherited ones.
 
     A class has an attribute if it is in the domain of the relation or data property.
     """
     model = ontology.model
     restricted = {iri for each in model.classes.values() for iri in each.only}
-    found: dict[ThingClass, dict[str, MemberMeaning]] = {each: {} for each in classes.known}
+    found: dict[OntologyClass, dict[str, MemberMeaning]] = {each: {} for each in classes.known}
     for name, iris in ontology.properties.items():
         if len(iris) == 1 and iris[0] not in restricted:  # the same for all classes below it
             for each in classes.widest(model.domain(iris[0])):
@@ -98,7 +98,9 @@ def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
     return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
 
 
-def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> MemberMeaning | None:
+def _meaning(
+    model: Model, owl_class: OntologyClass, fitting: Sequence[str]
+) -> MemberMeaning | None:
     """The meaning of a name that these properties of a class have; None without any property."""
     if len(fitting) > 1:
         return AMBIGUOUS

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.python_names import identifiers
-from ezskiros.ontology.things import Thing, ThingClass
+from ezskiros.ontology.symbols import OntologyClass, Thing
 
 ELSEWHERE = "_elsewhere"
 """The namespace of classes that are used, but not declared."""
 
 
-def namespaces(ontology: Ontology, known: Iterable[ThingClass]) -> dict[str, dict[str, str]]:
+def namespaces(ontology: Ontology, known: Iterable[OntologyClass]) -> dict[str, dict[str, str]]:
     """The IRIs by Python name, for each namespace by its Python name.
 
     Undeclared bases of the classes `known` are in `ELSEWHERE`.

@@ -13,7 +13,7 @@ from textwrap import indent
 
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Union
-from ezskiros.ontology.things import Thing, ThingClass
+from ezskiros.ontology.symbols import OntologyClass, Thing
 from ezskiros.stubs.members import AMBIGUOUS, MemberMeaning, OntologyClasses, members
 from ezskiros.stubs.places import ELSEWHERE, alias, namespaces, qualified
 from ezskiros.stubs.values import value_type
@@ -31,7 +31,7 @@ from typing import Generic as _Generic, Literal as _Literal, NoReturn as _Nothin
 from typing import TypeAlias as _TypeAlias, TypeVar as _TypeVar
 
 from ezskiros.ontology.model import Individual as _Individual
-from ezskiros.ontology.things import Condition as _Condition
+from ezskiros.ontology.symbols import Condition as _Condition
 
 _T = _TypeVar("_T")
 _N = _TypeVar("_N")
@@ -78,7 +78,7 @@ class _Writer:
         self._classes = OntologyClasses(ontology)
         self._members = members(ontology, self._classes)
         self._namespaces = namespaces(ontology, self._classes.known)
-        self._spelled: dict[ThingClass, str] = {Thing: "_Thing"}
+        self._spelled: dict[OntologyClass, str] = {Thing: "_Thing"}
         own = {each.iri: each for each in self._classes.known if each is not Thing}
         for namespace, inside in self._namespaces.items():
             for name, iri in inside.items():
@@ -89,13 +89,13 @@ class _Writer:
     def text(self) -> str:
         """The whole text."""
         doc = _doc("An individual of the world model.")
-        thing = _block("class _Thing:", doc, *self._attributes(Thing))
+        top = _block("class _Thing:", doc, *self._attributes(Thing))
         bodies = [_block(f"class {name}:", *self._inside(name)) for name in self._namespaces]
         public = [name for name in self._namespaces if name != ELSEWHERE]
         aliases = "".join(f"{alias(name)}: _TypeAlias = {name}\n" for name in public)
         again = [f"{name}: _TypeAlias = {alias(name)}" for name in public]
         world = _block("class world:", _doc("All namespaces of the ontology."), *again)
-        return "\n".join([_HEAD, thing, *bodies, aliases, *([] if "world" in public else [world])])
+        return "\n".join([_HEAD, top, *bodies, aliases, *([] if "world" in public else [world])])
 
     def _inside(self, namespace: str) -> list[str]:
         """The content of a namespace: classes, then relations and data properties, then
@@ -117,12 +117,12 @@ class _Writer:
         found = self._ontology.class_of(iri)
         if self._spelled[found] != place:
             return f"{name}: _TypeAlias = {self._spelled[found]}"
-        bases = [self._spelled[each] for each in found.__bases__ if isinstance(each, ThingClass)]
+        bases = [self._spelled[each] for each in found.__bases__ if isinstance(each, OntologyClass)]
         known = self._model.classes.get(iri)
         head = f"class {name}({', '.join(bases)}):"
         return _block(head, _doc(known.comment if known else ""), *self._attributes(found))
 
-    def _attributes(self, owl_class: ThingClass) -> Iterator[str]:
+    def _attributes(self, owl_class: OntologyClass) -> Iterator[str]:
         """The relations and data properties that this class adds."""
         for name, meaning in sorted(self._members[owl_class].items()):
             yield self._member(name, meaning)

@@ -14,7 +14,7 @@ from types import FunctionType, MappingProxyType
 from dslkit.diagnostics import DidYouMean, Remark, Template
 from dslkit.source import Span
 from ezskiros import session
-from ezskiros.ontology.things import UNKNOWN, UnknownValue
+from ezskiros.ontology.symbols import UNKNOWN, UnknownValue
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.growing import Nowhere, growing
 from ezskiros.skills.implementation import MAKERS, SkillImplementation

@@ -109,7 +109,7 @@ class _Reader:
         for name, value in values.items():
             parameter = skill.parameter(str(name))
             if parameter is None:
-                known = [each.name for each in skill.parameters if not each.is_thing]
+                known = [each.name for each in skill.parameters if not each.is_individual]
                 self._unknown(self._key(values, name), str(name), "parameter", known)
                 continue
             found = _as_value(value, parameter)
@@ -118,7 +118,9 @@ class _Reader:
             else:
                 span = self._value(values, name, str(value))
                 wanted = (
-                    "an individual of the world" if parameter.is_thing else parameter.type.__name__
+                    "an individual of the world"
+                    if parameter.is_individual
+                    else parameter.type.__name__
                 )
                 wrong = errors.WrongLaunchValue(
                     parameter=parameter.name, wanted=wanted, found=repr(value)

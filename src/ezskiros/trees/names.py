@@ -17,7 +17,7 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
-from ezskiros.trees.tree import ThingReference, ValueReference
+from ezskiros.trees.tree import IndividualReference, ValueReference
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ def shared_names(call: SkillCall, skill: SkillInterface) -> Iterator[Shared]:
     """The shared names of the parameters of a child that have no value of their own."""
     for parameter in skill.parameters:
         if parameter.name not in call.arguments:
-            if parameter.is_thing or parameter.default is None:
+            if parameter.is_individual or parameter.default is None:
                 yield Shared(parameter, parameter.name, False)
             continue
         given = call.arguments[parameter.name]
-        if isinstance(given, (ThingReference, ValueReference)):
+        if isinstance(given, (IndividualReference, ValueReference)):
             yield Shared(parameter, given.parameter.name, True)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, cast
 
 from dslkit.source import Span
-from ezskiros.ontology.things import Described
+from ezskiros.ontology.symbols import Described
 from ezskiros.skills.growing import times
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
@@ -17,7 +17,7 @@ from ezskiros.skills.nodes import Node
 from ezskiros.skills.values import SymbolicValue, decided, plain
 
 
-class ThingReference(Described):
+class IndividualReference(Described):
     """A parameter of the compound that stands for an individual: `params.GraspPose`.
 
     A parameter that may have no value can be tested: `if params.Start:`.
@@ -50,7 +50,7 @@ class ValueReference(SymbolicValue):
         self.parameter = parameter
 
 
-class KnownThing(ThingReference):
+class KnownIndividual(IndividualReference):
     """A parameter of the compound for an individual, if it is known whether it has a value."""
 
     def __init__(self, parameter: Parameter, is_there: bool) -> None:
@@ -119,7 +119,7 @@ for _name in (
     _operate(_name)
 
 
-Reference = ThingReference | ValueReference
+Reference = IndividualReference | ValueReference
 
 
 def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
@@ -127,8 +127,12 @@ def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
     parameter without a value.
     """
     is_known, value = parameter.name in known, known.get(parameter.name)
-    if parameter.is_thing:
-        return KnownThing(parameter, value is not None) if is_known else ThingReference(parameter)
+    if parameter.is_individual:
+        return (
+            KnownIndividual(parameter, value is not None)
+            if is_known
+            else IndividualReference(parameter)
+        )
     return KnownReference(parameter, value) if is_known else ValueReference(parameter)
 
 

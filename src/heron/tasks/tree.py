@@ -12,7 +12,7 @@ from py_trees.behaviour import Behaviour
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.skill import SkillChild
 from ezskiros.skills.calls import SkillCall
-from ezskiros.trees.tree import ThingReference, ValueReference
+from ezskiros.trees.tree import IndividualReference, ValueReference
 
 
 class Status(enum.Enum):
@@ -118,7 +118,7 @@ def _label(skill: SkillChild) -> str:
 
 def _arguments(call: SkillCall) -> Iterator[str]:
     for given in call.arguments.values():
-        if isinstance(given, (ThingReference, ValueReference)):
+        if isinstance(given, (IndividualReference, ValueReference)):
             yield given.parameter.name
         else:
             yield str(given)

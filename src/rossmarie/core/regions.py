@@ -58,7 +58,7 @@ class RegionMeasure(enum.Enum):
 
 @dataclass(frozen=True)
 class Region:
-    """Shapes in the plane of a frame, for example all things of a class, or a zone."""
+    """Shapes in the plane of a frame, for example all individuals of a class, or a zone."""
 
     name: str
     about: str

@@ -21,7 +21,7 @@ def require(is_so: bool, where: str, what: str) -> None:
 
 
 def require_index(index: int, total: int, where: str, what: str) -> None:
-    """Require an index of one of `total` things."""
+    """Require an index of one of `total` elements."""
     require(0 <= index < total, where, f"there is no {what} {index}")
 
 

@@ -129,9 +129,9 @@ class Doing:
 @dataclass(frozen=True)
 class Quantity:
     """The number that is the argument `parameter` of the single running skill among `skills`, in a
-    `skill_context_msgs/SkillContext`. With a `property`, the number is this property of the thing
-    in the argument. The number is in SI if it has a unit. A boolean is 0 or 1 (`is_boolean`).
-    `skills` and `written` are like those of `Doing`.
+    `skill_context_msgs/SkillContext`. With a `property`, the number is this property of the
+    individual in the argument. The number is in SI if it has a unit. A boolean is 0 or 1
+    (`is_boolean`). `skills` and `written` are like those of `Doing`.
     """
 
     export: str

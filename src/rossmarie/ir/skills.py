@@ -25,7 +25,7 @@ MOST_PROPERTIES = 64
 
 @dataclass(frozen=True)
 class SkillProperty:
-    """A data property of a thing, in SI if it has a unit."""
+    """A data property of an individual, in SI if it has a unit."""
 
     property: str
     number: float
@@ -33,8 +33,8 @@ class SkillProperty:
 
 @dataclass(frozen=True)
 class SkillArgument:
-    """An argument of a skill: a thing of a class (`type`, else empty), or a number (else NaN). A
-    thing with several classes occurs once for each.
+    """An argument of a skill: an individual of a class (`type`, else empty), or a number (else
+    NaN). An individual with several classes occurs once for each.
     """
 
     parameter: str
@@ -147,7 +147,7 @@ def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
 
 
 def _numbers(step: Quantity, running: RunningSkill) -> Iterator[float]:
-    """The candidate numbers: for one thing, one for each of its classes."""
+    """The candidate numbers: for one individual, one for each of its classes."""
     for argument in _called(running, step.parameter):
         if step.property is None:
             yield argument.number
@@ -156,7 +156,7 @@ def _numbers(step: Quantity, running: RunningSkill) -> Iterator[float]:
 
 
 def _called(running: RunningSkill, parameter: str) -> Iterator[SkillArgument]:
-    """The argument of a parameter, once for each class of a thing with several classes."""
+    """The argument of a parameter, once for each class of an individual with several classes."""
     return (each for each in running.arguments if each.parameter == parameter)
 
 

@@ -52,43 +52,45 @@ def _calls_of(
     for step in (each for each in steps if each.is_ahead == is_ahead):
         for parameter, classes in step.arguments if skill.name in step.skills else ():
             asked.setdefault(parameter, []).append(classes)
-    things = sorted(
+    individuals = sorted(
         (each for each in skill.parameters.values() if each.type in skills.file.classes),
         key=lambda each: each.name,
     )
-    choices = [_kinds(each, asked.get(each.name, []), skills) for each in things]
+    choices = [_kinds(each, asked.get(each.name, []), skills) for each in individuals]
     if is_ahead:
         choices = [[*kinds, NOT_KNOWN] for kinds in choices]
     for chosen in product(*choices):
-        pairs = list(zip(things, chosen, strict=True))
+        pairs = list(zip(individuals, chosen, strict=True))
         yield ir.SkillCall(
             skill.name,
-            tuple((thing.name, kind) for thing, kinds in pairs for kind in kinds),
+            tuple((individual.name, kind) for individual, kinds in pairs for kind in kinds),
             _text(skill, pairs, "ahead" if is_ahead else "doing"),
             is_ahead,
         )
 
 
 def _text(skill: Skill, chosen: Sequence[tuple[SkillParameter, Kinds]], word: str) -> str | None:
-    """The call in the notation of tests. None if the call has a thing with several classes, or a
-    missing thing, because the notation cannot express them.
+    """The call in the notation of tests. None if the call has an individual with several classes,
+    or a missing individual, because the notation cannot express them.
     """
     if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
         return None
-    reported = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
+    reported = [
+        f"{individual.name}: {kind}" for individual, (kind,) in chosen if kind != individual.type
+    ]
     limits = f"({', '.join(reported)})" if reported else ""
     return f"{word} {skill.name}{limits}"
 
 
 def _kinds(
-    thing: SkillParameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
+    individual: SkillParameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
     """The classes that an argument may have, one for each kind that the queries distinguish, the
-    most general first. A thing can have other classes besides the class that its parameter
-    requires. Any parameter may have no value: this is how a thing that has left the world is
+    most general first. An individual can have other classes besides the class that its parameter
+    requires. Any parameter may have no value: this is how an individual that has left the world is
     reported.
     """
-    below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
+    below, above = skills.classes.below(individual.type), skills.classes.above(individual.type)
     own = _distinguished(below, asked, skills)
     others = _distinguished(
         {name for each in asked for name in each} - {*below, *above}, asked, skills

@@ -25,8 +25,8 @@ WITHOUT = "without"
 """The field of a goal with the prohibitions."""
 _REPLAN = "replan"
 
-Things = frozenset[tuple[str, str]]
-"""Parameters, each with a class. A skill is stopped if all its things have these classes."""
+ParameterClasses = frozenset[tuple[str, str]]
+"""Parameters, each with a class. A skill is stopped if all its individuals have these classes."""
 _Taken = frozenset[tuple[UseKind, str]]
 
 _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
@@ -34,8 +34,8 @@ _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
 """Nodes that succeed if one of their children succeeds."""
 _MOST_ALTERNATIVES = 64
-"""The most combinations of things of one skill that are reported. For other combinations, the rule
-stops the skill during the run.
+"""The most combinations of individuals of one skill that are reported. For other combinations, the
+rule stops the skill during the run.
 """
 _MOST_LEVELS = 64
 """The most levels of nested compounds that are searched."""
@@ -54,8 +54,8 @@ def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.M
 def prohibitions(machine: ir.Machine, skills: CheckedSkills) -> Iterator[str]:
     """The skills that the rules always stop: `Drive(Target=hall.SchoolCorridor)`, or `Drive`."""
     for name, alternatives in sorted(_stopped(machine, skills).items()):
-        for things in sorted(map(sorted, _without_special_cases(alternatives))):
-            limits = ", ".join(f"{parameter}={kind}" for parameter, kind in things)
+        for individuals in sorted(map(sorted, _without_special_cases(alternatives))):
+            limits = ", ".join(f"{parameter}={kind}" for parameter, kind in individuals)
             yield f"{name}({limits})" if limits else name
 
 
@@ -74,7 +74,9 @@ def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effe
     return replace(effect, assignments=(*effect.assignments, reported))
 
 
-def _without_special_cases(alternatives: Collection[Things]) -> Iterator[Things]:
+def _without_special_cases(
+    alternatives: Collection[ParameterClasses],
+) -> Iterator[ParameterClasses]:
     """The combinations that no other combination covers."""
     return (each for each in alternatives if not any(other < each for other in alternatives))
 
@@ -82,9 +84,11 @@ def _without_special_cases(alternatives: Collection[Things]) -> Iterator[Things]
 # --- rules ---------------------------------------------------------------------------------------
 
 
-def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozenset[Things]]:
-    """The things with which each skill is stopped."""
-    found: dict[str, frozenset[Things]] = {}
+def _stopped(
+    machine: ir.Machine, skills: CheckedSkills
+) -> Mapping[str, frozenset[ParameterClasses]]:
+    """The individuals with which each skill is stopped."""
+    found: dict[str, frozenset[ParameterClasses]] = {}
     for rule in range(len(machine.rules)):
         asked = [*_asked(machine, machine.rules[rule].condition)]
         lost = _lost(machine, rule)
@@ -92,9 +96,9 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
             continue
         needing = _needing(lost, skills.file.skills)
         for query in asked:
-            things = _things(query, skills)
+            individuals = _individuals(query, skills)
             for name in needing.intersection(query.skills):
-                found[name] = found.get(name, frozenset()) | {things}
+                found[name] = found.get(name, frozenset()) | {individuals}
     return _with_compounds(found, skills.file.skills)
 
 
@@ -132,7 +136,7 @@ def _lasts(effect: reactions.Effect) -> bool:
     return reactions.is_lasting(effect) or isinstance(effect, reactions.SendGoal)
 
 
-def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
+def _individuals(query: ir.Doing, skills: CheckedSkills) -> ParameterClasses:
     """The classes that a query names. Of each argument, only the most general class is given."""
     below = skills.classes.below
     return frozenset(
@@ -173,8 +177,8 @@ def _needs(skill: Skill, known: Collection[str]) -> bool:
 
 
 def _with_compounds(
-    stopped: Mapping[str, frozenset[Things]], skills: Mapping[str, Skill]
-) -> Mapping[str, frozenset[Things]]:
+    stopped: Mapping[str, frozenset[ParameterClasses]], skills: Mapping[str, Skill]
+) -> Mapping[str, frozenset[ParameterClasses]]:
     """Add the compound skills in which every path leads through a stopped skill."""
     found = {name: stopped.get(name, frozenset()) for name in skills}
     for _ in range(_MOST_LEVELS):
@@ -187,18 +191,22 @@ def _with_compounds(
     return {name: alternatives for name, alternatives in found.items() if alternatives}
 
 
-def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozenset[Things]:
-    """The combinations of things for which every path through each tree of a compound skill leads
-    through stopped skills.
+def _through(
+    skill: Skill, stopped: Mapping[str, frozenset[ParameterClasses]]
+) -> frozenset[ParameterClasses]:
+    """The combinations of individuals for which every path through each tree of a compound skill
+    leads through stopped skills.
     """
 
-    def of_step(step: SkillNode) -> frozenset[Things]:
+    def of_step(step: SkillNode) -> frozenset[ParameterClasses]:
         alternatives = (
             _passed(each, step, skill.parameters) for each in stopped.get(step.skill, ())
         )
         return frozenset(each for each in alternatives if each is not None)
 
-    def joined(node: Control, below: Sequence[frozenset[Things]]) -> frozenset[Things]:
+    def joined(
+        node: Control, below: Sequence[frozenset[ParameterClasses]]
+    ) -> frozenset[ParameterClasses]:
         if node.kind in _RUNS_ONE:
             return _all_of(below)
         return frozenset().union(*below) if node.kind in _RUNS_ALL else frozenset()
@@ -206,8 +214,8 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
     return _all_of([folded_tree(each, of_step, joined) for each in skill.trees])
 
 
-def _all_of(alternatives: Sequence[frozenset[Things]]) -> frozenset[Things]:
-    """The combinations of things that are stopped on every path; none if there is no path."""
+def _all_of(alternatives: Sequence[frozenset[ParameterClasses]]) -> frozenset[ParameterClasses]:
+    """The combinations of individuals that are stopped on every path; none if there is no path."""
     if not alternatives:
         return frozenset()
     found = alternatives[0]
@@ -216,7 +224,7 @@ def _all_of(alternatives: Sequence[frozenset[Things]]) -> frozenset[Things]:
     return found
 
 
-def _few(alternatives: frozenset[Things]) -> frozenset[Things]:
+def _few(alternatives: frozenset[ParameterClasses]) -> frozenset[ParameterClasses]:
     """The first combinations in a fixed order, the most general combination first."""
     general = frozenset(_without_special_cases(alternatives))
     if len(general) <= _MOST_ALTERNATIVES:
@@ -227,12 +235,12 @@ def _few(alternatives: frozenset[Things]) -> frozenset[Things]:
 
 
 def _passed(
-    things: Things, step: SkillNode, parameters: Mapping[str, SkillParameter]
-) -> Things | None:
-    """The things of a step, expressed by parameters of the compound skill; None if the compound
-    skill does not pass all of them.
+    individuals: ParameterClasses, step: SkillNode, parameters: Mapping[str, SkillParameter]
+) -> ParameterClasses | None:
+    """The individuals of a step, expressed by parameters of the compound skill; None if the
+    compound skill does not pass all of them.
     """
-    names = {parameter: step.arguments.get(parameter) for parameter, _ in things}
+    names = {parameter: step.arguments.get(parameter) for parameter, _ in individuals}
     if not all(each in parameters for each in names.values()):
         return None
-    return frozenset((name, kind) for parameter, kind in things if (name := names[parameter]))
+    return frozenset((name, kind) for parameter, kind in individuals if (name := names[parameter]))

@@ -60,7 +60,7 @@ class Match:
 class Unreadable:
     """Counts the unreadable messages of one topic, and stores the first case.
 
-    `what` are the counted things, such as "messages on `/odom`"; `help` replaces the usual help.
+    `what` are the counted items, such as "messages on `/odom`"; `help` replaces the usual help.
     """
 
     what: str

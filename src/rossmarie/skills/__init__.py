@@ -8,6 +8,7 @@ from rossmarie.skills.closed import Closure
 from rossmarie.skills.model import (
     ChildSkill,
     Control,
+    IndividualProperty,
     Location,
     Node,
     OntologyClass,
@@ -21,7 +22,6 @@ from rossmarie.skills.model import (
     SkillParameter,
     SkillSource,
     SourcePlace,
-    ThingProperty,
     Use,
     UseKind,
 )
@@ -34,6 +34,7 @@ __all__ = [
     "ChildSkill",
     "Closure",
     "Control",
+    "IndividualProperty",
     "Location",
     "Node",
     "OntologyClass",
@@ -48,7 +49,6 @@ __all__ = [
     "SkillParameter",
     "SkillSource",
     "SourcePlace",
-    "ThingProperty",
     "UnreadableSkills",
     "Use",
     "UseKind",

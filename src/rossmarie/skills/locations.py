@@ -1,4 +1,4 @@
-"""Locations of things in a skills file, and places in sources."""
+"""Locations of individuals in a skills file, and places in sources."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class SkillSource:
 
 @dataclass(frozen=True)
 class OntologyClass:
-    """A class of things, `skiros.Product`, and its parent classes."""
+    """A class of individuals, `skiros.Product`, and its parent classes."""
 
     name: str
     parents: tuple[str, ...]
@@ -39,9 +39,9 @@ class OntologyClass:
 
 
 @dataclass(frozen=True)
-class ThingProperty:
-    """A data property of things: `float`, `int`, `bool` or `str`; `of` are its classes. Numbers of
-    a property with a `unit` arrive in SI.
+class IndividualProperty:
+    """A data property of individuals: `float`, `int`, `bool` or `str`; `of` are its classes.
+    Numbers of a property with a `unit` arrive in SI.
     """
 
     name: str
@@ -53,9 +53,9 @@ class ThingProperty:
 
 @dataclass(frozen=True)
 class SkillParameter:
-    """A parameter of a skill: its type is a class of things, or `float`, `int`, `bool`, `str` or
-    `enum`. A needed parameter has a value before the skill starts. A given parameter gets its value
-    from the program that starts the skill, and has no default. `default` is the default of a
+    """A parameter of a skill: its type is a class of individuals, or `float`, `int`, `bool`, `str`
+    or `enum`. A needed parameter has a value before the skill starts. A given parameter gets its
+    value from the program that starts the skill, and has no default. `default` is the default of a
     parameter with a number as default.
     """
 
@@ -82,20 +82,20 @@ class PermissionLimit:
 
 @dataclass(frozen=True)
 class Permission:
-    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class.
-    The parameter is None if the description names a class.
+    """A permission of a skill, such as `contact`. `individuals` are pairs of a parameter and a
+    class. The parameter is None if the description names a class.
     """
 
     kind: str
-    things: tuple[tuple[str | None, str], ...]
+    individuals: tuple[tuple[str | None, str], ...]
     limit: PermissionLimit | None
     place: SourcePlace | None
 
     def __str__(self) -> str:
         """The permission as `contact with skiros.Product up to 30 N`."""
-        named = [name for _, name in self.things]
-        things = f" with {' and '.join(named)}" if named else ""
-        return f"{self.kind}{things}" + (f" up to {self.limit}" if self.limit else "")
+        named = [name for _, name in self.individuals]
+        individuals = f" with {' and '.join(named)}" if named else ""
+        return f"{self.kind}{individuals}" + (f" up to {self.limit}" if self.limit else "")
 
 
 class UseKind(enum.Enum):
@@ -197,7 +197,7 @@ class Skill:
 
 @dataclass(frozen=True)
 class Location:
-    """A thing in the scene, and its location: `corners` in m in the x-y plane of `frame`. One
+    """An individual in the scene, and its location: `corners` in m in the x-y plane of `frame`. One
     corner is a point; three or more are a polygon, anticlockwise; none means that the location is
     unknown.
     """
@@ -222,6 +222,6 @@ class SkillFile:
     message_type: str
     period_ns: int
     classes: Mapping[str, OntologyClass]
-    properties: Mapping[str, ThingProperty]
+    properties: Mapping[str, IndividualProperty]
     skills: Mapping[str, Skill]
     locations: tuple[Location, ...] = ()

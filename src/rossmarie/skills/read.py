@@ -18,6 +18,7 @@ from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
 from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
     ChildSkill,
+    IndividualProperty,
     Node,
     OntologyClass,
     Permission,
@@ -28,7 +29,6 @@ from rossmarie.skills.model import (
     SkillFile,
     SkillParameter,
     SkillSource,
-    ThingProperty,
     Use,
     UseKind,
 )
@@ -42,7 +42,7 @@ LARGEST_FILE = 16 * 2**20
 LONGEST_PERIOD = 3600.0
 """The longest time in seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
-"""The types of parameters that are not things."""
+"""The types of parameters that stand for no individual."""
 NUMBERS = ("float", "int")
 """The numeric types among the plain types."""
 
@@ -154,7 +154,7 @@ def _require_no_circle(
 
 
 def _require_known(skills: Json, classes: Mapping[str, OntologyClass]) -> None:
-    """Require that the class of each thing parameter is in the file."""
+    """Require that the class of each parameter for an individual is in the file."""
     for skill in skills.elements():
         for parameter in skill.get("parameters").elements():
             type_ = parameter.get("type")
@@ -198,8 +198,8 @@ def _class(item: Json) -> OntologyClass:
     return OntologyClass(_class_name(item.get("name")), parents, place_of(item))
 
 
-def _property(item: Json) -> ThingProperty:
-    return ThingProperty(
+def _property(item: Json) -> IndividualProperty:
+    return IndividualProperty(
         name=_class_name(item.get("name")),
         type=item.get("type").one_of("float", "int", "bool", "str"),
         of=item.get("of").each(_class_name),
@@ -274,13 +274,13 @@ def _number_in(spelled: str | None) -> float | None:
 def _permission(item: Json, parameters: Mapping[str, SkillParameter]) -> Permission:
     return Permission(
         kind=item.get("kind").one_of("contact", "closeness", "speed", "force"),
-        things=item.get("with").each(lambda each: _thing(each, parameters)),
+        individuals=item.get("with").each(lambda each: _individual(each, parameters)),
         limit=item.get("limit").optional(_limit),
         place=place_of(item),
     )
 
 
-def _thing(item: Json, parameters: Mapping[str, SkillParameter]) -> tuple[str | None, str]:
+def _individual(item: Json, parameters: Mapping[str, SkillParameter]) -> tuple[str | None, str]:
     parameter = item.get("parameter")
     name = parameter.optional(Json.text)
     if name is not None and name not in parameters:

@@ -131,7 +131,7 @@ FORMS = {
     "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
     "skill_number": "a number of a skill that runs is written "
     "`input NAME = doing SKILL.PARAMETER in UNIT;`, "
-    "a property of its thing `doing SKILL.PARAMETER.PROPERTY`",
+    "a property of its individual `doing SKILL.PARAMETER.PROPERTY`",
     "element_names": "names of elements are written "
     '`.FIELD names ["NAME", "NAME"]`, in front of `in` and `timeout`',
     "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",

@@ -94,7 +94,7 @@ def _below(
 
 @dataclass(frozen=True)
 class Support:
-    """The things on which a value can depend, as indexes into the machine. `folds` are signals over
+    """The parts on which a value can depend, as indexes into the machine. `folds` are signals over
     arrays; `sampled` are signals of samples; `waiting` are unknown until there are enough samples.
     A value is unknown without its `needed` inputs. These are all `inputs` except those of numbers
     beside elements (S74): such numbers are read only when the elements arrive, so their slots and

@@ -24,7 +24,7 @@ def skill(name: str, goal: str, *arguments: Message) -> Message:
     return Message(skill=name, goal=goal, arguments=list(arguments))
 
 
-def test_a_context_is_read_with_its_things() -> None:
+def test_a_context_is_read_with_its_arguments() -> None:
     reported = skill("Wipe", "1", argument("Board", "", "office.Board"), argument("Speed", "0.3"))
     found = context_of(Message(digest="5b", running=[reported]))
     assert found == RunningContext(
@@ -32,10 +32,10 @@ def test_a_context_is_read_with_its_things() -> None:
     )
 
 
-def test_a_thing_of_several_classes_is_reported_once() -> None:
+def test_an_argument_of_several_classes_is_reported_once() -> None:
     twice = [argument("Board", "a:B-1", kind) for kind in ("a.B", "a.C")]
     (running,) = context_of(Message(digest="", running=[skill("Wipe", "1", *twice)])).running
-    assert running.things == (("Board", "a:B-1"),)
+    assert running.arguments == (("Board", "a:B-1"),)
 
 
 def test_what_the_rules_would_not_read_is_not_read() -> None:
@@ -52,7 +52,7 @@ def test_any_name_can_be_shown(name: str) -> None:
     context = context_of(Message(digest=name, running=[skill(name, name, argument(name, name))]))
     state = state_of(Message(active=[name], exempted=[name]))
     (running,) = context.running
-    for each in (context.digest, running.skill, running.goal, *running.things[0], *state.active):
+    for each in (context.digest, running.skill, running.goal, *running.arguments[0], *state.active):
         assert {unicodedata.category(character) for character in each}.isdisjoint(ACTING)
         assert len(each) <= len("<U+10FFFF>") * LONGEST_NAME + 3
 

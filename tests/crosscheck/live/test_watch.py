@@ -56,7 +56,7 @@ def watch() -> Watch:
     return found
 
 
-def test_a_skill_is_reported_with_its_things_and_how_long_it_ran(watch: Watch) -> None:
+def test_a_skill_is_reported_with_its_individuals_and_how_long_it_ran(watch: Watch) -> None:
     reported = watch.take(100.1, context(WIPE, DRIVE))
     assert said(reported) == ["Wipe starts: Board = office:Whiteboard-5", "Drive starts"]
     assert said(watch.take(100.3, context(WIPE, DRIVE))) == []

@@ -10,7 +10,7 @@ from ezskiros.driver import check_paths
 from support.ontologies import HALL
 from support.skill_files import described, found, warned
 
-THINGS = (
+INDIVIDUALS = (
     "Object: skiros.Product, Gripper: rparts.GripperEffector, Place: skiros.Container, "
     "Pose: skiros.GraspingPose, Any: sumo.Object"
 )
@@ -31,11 +31,11 @@ THINGS = (
     ],
 )
 def test_what_does_not_fit_is_reported(expression: str, code: str, text: str) -> None:
-    assert found(described(f"self.pre_conditions += {expression}", THINGS)) == [(code, text)]
+    assert found(described(f"self.pre_conditions += {expression}", INDIVIDUALS)) == [(code, text)]
 
 
 def test_the_message_says_what_the_thesis_says() -> None:
-    result = described("self.pre_conditions += Object.hasA(Gripper)", THINGS)
+    result = described("self.pre_conditions += Object.hasA(Gripper)", INDIVIDUALS)
     wrong = next(each for each in result.diagnostics if each.code == "EZS401")
     assert wrong.title == (
         "Gripper is a rparts.GripperEffector, but skiros.hasA needs a skiros.TransformationPose"
@@ -50,13 +50,13 @@ def test_the_message_says_what_the_thesis_says() -> None:
     "expression", ["Object.hasA(Pose)", "Object.Weight < 3", "Place.at(Place)"]
 )
 def test_what_fits_is_fine(expression: str) -> None:
-    result = described(f"self.pre_conditions += {expression}", THINGS)
+    result = described(f"self.pre_conditions += {expression}", INDIVIDUALS)
     assert found(result) == []
     assert [code for code, _ in warned(result) if code != "EZS420"] == []
 
 
 def test_what_may_not_fit_is_a_warning() -> None:
-    result = described("self.pre_conditions += Object.hasA(Any)", THINGS)
+    result = described("self.pre_conditions += Object.hasA(Any)", INDIVIDUALS)
     assert found(result) == []
     assert ("EZS402", "Any") in warned(result)
 
@@ -79,7 +79,7 @@ def test_what_may_not_fit_is_a_warning() -> None:
 def test_conditions_that_do_not_go_together_are_reported(
     first: str, second: str, code: str
 ) -> None:
-    result = described(f"self.{first}\nself.{second}", THINGS)
+    result = described(f"self.{first}\nself.{second}", INDIVIDUALS)
     reported = [each for each in result.diagnostics if each.code.startswith("EZS41")]
     assert [(each.code, each.primary.span.text) for each in reported] == [
         (code, second.partition("+= ")[2])
@@ -101,7 +101,7 @@ def test_conditions_that_do_not_go_together_are_reported(
     ],
 )
 def test_conditions_that_go_together_are_fine(first: str, second: str) -> None:
-    result = described(f"self.{first}\nself.{second}", THINGS)
+    result = described(f"self.{first}\nself.{second}", INDIVIDUALS)
     assert [each.code for each in result.diagnostics if each.code.startswith("EZS41")] == []
 
 

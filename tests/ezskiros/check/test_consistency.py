@@ -35,7 +35,7 @@ LAB = """
 :state a owl:DatatypeProperty ; rdfs:range [ a rdfs:Datatype ; owl:oneOf ( "empty" "full" ) ] .
 :colour a owl:DatatypeProperty .
 """
-THINGS = "A: test.Thing, B: test.Thing, C: test.Thing, Box: test.Box, Tool: test.Tool"
+INDIVIDUALS = "A: test.Thing, B: test.Thing, C: test.Thing, Box: test.Box, Tool: test.Tool"
 
 
 def reported(result: Checked) -> list[tuple[str, str]]:
@@ -53,7 +53,7 @@ def lines(conditions: str) -> str:
     return "\n".join(f"self.{kind}_conditions += {what}" for kind, _, what in parts)
 
 
-def checked(conditions: str, parameters: str = THINGS, ontology: str = LAB) -> Checked:
+def checked(conditions: str, parameters: str = INDIVIDUALS, ontology: str = LAB) -> Checked:
     return described_in(ontology, lines(conditions), parameters)
 
 

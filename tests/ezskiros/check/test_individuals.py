@@ -39,7 +39,7 @@ SCENE = """
 
 
 def warned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *scene: str) -> list[tuple[str, str]]:
-    """The parameters that are warned of, and why, with the things of a scene."""
+    """The parameters that are warned of, and why, with the individuals of a scene."""
     monkeypatch.setenv(VARIABLE, str(HALL))
     skills, lab = tmp_path / "skills.py", tmp_path / "lab.turtle"
     skills.write_text(SKILL)
@@ -49,7 +49,7 @@ def warned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *scene: str) -> list
     return [(each.primary.span.text, each.primary.text) for each in found]
 
 
-def things(name: str, *numbers: int) -> list[str]:
+def individuals(name: str, *numbers: int) -> list[str]:
     """Individuals of a class of the ontology of the example."""
     prefix, _, kind = name.partition(":")
     start = {"rparts": "http://www.inf.ufrgs.br/phi-group/ontologies/RParts.owl#"}.get(
@@ -70,11 +70,11 @@ def test_where_nothing_is_known_there_is_one_robot_and_there_are_many_places(
 def test_one_place_in_the_scene_is_the_one_that_is_meant(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert warned(tmp_path, monkeypatch, *things("skiros:Location", 1)) == []
+    assert warned(tmp_path, monkeypatch, *individuals("skiros:Location", 1)) == []
 
 
 def test_places_of_a_class_below_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = [*things("skiros:Location", 1), *things("skiros:Container", 2)]
+    scene = [*individuals("skiros:Location", 1), *individuals("skiros:Container", 2)]
     ((place, reported),) = warned(tmp_path, monkeypatch, *scene)
     assert place == "Place"
     assert "Container-2" in reported
@@ -84,7 +84,7 @@ def test_places_of_a_class_below_count(tmp_path: Path, monkeypatch: pytest.Monke
 def test_a_second_arm_in_the_scene_could_be_meant(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found = warned(tmp_path, monkeypatch, *things("rparts:ArmDevice", 1, 2))
+    found = warned(tmp_path, monkeypatch, *individuals("rparts:ArmDevice", 1, 2))
     assert [name for name, _ in found] == ["Arm", "Place"]
     assert "ArmDevice-1" in found[0][1]
     assert "ArmDevice-2" in found[0][1]

@@ -180,8 +180,8 @@ class Task"""
     assert checked(said).diagnostics == ()
 
 
-def test_a_condition_that_only_some_things_can_fulfil_is_a_choice(tmp_path: Path) -> None:
-    """In a description it is told that not each thing has the property."""
+def test_a_condition_that_only_some_individuals_can_fulfil_is_a_choice(tmp_path: Path) -> None:
+    """In a description it is told that not each individual has the property."""
     (tmp_path / "room.ttl").write_text(
         f"{PREFIXES}:Location a owl:Class . :Openable a owl:Class ; rdfs:subClassOf :Location .\n"
         ":Open a owl:DatatypeProperty ; rdfs:domain :Openable ; rdfs:range xsd:boolean .\n"

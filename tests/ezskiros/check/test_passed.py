@@ -1,4 +1,4 @@
-"""Things that are passed to children whose pre-conditions never hold of their class."""
+"""Individuals that are passed to children whose pre-conditions never hold of their class."""
 
 from __future__ import annotations
 

@@ -82,7 +82,7 @@ def test_what_does_not_fit_is_reported(
     assert findings(SCENE.replace(old, new), tmp_path) == [(code, text)]
 
 
-def test_what_each_thing_of_a_class_has_is_missed(tmp_path: Path) -> None:
+def test_what_each_individual_of_a_class_has_is_missed(tmp_path: Path) -> None:
     ontology = turtle(
         ":Arm a owl:Class . :hasA a owl:ObjectProperty . :Robot a owl:Class ; rdfs:subClassOf\n"
         "[ a owl:Restriction ; owl:onProperty :hasA ; owl:someValuesFrom :Arm ] ."

@@ -1,4 +1,4 @@
-"""Comparison of the findings about combined conditions with all worlds of three things."""
+"""Comparison of the findings about combined conditions with all worlds of three individuals."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from support.ontologies import START, turtle
 Pairs = frozenset[tuple[int, int]]
 World = dict[str, Pairs]
 
-THINGS = range(3)
+INDIVIDUALS = range(3)
 NAMES = ("A", "B", "C")
 RELATIONS = ("p", "q")
 KINDS = (
@@ -50,13 +50,13 @@ ABOUT_CLASSES = (
     ":q rdfs:range :X .",
 )
 NOWHERE = SourceFile("skill.py", " " * 400)
-PAIRS = tuple(product(THINGS, THINGS))
+PAIRS = tuple(product(INDIVIDUALS, INDIVIDUALS))
 X, Y = START + "X", START + "Y"
 
 
 @lru_cache
 def relations_of(kinds: frozenset[str]) -> list[frozenset[tuple[int, int]]]:
-    """All relations between the things that are of all these kinds."""
+    """All relations between the individuals that are of all these kinds."""
     chosen = (compress(PAIRS, each) for each in product((False, True), repeat=len(PAIRS)))
     return [each for each in map(frozenset, chosen) if _is(each, kinds)]
 
@@ -92,17 +92,17 @@ class Rules:
             lines.append(f":{name} a {' , '.join(['owl:ObjectProperty', *sorted(kinds)])} .")
         return turtle("\n".join([*lines, *sorted(self.others)]))
 
-    def worlds(self, said: Sequence[Statement], things: dict[str, int]) -> Iterator[World]:
+    def worlds(self, said: Sequence[Statement], individuals: dict[str, int]) -> Iterator[World]:
         """All worlds in which it is true, and in which some statements are."""
         plain = [each for each in said if isinstance(each, Relation)]
         asked = [
-            (things[each.subject], each.owl_class) for each in said if isinstance(each, OfType)
+            (individuals[each.subject], each.owl_class) for each in said if isinstance(each, OfType)
         ]
         ps, qs = (
             [
                 pairs
                 for pairs in relations_of(kinds)
-                if all(_holds(each, {START + name: pairs}, things) for each in plain
+                if all(_holds(each, {START + name: pairs}, individuals) for each in plain
                        if each.relation == START + name)
             ]
             for name, kinds in zip(RELATIONS, self.kinds, strict=True)
@@ -113,7 +113,7 @@ class Rules:
                 world = {START + "p": p, START + "q": q}
                 if (
                     self._goes_together(p, q)
-                    and all(_holds(each, world, things) for each in ors)
+                    and all(_holds(each, world, individuals) for each in ors)
                     and self._are_possible([*self.classes(p, q), *asked])
                 ):
                     yield world
@@ -124,14 +124,14 @@ class Rules:
         return BETWEEN[1] not in self.others or p == {(b, a) for a, b in q}
 
     def _are_possible(self, classes: list[tuple[int, str]]) -> bool:
-        """Say whether things can be of these classes. No statement excludes a thing from a
-        class.
+        """Say whether individuals can be of these classes. No statement excludes an individual from
+        a class.
         """
         is_disjoint = ABOUT_CLASSES[0] in self.others
-        return not is_disjoint or not any({(n, X), (n, Y)} <= {*classes} for n in THINGS)
+        return not is_disjoint or not any({(n, X), (n, Y)} <= {*classes} for n in INDIVIDUALS)
 
     def classes(self, p: Pairs, q: Pairs) -> Iterator[tuple[int, str]]:
-        """The classes of things that follow from their relations."""
+        """The classes of individuals that follow from their relations."""
         if ABOUT_CLASSES[1] in self.others:
             yield from ((a, X) for a, _ in p)
         if ABOUT_CLASSES[2] in self.others:
@@ -140,13 +140,13 @@ class Rules:
             yield from ((b, X) for _, b in q)
 
 
-def _holds(said: Statement, world: World, things: dict[str, int]) -> bool:
-    """Say whether a statement is true if the parameters stand for these things."""
+def _holds(said: Statement, world: World, individuals: dict[str, int]) -> bool:
+    """Say whether a statement is true if the parameters stand for these individuals."""
     match said:
         case AnyOf(parts=parts):
-            return any(_holds(part, world, things) for part in parts) == said.is_true
+            return any(_holds(part, world, individuals) for part in parts) == said.is_true
         case Relation(subject=subject, relation=iri, object=other):
-            return ((things[subject], things[other]) in world[iri]) == said.is_true
+            return ((individuals[subject], individuals[other]) in world[iri]) == said.is_true
         case _:
             raise AssertionError(said)
 
@@ -179,7 +179,7 @@ rules = st.builds(
 )
 
 
-ALL_DIFFERENT = dict(zip(NAMES, THINGS, strict=True))
+ALL_DIFFERENT = dict(zip(NAMES, INDIVIDUALS, strict=True))
 
 
 @settings(max_examples=examples(2))
@@ -191,14 +191,14 @@ def test_what_is_reported_is_what_no_world_satisfies(rules: Rules, said: list[St
 
 @settings(max_examples=examples(2))
 @given(rules, st.lists(simple, min_size=2, max_size=5))
-def test_parameters_may_stand_for_one_thing_where_nothing_is_counted(
+def test_parameters_may_stand_for_one_individual_where_nothing_is_counted(
     rules: Rules, said: list[Statement]
 ) -> None:
     codes = reported(rules, said)
     if not codes or "EZS412" in codes:
         return
-    for things in product(THINGS[:2], repeat=len(NAMES)):
-        assert not any(rules.worlds(said, dict(zip(NAMES, things, strict=True)))), codes
+    for individuals in product(INDIVIDUALS[:2], repeat=len(NAMES)):
+        assert not any(rules.worlds(said, dict(zip(NAMES, individuals, strict=True)))), codes
 
 
 @settings(max_examples=examples(2))
@@ -212,7 +212,7 @@ def test_what_is_so_in_a_world_has_no_finding(
         return
     classes = {*rules.classes(world[START + "p"], world[START + "q"])}
     classes |= {
-        (THINGS[NAMES.index(e.subject)], e.owl_class) for e in seeds if isinstance(e, OfType)
+        (INDIVIDUALS[NAMES.index(e.subject)], e.owl_class) for e in seeds if isinstance(e, OfType)
     }
     said = [
         each

@@ -186,7 +186,7 @@ def test_a_second_ctrl_c_ends_what_hangs(skills: Path) -> None:
     assert "Traceback" not in err
 
 
-def test_what_could_be_several_things_is_asked(tmp_path: Path) -> None:
+def test_what_could_be_several_individuals_is_asked(tmp_path: Path) -> None:
     scene = tmp_path / "lab.turtle"
     text = (EXAMPLE / "lab.turtle").read_text(encoding="utf-8")
     scene.write_text(text + "rparts:ArmDevice-20 a rparts:ArmDevice .\n", encoding="utf-8")

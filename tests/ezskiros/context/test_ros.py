@@ -134,14 +134,16 @@ def test_the_message_of_ros_1_says_all_of_a_snapshot(modules: Any) -> None:
     assert (skill.skill, skill.goal) == ("Push", "goal-1")
     assert (skill.since.secs, skill.since.nsecs) == (96, 750_000_000)
     assert second.running[0].since is skill.since, "the start of a skill does not move"
-    thing, number = skill.arguments
-    assert (thing.parameter, thing.value, thing.type) == (
+    individual, number = skill.arguments
+    assert (individual.parameter, individual.value, individual.type) == (
         "Object",
         "skiros:Product-1",
         "skiros.Product",
     )
-    assert math.isnan(thing.number)
-    assert [(each.property, each.number) for each in thing.properties] == [("skiros.Weight", 1.5)]
+    assert math.isnan(individual.number)
+    assert [(each.property, each.number) for each in individual.properties] == [
+        ("skiros.Weight", 1.5)
+    ]
     assert (number.type, number.number, number.properties) == ("", 0.3, [])
     (permission,) = skill.permits
     assert (permission.kind, permission.type) == ("contact", "skiros.Product")

@@ -94,7 +94,7 @@ def test_permissions_are_those_of_what_it_has(tmp_path: Path) -> None:
     ]
 
 
-def test_a_thing_has_the_lowest_of_its_classes(tmp_path: Path) -> None:
+def test_an_individual_has_the_lowest_of_its_classes(tmp_path: Path) -> None:
     given = ("Object=skiros:Product-1", "Goal=skiros:Location-2")
     found = reported(pushing(tmp_path, SCENE, *given))
     types = [each["type"] for each in found["arguments"] if each["parameter"] == "Goal"]
@@ -102,7 +102,7 @@ def test_a_thing_has_the_lowest_of_its_classes(tmp_path: Path) -> None:
     assert ("contact", "skiros.Container") in [(p["kind"], p["type"]) for p in found["permits"]]
 
 
-def test_a_thing_of_two_classes_is_reported_twice(tmp_path: Path) -> None:
+def test_an_individual_of_two_classes_is_reported_twice(tmp_path: Path) -> None:
     scene = "skiros:Product-1 a skiros:Product , sumo:Device .\n"
     prefix = "@prefix sumo: <http://www.inf.ufrgs.br/phi-group/ontologies/sumo.owl#> .\n"
     found = reported(pushing(tmp_path, prefix + scene))
@@ -129,7 +129,7 @@ def test_a_property_is_what_it_is_now(tmp_path: Path) -> None:
     assert weights() == []
 
 
-def test_a_thing_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -> None:
+def test_an_individual_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -> None:
     task = pushing(tmp_path)
     world = task.execution.world
     world.remove("http://rvmi.aau.dk/ontologies/skiros.owl#Product-1")
@@ -166,7 +166,7 @@ def test_properties_are_in_si(tmp_path: Path) -> None:
     ontology.write_text(UNITS)
     source = (
         f"shop = load({str(ontology)!r}).shop\n"
-        "class Take(SkillDescription):\n    def description(self, Thing: shop.Nut):\n"
+        "class Take(SkillDescription):\n    def description(self, Piece: shop.Nut):\n"
         "        pass\nclass take(Take.SkillBase):\n    def execute(self):\n"
         '        return self.step("")\n'
     )
@@ -174,7 +174,7 @@ def test_properties_are_in_si(tmp_path: Path) -> None:
         "@prefix : <http://example.org/shop.owl#> .\n"
         ':Nut-1 a :Nut ; :Mass 250.0 ; :Length 3.0 ; :Colour "red" ; :Holes 2 .'
     )
-    task, _, _ = Skills(tmp_path, source, scene).task("Take", "Thing=shop:Nut-1")
+    task, _, _ = Skills(tmp_path, source, scene).task("Take", "Piece=shop:Nut-1")
     task.tick()
     (argument,) = reported(task)["arguments"]
     assert argument["properties"] == [

@@ -38,12 +38,12 @@ class fetch(Fetch.SkillBase):
 
 class Outer(SkillDescription):
     def description(me, Robot: cora.Robot, Gripper: rparts.GripperEffector,
-                    Thing: skiros.Product, From: skiros.Location): pass
+                    Piece: skiros.Product, From: skiros.Location): pass
 
 
 class outer(Outer.SkillBase):
     def expandBT(self, params):
-        self.serialstar(Fetch(Object=params.Thing))
+        self.serialstar(Fetch(Object=params.Piece))
 '''
 
 
@@ -68,7 +68,7 @@ def test_what_is_missing_is_added_and_all_else_stays(folder: Path) -> None:
         "    self.pre_conditions += From.contain(Object)",
         "skills.py: added to `Outer`:",
         "    self.pre_conditions += Robot.at(From)",
-        "    self.pre_conditions += From.contain(Thing)",
+        "    self.pre_conditions += From.contain(Piece)",
     ]
     fetched = SKILLS.replace(
         "# it is there\n", "# it is there\n        self.pre_conditions += From.contain(Object)\n"
@@ -77,7 +77,7 @@ def test_what_is_missing_is_added_and_all_else_stays(folder: Path) -> None:
         "From: skiros.Location): pass\n",
         "From: skiros.Location):\n"
         "        me.pre_conditions += Robot.at(From)\n"
-        "        me.pre_conditions += From.contain(Thing)\n",
+        "        me.pre_conditions += From.contain(Piece)\n",
     )
     assert (folder / "skills.py").read_text() == expected
 

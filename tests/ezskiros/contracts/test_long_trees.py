@@ -14,7 +14,7 @@ from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.markers import ParameterKind
 from ezskiros.skills.nodes import Flow, Node, Processor
-from ezskiros.trees.tree import ThingReference, Tree
+from ezskiros.trees.tree import IndividualReference, Tree
 from support.contract_trees import OWN, Drawing, drawn
 
 LENGTH = 40
@@ -53,7 +53,7 @@ def long_tree(flow: Flow, *, is_nested: bool) -> tuple[Tree, Any]:
     first = [drawing.call(skill) for _ in range(4)]
     below = list[Node](first)
     while len(below) < LENGTH:
-        given = {name: ThingReference(chance.choice(skill.parameters)) for name in "XY"}
+        given = {name: IndividualReference(chance.choice(skill.parameters)) for name in "XY"}
         below.append(SkillCall(chance.choice(first).skill, None, given, drawing.span()))
     root: Node = Processor(flow, tuple(below), drawing.span())
     if is_nested:

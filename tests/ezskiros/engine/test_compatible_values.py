@@ -10,7 +10,7 @@ import pytest
 
 from ezskiros.engine.blackboard import Remaps
 from ezskiros.engine.events import Happened
-from support import random_values, skiros2_things, skiros2_values
+from support import random_values, skiros2_individuals, skiros2_values
 from support.engine import Ran, Skills
 from support.passed_values import skills as passing
 
@@ -31,15 +31,15 @@ def test_values_are_those_of_skiros2(tmp_path: Path, tree: str, recorded: list[s
 
 
 @pytest.mark.parametrize(
-    ("tree", "succeeds", "recorded"), skiros2_things.TREES, ids=skiros2_things.IDS
+    ("tree", "succeeds", "recorded"), skiros2_individuals.TREES, ids=skiros2_individuals.IDS
 )
-def test_things_are_those_of_skiros2(
+def test_individuals_are_those_of_skiros2(
     tmp_path: Path, tree: str, succeeds: bool, recorded: list[str]
 ) -> None:
-    source, scene = skiros2_things.skills(tree), skiros2_things.SCENE
+    source, scene = skiros2_individuals.skills(tree), skiros2_individuals.SCENE
     skills = Skills(tmp_path, source, scene, options={"compatible": True})
     ran = skills.run("Task", "A=bench", "B=shelf", "Object=nut")
-    texts = reported(ran, skiros2_things.PRIMITIVES, Happened.SUCCEEDED)
+    texts = reported(ran, skiros2_individuals.PRIMITIVES, Happened.SUCCEEDED)
     assert (ran.outcome.is_success, texts) == (succeeds, recorded)
 
 

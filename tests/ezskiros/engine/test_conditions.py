@@ -96,7 +96,7 @@ def test_what_is_made_holds(before: list[Statement], said: Statement) -> None:
     assert holds(said, BOUND, world)
 
 
-def test_a_thing_that_is_not_to_be_there_goes(world: World) -> None:
+def test_an_individual_that_is_not_to_be_there_goes(world: World) -> None:
     make(Generated("A", is_true=False), BOUND, world)
     assert not world.exists(BOUND["A"])
 

@@ -1,4 +1,4 @@
-"""The sources of parameter values: the call, siblings, the world model, or new things."""
+"""The sources of parameter values: the call, siblings, the world model, or new individuals."""
 
 from __future__ import annotations
 
@@ -208,7 +208,8 @@ def test_an_output_of_before_is_none_of_now(skills: Skills) -> None:
     )
     skills.source = skills.source.replace(
         "        self.params.Weight = 3\n",
-        "        if self.world.thing('nut') and not self.world.things(skiros.Container):\n"
+        "        boxes = self.world.individuals(skiros.Container)\n"
+        "        if self.world.individual('nut') and not boxes:\n"
         "            self.params.Weight = 3\n",
     )
     ran = skills.run("pack", "Object=nut")
@@ -228,7 +229,7 @@ def test_an_output_of_before_is_none_of_now(skills: Skills) -> None:
          "the ontology has no relation 'skiros:contian'; did you mean skiros:contain?"),
         ("self.world.set_value(self.params.Object, skiros.at, 2.0)",
          "the ontology has no data property 'skiros:at'"),
-        ("self.world.thing('screw')", "there is no 'screw' in the world"),
+        ("self.world.individual('screw')", "there is no 'screw' in the world"),
     ],
 )  # fmt: skip
 def test_wrong_names_and_values_are_reported(skills: Skills, line: str, said: str) -> None:
@@ -263,7 +264,7 @@ def test_wrong_arguments_say_what_would_do(
     assert str(problem.value) == said
 
 
-def test_a_label_that_several_things_have_is_no_name(skills: Skills) -> None:
+def test_a_label_that_several_individuals_have_is_no_name(skills: Skills) -> None:
     skills.scene = SCENE.replace("shelf", "bench")
     with pytest.raises(WrongArgumentError, match="several individuals are called 'bench'"):
         skills.run("Drive", "Robot=heron", "Goal=bench")

@@ -45,8 +45,8 @@ def world(tmp_path: Path) -> World:
     return found
 
 
-def test_things_are_of_their_classes_and_those_above(world: World) -> None:
-    assert world.things(iri("Place")) == [SHELF_1, SHELF_2]
+def test_individuals_are_of_their_classes_and_those_above(world: World) -> None:
+    assert world.individuals(iri("Place")) == [SHELF_1, SHELF_2]
     assert world.is_a(SHELF_1, iri("Place"))
     assert not world.is_a(BOX, iri("Place"))
 
@@ -111,16 +111,16 @@ def test_values_are_set_and_taken_away_with_their_special_cases(world: World) ->
     assert world.values(BOX, iri("size")) == []
 
 
-def test_a_new_thing_has_a_number_that_no_other_has(world: World) -> None:
+def test_a_new_individual_has_a_number_that_no_other_has(world: World) -> None:
     made = world.new(iri("Box"))
     assert made == iri("Box-4")
-    assert world.things(iri("Box")) == [BOX, made]
+    assert world.individuals(iri("Box")) == [BOX, made]
 
 
-def test_numbers_of_things_are_in_order(world: World) -> None:
+def test_numbers_of_individuals_are_in_order(world: World) -> None:
     for _ in range(10):
         world.new(iri("Box"))
-    numbers = [int(each.rpartition("-")[2]) for each in world.things(iri("Box"))]
+    numbers = [int(each.rpartition("-")[2]) for each in world.individuals(iri("Box"))]
     assert numbers == sorted(numbers)
     assert numbers[-1] >= 10
 
@@ -131,7 +131,7 @@ def test_what_is_removed_is_named_nowhere(world: World) -> None:
     assert world.related(BOX, iri("at")) == []
 
 
-def test_things_have_several_names(world: World) -> None:
+def test_individuals_have_several_names(world: World) -> None:
     assert world.named("test:Box-3") == world.named(BOX) == world.named("red box") == [BOX]
     assert world.named("nothing like it") == world.named("test:Box-9") == []
 

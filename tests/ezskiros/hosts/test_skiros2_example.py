@@ -74,9 +74,9 @@ def test_the_task_is_done(workspace: Path, library: str, monkeypatch: pytest.Mon
     assert contained == ["skiros:Product-10"]
 
 
-def test_skiros2_knows_the_numbers_of_all_things(workspace: Path) -> None:
+def test_skiros2_knows_the_numbers_of_all_individuals(workspace: Path) -> None:
     core = skiros2_core.Core(workspace, "lab.turtle")
-    known = {each.id.partition("-")[2] for each in core.things()}
+    known = {each.id.partition("-")[2] for each in core.individuals()}
     assert known == {str(number) for number in range(1, 14)}
     assert core.add("skiros:Product", "screw").id == "skiros:Product-14"
 

@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from ezskiros.engine.blackboard import Remaps
-from support import random_values, skiros2_core, skiros2_things, skiros2_values
+from support import random_values, skiros2_core, skiros2_individuals, skiros2_values
 from support.depth import examples
 from support.native_trees import renamed
 from support.parts import SKIROS2, needs
@@ -67,16 +67,19 @@ def test_values_in_skiros2_are_those_that_are_recorded(
 
 
 @pytest.mark.parametrize(
-    ("tree", "succeeds", "recorded"), skiros2_things.TREES, ids=skiros2_things.IDS
+    ("tree", "succeeds", "recorded"), skiros2_individuals.TREES, ids=skiros2_individuals.IDS
 )
-def test_things_in_skiros2_are_those_that_are_recorded(
+def test_individuals_in_skiros2_are_those_that_are_recorded(
     folder: Path, tree: str, succeeds: bool, recorded: list[str]
 ) -> None:
     core = skiros2_core.Core()
-    core.load(library(folder, skiros2_things.native_skills(tree)), "task")
-    things = {"A": core.add("skiros:Location", "bench"), "B": core.add("skiros:Location", "shelf")}
-    things["Object"], _ = product(core, "nut"), product(core, "bolt")
-    state, found = core.run("Task", "task", **things)
+    core.load(library(folder, skiros2_individuals.native_skills(tree)), "task")
+    individuals = {
+        "A": core.add("skiros:Location", "bench"),
+        "B": core.add("skiros:Location", "shelf"),
+    }
+    individuals["Object"], _ = product(core, "nut"), product(core, "bolt")
+    state, found = core.run("Task", "task", **individuals)
     assert (state == "Success", [*reported(found, ("Success",))]) == (succeeds, recorded)
 
 

@@ -20,7 +20,7 @@ pytestmark = [
 PRIMITIVES = ("lift", "shove", "leave")
 
 
-def things(core: Any) -> dict[str, Any]:
+def individuals(core: Any) -> dict[str, Any]:
     """The nut, the bolt and the feather."""
     found = {}
     for label, weight in {"nut": 2.0, "bolt": 5.0, "feather": None}.items():
@@ -48,7 +48,7 @@ def test_the_implementation_whose_conditions_hold_is_taken(
     name = package("library", skills(tree))
     core = skiros2_core.Core()
     core.load(name, *loaded, "task")
-    known = things(core)
+    known = individuals(core)
     state, found = core.run("Task", "task", One=known[one], Object=known["feather"])
     if isinstance(expected, str):
         assert state == "Failure"
@@ -66,7 +66,7 @@ def test_the_order_in_which_skiros2_has_loaded_them_counts(package: Any) -> None
     for one, expected in (("feather", ["left feather"]), ("nut", ["lifted nut"])):
         core = skiros2_core.Core()
         core.load(name, "leave", "lift", "task")
-        known = things(core)
+        known = individuals(core)
         state, found = core.run("Task", "task", One=known[one], Object=known["feather"])
         assert (state, reported(found)) == ("Success", expected)
 
@@ -82,7 +82,7 @@ def test_skiros2_itself_takes_the_first(
     (folder / "skills.py").write_text(NATIVE)
     core = skiros2_core.Core()
     core.load(folder.name, "lift", "push", "leave", "shove", "task")
-    known = things(core)
+    known = individuals(core)
     state, found = core.run("Task", "task", One=known[one], Two=known[two])
     lifted = expected if expected[0] == "lifted nut" else []
     assert (state, reported(found)) == ("Failure", lifted[:1])

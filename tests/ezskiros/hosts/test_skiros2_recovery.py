@@ -261,7 +261,7 @@ def test_the_skills_of_the_task_are_those_that_ran_before_the_tree(robot: Robot)
     assert robot.running() == []
 
 
-def test_things_stand_by_their_labels(robot: Robot) -> None:
+def test_individuals_stand_by_their_labels(robot: Robot) -> None:
     (shelf, _) = (robot.core.add("skiros:Location", each) for each in ("shelf", "table"))
     world = robot.recoveries.world
     assert [world.spelled(each) for each in world.labelled("shelf")] == [shelf.id]

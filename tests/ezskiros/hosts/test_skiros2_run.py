@@ -77,13 +77,13 @@ class flaky(Flaky.SkillBase):
 
 
 class Move(SkillDescription):
-    def description(self, Thing: skiros.Product, Target: skiros.Location):
-        self.post_conditions += Target.contain(Thing)
+    def description(self, Piece: skiros.Product, Target: skiros.Location):
+        self.post_conditions += Target.contain(Piece)
 
 
 class move(Move.SkillBase):
     def execute(self):
-        self.world.relate(self.params.Target, skiros.contain, self.params.Thing)
+        self.world.relate(self.params.Target, skiros.contain, self.params.Piece)
         return self.success("moved")
 
 
@@ -108,36 +108,36 @@ class odd(Broken.SkillBase):
 
 
 class Mark(SkillDescription):
-    def description(self, Thing: skiros.Product, Container: OUTPUT[skiros.Location]):
-        self.post_conditions += Thing.Weight == 3.5
+    def description(self, Piece: skiros.Product, Container: OUTPUT[skiros.Location]):
+        self.post_conditions += Piece.Weight == 3.5
 
 
 class mark(Mark.SkillBase):
     def execute(self):
-        self.world.set_value(self.params.Thing, skiros.Weight, 3.5)
+        self.world.set_value(self.params.Piece, skiros.Weight, 3.5)
         self.params.Container = self.world.new(skiros.Location)
-        return self.success(str(self.world.values(self.params.Thing, skiros.Weight)))
+        return self.success(str(self.world.values(self.params.Piece, skiros.Weight)))
 
 
 class mark_in_skiros2(Mark.SkillBase):
     def execute(self):
         from skiros2_common.core.world_element import Element
 
-        thing = self.params.Thing
-        thing.setProperty("skiros:Weight", 3.5)
-        self.params.Thing = thing
+        individual = self.params.Piece
+        individual.setProperty("skiros:Weight", 3.5)
+        self.params.Piece = individual
         self.params.Container = Element("skiros:Location", "new")
-        return self.success(thing.type)
+        return self.success(individual.type)
 
 
 class Held(SkillDescription):
-    def description(self, Thing: skiros.Product, Place: skiros.Location):
-        self.hold_conditions += Place.contain(Thing)
+    def description(self, Piece: skiros.Product, Place: skiros.Location):
+        self.hold_conditions += Place.contain(Piece)
 
 
 class held(Held.SkillBase):
     def execute(self):
-        self.world.unrelate(self.params.Place, skiros.contain, self.params.Thing)
+        self.world.unrelate(self.params.Place, skiros.contain, self.params.Piece)
         return self.step("holding")
 """
 COMPOUND = """
@@ -152,20 +152,21 @@ class task(Task.SkillBase):
 """
 
 
-THINGS = """A: skiros.Location, B: skiros.Location, Product: skiros.Product,
+INDIVIDUALS = """A: skiros.Location, B: skiros.Location, Product: skiros.Product,
         Found: OPTIONAL[skiros.Location],"""
 
 
 def reported_by(
-    package: Any, tree: str, *, things: bool = False, **given: object
+    package: Any, tree: str, *, individuals: bool = False, **given: object
 ) -> tuple[str, list[str]]:
     """The result of a compound with this tree, and what its children tell."""
     name = package(
-        "library", SKILLS + COMPOUND.format(tree=tree, parameters=THINGS if things else "")
+        "library",
+        SKILLS + COMPOUND.format(tree=tree, parameters=INDIVIDUALS if individuals else ""),
     )
     core = skiros2_core.Core()
     core.load(name, "task")
-    if things:
+    if individuals:
         given["A"], given["B"] = core.add("skiros:Location"), core.add("skiros:Location")
         given["Product"] = core.add("skiros:Product")
     return core.run("Task", "task", **given)
@@ -194,16 +195,16 @@ def test_values_of_calls_stay_with_the_child(package: Any) -> None:
 
 def test_an_output_reaches_the_next_child(package: Any) -> None:
     tree = "self.serialstar(Measure(), Push(Start=params.A, Target=params.B))"
-    state, reported = reported_by(package, tree, things=True)
+    state, reported = reported_by(package, tree, individuals=True)
     assert state == "Success"
     assert reported[1].startswith("push Success 1.0 skiros:Location-")
 
 
-def test_things_can_be_swapped_and_passed_twice(package: Any) -> None:
+def test_individuals_can_be_swapped_and_passed_twice(package: Any) -> None:
     calls = ("Start=params.A, Target=params.B", "Start=params.B, Target=params.A")
     both = "Start=params.A, Target=params.A"
     tree = ", ".join(f"Push.push(Force=2.0, {each})" for each in (*calls, both))
-    state, reported = reported_by(package, f"self.serialstar({tree})", things=True)
+    state, reported = reported_by(package, f"self.serialstar({tree})", individuals=True)
     assert state == "Success"
     first, second, third = (text.split()[3:] for text in reported)
     assert first != third
@@ -255,24 +256,27 @@ def test_a_timeout_stops_what_takes_too_long(package: Any) -> None:
 
 
 def test_the_world_model_is_changed_before_post_conditions_are_checked(package: Any) -> None:
-    call = "(Thing=params.Product, Target=params.A)"
-    assert reported_by(package, f"self.serialstar(Move.move{call})", things=True)[0] == "Success"
+    call = "(Piece=params.Product, Target=params.A)"
+    assert (
+        reported_by(package, f"self.serialstar(Move.move{call})", individuals=True)[0] == "Success"
+    )
 
 
 def test_a_post_condition_that_does_not_hold_fails(package: Any) -> None:
-    call = "(Thing=params.Product, Target=params.A)"
+    call = "(Piece=params.Product, Target=params.A)"
     assert (
-        reported_by(package, f"self.serialstar(Move.lazy_move{call})", things=True)[0] == "Failure"
+        reported_by(package, f"self.serialstar(Move.lazy_move{call})", individuals=True)[0]
+        == "Failure"
     )
 
 
 @pytest.mark.parametrize(
     ("name", "reported"), [("mark", "[3.5]"), ("mark_in_skiros2", "skiros:Product")]
 )
-def test_things_can_be_changed_and_found_out(package: Any, name: str, reported: str) -> None:
+def test_individuals_can_be_changed_and_found_out(package: Any, name: str, reported: str) -> None:
     after = "Push.push(Force=1.0, Start=params.A, Target=params.Found)"
-    tree = f"self.serialstar(Mark.{name}(Thing=params.Product, Container=params.Found), {after})"
-    state, texts = reported_by(package, tree, things=True)
+    tree = f"self.serialstar(Mark.{name}(Piece=params.Product, Container=params.Found), {after})"
+    state, texts = reported_by(package, tree, individuals=True)
     assert state == "Success"
     assert texts[0] == f"{name} Success {reported}"
     assert len(set(texts[1].split()[3:])) == 2
@@ -295,10 +299,10 @@ def test_what_goes_wrong_in_a_primitive_is_reported_in_one_line(
 
 def test_hold_conditions_of_primitives_are_checked(package: Any) -> None:
     tree = """self.serialstar(
-            Move.move(Thing=params.Product, Target=params.A),
-            Held(Thing=params.Product, Place=params.A),
+            Move.move(Piece=params.Product, Target=params.A),
+            Held(Piece=params.Product, Place=params.A),
         )"""
-    state, reported = reported_by(package, tree, things=True)
+    state, reported = reported_by(package, tree, individuals=True)
     assert state == "Failure"
     assert reported[1] == "held Running holding"
     assert "Check failed" in reported[2]

@@ -1,4 +1,4 @@
-"""The locations of things in scenes: boxes, polygons, points, and invalid values."""
+"""The locations of individuals in scenes: boxes, polygons, points, and invalid values."""
 
 from __future__ import annotations
 
@@ -238,7 +238,7 @@ def test_a_wrong_scene_is_not_exported(tmp_path: Path) -> None:
     assert not (tmp_path / "skills.json").exists()
 
 
-def test_a_thing_in_two_scenes_is_not_exported(tmp_path: Path) -> None:
+def test_an_individual_in_two_scenes_is_not_exported(tmp_path: Path) -> None:
     for name, x in (("a", 1.0), ("b", 9.0)):
         at = f"skiros:PositionX {x} ; skiros:PositionY 2.0"
         text = f"{PREFIXES}\nskiros:Location-1 a skiros:Location ; {FRAME} ; {at} .\n"
@@ -256,10 +256,10 @@ def test_a_large_scene_takes_time_in_proportion(ontology: Ontology, tmp_path: Pa
     def scene_of(count: int) -> Path:
         scene = tmp_path / f"{count}.turtle"
         square = 'geo:asWKT "POLYGON ((0 0, 1 0, 1 1, 0 0))"'
-        things = (
+        individuals = (
             f"skiros:Location-{n} a skiros:Location ; {FRAME} ; {square} ." for n in range(count)
         )
-        scene.write_text("\n".join([PREFIXES, *things]))
+        scene.write_text("\n".join([PREFIXES, *individuals]))
         return scene
 
     small, large = scene_of(500), scene_of(4000)

@@ -53,7 +53,7 @@ def test_what_is_computed_is_left() -> None:
     assert migrated("pass", "self.setAvailableForPlanning(PLANNED)")[1] == ["EZS734"]
 
 
-def test_a_thing_that_is_taken_away() -> None:
+def test_an_individual_that_is_taken_away() -> None:
     text, codes = migrated('self.params["What"].unset()  # gone')
     assert codes == []
     assert "        self.params.What = None  # gone\n" in text

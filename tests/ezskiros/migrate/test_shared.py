@@ -176,8 +176,10 @@ def test_classes_that_differ() -> None:
 
 def test_classes_that_differ_below() -> None:
     """Below `Park` the key has two classes, so the tree of `Tidy` is left; `Park` needs no key."""
-    things = described("Box", ("Spot", 'Element("skiros:Product")', "Optional")) + primitive("box")
-    text = SKILLS + things + described("Lot", ("Spot", PLACE, "Optional")) + primitive("lot")
+    individuals = described("Box", ("Spot", 'Element("skiros:Product")', "Optional")) + primitive(
+        "box"
+    )
+    text = SKILLS + individuals + described("Lot", ("Spot", PLACE, "Optional")) + primitive("lot")
     park = described("Park") + compound("park", 'self.skill("Box", "")', 'self.skill("Lot", "")')
     found = migrated(text + park + ABOVE)
     assert found.unimplemented == ["tidy"]

@@ -12,7 +12,7 @@ from dslkit.diagnostics import Collector, Diagnostic
 from ezskiros import session
 from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.statements import HasProperty, Relation
-from ezskiros.ontology.things import Condition, symbol
+from ezskiros.ontology.symbols import Condition, symbol
 from support.ontologies import HALL, START, turtle
 from support.parts import ONTOLOGIES, needs
 from support.shared import SKIROS2_ONTOLOGIES
@@ -40,8 +40,8 @@ def test_names_become_names_of_python(odd: Ontology) -> None:
 
 def test_a_name_of_several_kinds_is_a_class_first(odd: Ontology) -> None:
     assert odd.test.Thing.iri == START + "Thing"
-    thing = symbol(odd.test.Thing, "It")
-    assert isinstance(thing.Thing(thing), Condition)
+    individual = symbol(odd.test.Thing, "It")
+    assert isinstance(individual.Thing(individual), Condition)
     assert odd.test.mine.types == {START + "class"}
 
 
@@ -82,7 +82,9 @@ def test_a_misspelt_name_is_reported(ask: str, code: str, help: str) -> None:
 
 def test_a_misspelt_relation_is_reported() -> None:
     world = load(HALL)
-    (found,) = findings("thing.hasAA(thing)", thing=symbol(world.skiros.Product, "Object"))
+    (found,) = findings(
+        "individual.hasAA(individual)", individual=symbol(world.skiros.Product, "Object")
+    )
     assert (found.code, found.help) == ("EZS301", "did you mean `hasA`?")
     assert found.labels[0].span.text == "skiros:hasA"
 
@@ -96,11 +98,11 @@ def test_a_relation_of_several_namespaces_is_distinguished(tmp_path: Path) -> No
             ":p a owl:ObjectProperty ; rdfs:domain :C . :q a owl:ObjectProperty ."
         )
     world = load(tmp_path)
-    thing, other = symbol(world.a.C, "It"), symbol(world.a.D, "Other")
-    assert thing.p(other).statement.relation == "http://x/a.owl#p"
-    (found,) = findings("thing.q(other)", thing=thing, other=other)
+    individual, other = symbol(world.a.C, "It"), symbol(world.a.D, "Other")
+    assert individual.p(other).statement.relation == "http://x/a.owl#p"
+    (found,) = findings("individual.q(other)", individual=individual, other=other)
     assert (found.code, found.title) == ("EZS302", "`q` is ambiguous: `a:q` and `b:q`")
-    assert world.b.q(thing, other).statement.relation == "http://x/b.owl#q"
+    assert world.b.q(individual, other).statement.relation == "http://x/b.owl#q"
 
 
 def test_no_name_of_an_ontology_is_hidden() -> None:
@@ -108,10 +110,10 @@ def test_no_name_of_an_ontology_is_hidden() -> None:
     ontology = turtle(
         ":C a owl:Class ." + "".join(f"<{START}{name}> a owl:ObjectProperty ." for name in names)
     )
-    thing = symbol(ontology.test.C, "It")
+    individual = symbol(ontology.test.C, "It")
     for name in ("iri", "vocabulary", "name", "_name", "m_"):
-        assert isinstance(getattr(thing, name)(thing), Condition)
-        assert isinstance(getattr(ontology.test, name)(thing, thing), Condition)
+        assert isinstance(getattr(individual, name)(individual), Condition)
+        assert isinstance(getattr(ontology.test, name)(individual, individual), Condition)
 
 
 def test_classes_that_mean_the_same_keep_their_names() -> None:

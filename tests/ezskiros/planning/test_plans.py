@@ -291,7 +291,7 @@ def test_steps_that_need_not_be_are_left_out(
         assert steps is not None
         (approach,) = (each for each in problem.actions if each.skill.name == "Approach")
         there = {
-            "Gripper": steps[0].things["Gripper"],
+            "Gripper": steps[0].individuals["Gripper"],
             "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-1",
         }
         back = {**there, "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-2"}
@@ -391,8 +391,8 @@ def test_a_plan_leaves_the_choice_of_an_implementation_to_the_run(tmp_path: Path
     )
     skills = DRIVE + move.replace("    def execute(self):\n", own)
     found, scene = world(tmp_path, ROBOT, skills)
-    for thing, steps in (("Product-4", ["Move"]), ("Product-5", ["Drive", "Move"])):
-        plan, said = planned(found, f"(contain skiros:Location-3 skiros:{thing})", scene)
+    for individual, steps in (("Product-4", ["Move"]), ("Product-5", ["Drive", "Move"])):
+        plan, said = planned(found, f"(contain skiros:Location-3 skiros:{individual})", scene)
         assert names(plan) == steps, said
         assert plan is not None
         assert "            Move(" in source(plan, "moving", "a goal")

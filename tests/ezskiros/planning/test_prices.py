@@ -33,9 +33,10 @@ import time
 
 for number in (1, 2):
     with open(f"plan.{number}", "w") as plan:
-        plan.write(f"(skill_{number - 1} thing_4 thing_3)\n; cost = {30 - number} (general cost)\n")
+        plan.write(f"(skill_{number - 1} individual_4 individual_3)\n")
+        plan.write(f"; cost = {30 - number} (general cost)\n")
 with open("plan.3", "w") as plan:
-    plan.write("(skill_0 thi")
+    plan.write("(skill_0 ind")
 time.sleep(600)
 """
 GOAL = "(skiros:at robot goal)"
@@ -81,7 +82,7 @@ def test_places_are_chosen_by_what_they_cost(dear: int, tmp_path: Path) -> None:
     free = 7 - dear
     costs = [cost("Around", 9.0, Via=via, To=5) for via in (2, dear)]
     plan = planned(world(tmp_path, SCENE, AROUND), costs)
-    assert [dict(each.things)["Via"] for each in plan.steps] == [iri(free)]
+    assert [dict(each.individuals)["Via"] for each in plan.steps] == [iri(free)]
     assert plan.expected_s == 0
 
 
@@ -102,7 +103,7 @@ def test_what_a_plan_is_expected_to_lose_is_reported(tmp_path: Path) -> None:
     assert plan.expected_s == 4.5
 
 
-def test_costs_of_things_and_parameters_that_are_not_there_do_no_harm(tmp_path: Path) -> None:
+def test_costs_of_individuals_and_parameters_that_are_not_there_do_no_harm(tmp_path: Path) -> None:
     costs = [cost("Straight", 9.0, To=77), cost("Straight", 9.0, Gone=5), cost("Other", 1.0)]
     assert names(planned(world(tmp_path, SCENE, STRAIGHT), costs)) == ["Straight"]
 

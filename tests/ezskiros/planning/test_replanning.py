@@ -96,8 +96,8 @@ class Robot:
         """A tree marks a way as blocked; then another is looked for, without what rules stop."""
         library, world = self.task.execution.library, self.task.execution.world_model
         found = {each.__name__: each for each in library.descriptions()}
-        things = {"One": world.thing(one), "Other": world.thing(other)}
-        call = SkillCall(found["Block"], None, MappingProxyType(things), NOWHERE)
+        individuals = {"One": world.individual(one), "Other": world.individual(other)}
+        call = SkillCall(found["Block"], None, MappingProxyType(individuals), NOWHERE)
         self.task.recover(
             Recovery(call, Afterwards.REPLAN, lambda *end: self.reported.append(end), without)
         )
@@ -140,7 +140,9 @@ def test_no_way_is_left(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
     robot.task.tick()
     world = robot.task.execution.world_model
-    world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
+    world.unrelate(
+        world.individual("corridor"), "skiros:spatiallyRelated", world.individual("hall")
+    )
     robot.block("yard", "hall")
     assert robot.to_the_end() is Status.FAILURE
     ((is_done, why),) = robot.reported
@@ -222,7 +224,7 @@ def test_a_way_without_what_rules_stop(tmp_path: Path, container: str, path: lis
     assert robot.path() == path
 
 
-def test_all_things_of_a_prohibition_have_to_be_of_its_classes(tmp_path: Path) -> None:
+def test_all_individuals_of_a_prohibition_have_to_be_of_its_classes(tmp_path: Path) -> None:
     robot = delivering(tmp_path, CORRIDOR, YARD)
     both = Prohibition("Drive", (("From", CONTAINER), ("To", CONTAINER)))
     robot.block("corridor", "hall", both)
@@ -261,7 +263,9 @@ def test_no_way_is_left_without_what_rules_stop(
 def test_rules_are_no_reason_where_there_is_no_way_at_all(tmp_path: Path) -> None:
     robot = delivering(tmp_path, CORRIDOR)
     world = robot.task.execution.world_model
-    world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
+    world.unrelate(
+        world.individual("corridor"), "skiros:spatiallyRelated", world.individual("hall")
+    )
     robot.block("yard", "hall", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
     assert "rules" not in robot.reported[0][1]
@@ -279,8 +283,8 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
         "        self.post_conditions += One.spatiallyRelated(Other)\n",
     )
     scene = SCENE.replace(YARD, YARD.replace("a skiros:Location", "a skiros:Container"))
-    things = ("Robot=heron", "Place=hall", "One=dock", "Other=corridor")
-    robot = begun(tmp_path, "Deliver", *things, source=source, scene=scene)
+    individuals = ("Robot=heron", "Place=hall", "One=dock", "Other=corridor")
+    robot = begun(tmp_path, "Deliver", *individuals, source=source, scene=scene)
     robot.task.tick()
     robot.block("hall", "dock", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
@@ -322,7 +326,7 @@ def test_what_is_in_reach_is_what_a_walk_finds(
         Prohibition("Drive", tuple(each))
         for each in data.draw(st.lists(st.lists(limits, max_size=2, unique=True), max_size=2))
     ]
-    reach = ReachableFacts(world, world.things(THING), permitted([action], without), math.inf)
+    reach = ReachableFacts(world, world.individuals(THING), permitted([action], without), math.inf)
     found = {
         each
         for each in places
@@ -331,7 +335,9 @@ def test_what_is_in_reach_is_what_a_walk_finds(
 
     def is_stopped(one: str, other: str) -> bool:
         ends = {"From": one, "To": other}
-        return any(all(world.is_a(ends[n], kind) for n, kind in each.things) for each in without)
+        return any(
+            all(world.is_a(ends[n], kind) for n, kind in each.individuals) for each in without
+        )
 
     walked, waiting = {places[0]}, [places[0]]
     while waiting:
@@ -355,11 +361,11 @@ def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
         return found[0].arguments["To"].label  # type: ignore[attr-defined]
 
     def cost(start: str, target: str) -> Cost:
-        things = {
-            "From": execution.world_model.thing(start),
-            "To": execution.world_model.thing(target),
+        individuals = {
+            "From": execution.world_model.individual(start),
+            "To": execution.world_model.individual(target),
         }
-        places = tuple((name, thing.iri) for name, thing in things.items())
+        places = tuple((name, individual.iri) for name, individual in individuals.items())
         return Cost("Drive", places, executions=2, activations=1, lost_s=9.0)
 
     assert by(cost("corridor", "hall")) == "yard"

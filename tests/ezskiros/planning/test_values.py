@@ -15,9 +15,9 @@ skiros:Location-1 a skiros:Location . skiros:Product-5 a skiros:Product .
 def test_a_goal_can_be_that_a_property_has_a_value(tmp_path: Path) -> None:
     weigh = skill(
         "Weigh",
-        "Robot: cora.Robot, Place: INFERRED[skiros.Location], Thing: skiros.Product",
+        "Robot: cora.Robot, Place: INFERRED[skiros.Location], Piece: skiros.Product",
         "pre Robot.at(Place)",
-        "post Thing.Weight",
+        "post Piece.Weight",
     )
     found, scene = world(tmp_path, ROBOT, weigh)
     plan, said = planned(found, "(skiros:Weight skiros:Product-5)", scene)

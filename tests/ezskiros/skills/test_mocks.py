@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from ezskiros.ontology.things import SYMBOL_IN_TEXT
+from ezskiros.ontology.symbols import SYMBOL_IN_TEXT
 from ezskiros.skills.mocks import Mock, MockInstance, members, mock_of
 
 

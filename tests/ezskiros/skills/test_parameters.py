@@ -38,7 +38,7 @@ def parameter(written: str) -> Parameter:
         ("P: OPTIONAL[OUTPUT[skiros.Product]]", ParameterKind.OPTIONAL, (Option.OUTPUT,)),
     ],
 )
-def test_a_thing_has_a_kind_and_options(
+def test_an_individual_has_a_kind_and_options(
     written: str, kind: ParameterKind, options: tuple[Option, ...]
 ) -> None:
     only = parameter(written)

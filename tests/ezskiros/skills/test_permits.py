@@ -21,7 +21,7 @@ def only(text: str) -> SkillInterface:
 
 
 @pytest.mark.parametrize(
-    ("expression", "kind", "things", "limit"),
+    ("expression", "kind", "individuals", "limit"),
     [
         ("contact(Object)", "contact", [("Object", "skiros.Product")], None),
         (
@@ -39,12 +39,14 @@ def only(text: str) -> SkillInterface:
 def test_a_permission_says_what_is_written(
     expression: str,
     kind: str,
-    things: list[tuple[str | None, str]],
+    individuals: list[tuple[str | None, str]],
     limit: tuple[float, float] | None,
 ) -> None:
     (permission,) = only(f"self.permits += {expression}").permits
     assert permission.kind.value == kind
-    assert [(each.parameter, repr(each.owl_class)) for each in permission.things] == things
+    assert [
+        (each.parameter, repr(each.owl_class)) for each in permission.individuals
+    ] == individuals
     given = permission.limit
     assert (given and (given.value, given.si)) == limit
     assert permission.span.text == expression
@@ -114,7 +116,7 @@ def test_each_mistake_is_reported_at_its_place(line: str, code: str, text: str) 
     result = described(f"{line}\nself.permits += contact(Place)")
     assert found(result) == [(code, text)]
     (skill,) = result.skills
-    assert skill.permits[-1].things[0].parameter == "Place", "what comes after it is looked at"
+    assert skill.permits[-1].individuals[0].parameter == "Place", "what comes after it is looked at"
 
 
 @pytest.mark.parametrize(

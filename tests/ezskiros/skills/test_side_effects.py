@@ -69,14 +69,14 @@ class Port:
         return True
 
 
-def prepare(skill, thing, place):
+def prepare(skill, individual, place):
     if Port().is_ready:
-        skill.pre_conditions += thing.hasAA(place)
+        skill.pre_conditions += individual.hasAA(place)
 """
     call = "import helpers; helpers.prepare(self, Object, Place)"
     result = check_folder(tmp_path, helpers=helpers, skills=skill(call))
     opened = 'open("/dev/ttyUSB0", "wb", buffering=0)'
-    assert found(result) == [("EZS221", opened), ("EZS301", "thing.hasAA")]
+    assert found(result) == [("EZS221", opened), ("EZS301", "individual.hasAA")]
 
 
 def test_accessors_of_libraries_do_nothing(library: Path, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.ontology import Ontology, load
-from ezskiros.ontology.things import Thing
+from ezskiros.ontology.symbols import Thing
 from ezskiros.stubs import write_stub
 from support.golden import assert_golden
 

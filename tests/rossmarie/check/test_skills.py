@@ -33,8 +33,14 @@ def folder(tmp_path: Path) -> Path:
     found["sources"] = [{"path": "push.py", "sha256": digest}]
     push = found["skills"][2]
     push["place"] = {"path": "push.py", "line": 1, "column": 7, "end_line": 1, "end_column": 11}
-    thing = push["parameters"][0]
-    thing["place"] = {"path": "push.py", "line": 2, "column": 27, "end_line": 2, "end_column": 33}
+    individual = push["parameters"][0]
+    individual["place"] = {
+        "path": "push.py",
+        "line": 2,
+        "column": 27,
+        "end_line": 2,
+        "end_column": 33,
+    }
     (tmp_path / "skills").mkdir()
     (tmp_path / "skills" / "push.py").write_text(MODULE, encoding="utf-8")
     (tmp_path / "skills" / "skills.json").write_text(json.dumps(found), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""S63 and S64: places of the things of a class, and how far they are."""
+"""S63 and S64: places of the individuals of a class, and how far they are."""
 
 from __future__ import annotations
 

@@ -71,10 +71,10 @@ def test_of_another_export_nothing_is_known() -> None:
     assert all(math.isnan(answer(each, other)) for each in (PUSH, FRAGILE, WEIGHT, DEPTH))
 
 
-def test_a_thing_of_several_classes_is_of_each() -> None:
+def test_an_individual_of_several_classes_is_of_each() -> None:
     box = replace(GLASS, type="skiros.Box")
-    for things in ((GLASS, box), (box, GLASS)):
-        both = context(RunningSkill("Push", things))
+    for individuals in ((GLASS, box), (box, GLASS)):
+        both = context(RunningSkill("Push", individuals))
         assert (answer(FRAGILE, both), answer(WEIGHT, both)) == (1.0, 0.3)
     assert answer(FRAGILE, context(RunningSkill("Push", (box, box)))) == 0.0
 
@@ -84,8 +84,8 @@ def test_a_number_that_is_there_twice_is_one_or_not_known(other: float) -> None:
     heavy = SkillProperty("skiros.Weight", other)
     within = replace(GLASS, properties=(*GLASS.properties, heavy))
     beside = replace(GLASS, properties=(heavy,))
-    for things in ((within,), (GLASS, beside), (beside, GLASS)):
-        assert math.isnan(answer(WEIGHT, context(RunningSkill("Push", things))))
+    for individuals in ((within,), (GLASS, beside), (beside, GLASS)):
+        assert math.isnan(answer(WEIGHT, context(RunningSkill("Push", individuals))))
     depths = (SkillArgument("Depth", number=0.25), SkillArgument("Depth", number=other))
     assert math.isnan(answer(DEPTH, context(RunningSkill("Push", depths))))
 

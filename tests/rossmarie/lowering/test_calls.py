@@ -39,11 +39,11 @@ QUERIES = (
 
 @st.composite
 def contexts(draw: st.DrawFn) -> SkillContext:
-    """Any skills, with things of any classes that their parameters demand."""
+    """Any skills, with individuals of any classes that their parameters demand."""
     found = []
     for name in draw(st.lists(st.sampled_from(sorted(SKILLS.skills)), max_size=3)):
-        things = [each for each in SKILLS.skills[name].parameters.values() if "." in each.type]
-        classes = {each.name: draw(st.sampled_from(BELOW.below(each.type))) for each in things}
+        individuals = [each for each in SKILLS.skills[name].parameters.values() if "." in each.type]
+        classes = {each.name: draw(st.sampled_from(BELOW.below(each.type))) for each in individuals}
         is_ahead = draw(st.booleans())
         if is_ahead:  # some arguments are not known yet
             classes = {which: kind for which, kind in classes.items() if draw(st.booleans())}
@@ -94,7 +94,7 @@ def test_answers_that_no_skills_give_are_covered_by_none() -> None:
     assert call.text == "doing Push(Object: skiros.Fragile)"
 
 
-def test_a_thing_may_be_of_several_classes(tmp_path: Path) -> None:
+def test_an_individual_may_be_of_several_classes(tmp_path: Path) -> None:
     """One that is a product and a box, and yet none of the chests, which are both."""
     found = content()
     chest = {**found["classes"][0], "name": "toys.Chest"}

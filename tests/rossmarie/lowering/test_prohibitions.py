@@ -288,27 +288,30 @@ Library = Mapping[str, Sequence[Mapping[str, Any]]]
 
 
 def may_succeed(
-    node: Mapping[str, Any], library: Library, things: Mapping[str, str | None], stopped: Stopped
+    node: Mapping[str, Any],
+    library: Library,
+    individuals: Mapping[str, str | None],
+    stopped: Stopped,
 ) -> bool:
-    """Say whether a tree can succeed if a skill that is stopped never does. Skills with things that
-    nobody knows may succeed; so does a result that is turned round.
+    """Say whether a tree can succeed if a skill that is stopped never does. Skills with individuals
+    that nobody knows may succeed; so does a result that is turned round.
     """
     if node.get("skill") == "Drive":
-        return not stopped.kinds & {ALWAYS, things.get(node["arguments"]["Target"] or "")}
+        return not stopped.kinds & {ALWAYS, individuals.get(node["arguments"]["Target"] or "")}
     if "skill" in node:
-        inner = {name: things.get(each or "") for name, each in node["arguments"].items()}
+        inner = {name: individuals.get(each or "") for name, each in node["arguments"].items()}
         return can_succeed(node["skill"], library, inner, stopped)
-    results = [may_succeed(each, library, things, stopped) for each in node["children"]]
+    results = [may_succeed(each, library, individuals, stopped) for each in node["children"]]
     if node["control"] in ALL_OF:
         return all(results)
     return node["control"] not in ONE_OF or any(results)
 
 
 def can_succeed(
-    skill: str, library: Library, things: Mapping[str, str | None], stopped: Stopped
+    skill: str, library: Library, individuals: Mapping[str, str | None], stopped: Stopped
 ) -> bool:
     below = library.get(skill, ())
-    can = not below or any(may_succeed(each, library, things, stopped) for each in below)
+    can = not below or any(may_succeed(each, library, individuals, stopped) for each in below)
     return can and skill not in stopped.compounds
 
 
@@ -324,7 +327,9 @@ def test_s68_a_compound_that_cannot_do_without(
     outer: list[dict[str, Any]],
     queries: list[str],
 ) -> None:
-    """For all things: what is reported is what no outcome of the other skills makes succeed."""
+    """For all individuals: what is reported is what no outcome of the other skills makes
+    succeed.
+    """
     library = {"Inner": inner, "Outer": outer}
     rules = head(
         tmp_path_factory.mktemp("rules"), *(compound(name, *library[name]) for name in library)
@@ -342,16 +347,16 @@ def test_s68_a_compound_that_cannot_do_without(
         },
     )
     for skill, (one, other) in itertools.product(library, itertools.product(KINDS, KINDS)):
-        things = {"A": one, "B": other}
-        can = can_succeed(skill, library, things, stopped)
-        assert is_reported(skill, things, reported) is not can, (skill, one, other, reported)
+        individuals = {"A": one, "B": other}
+        can = can_succeed(skill, library, individuals, stopped)
+        assert is_reported(skill, individuals, reported) is not can, (skill, one, other, reported)
 
 
-def is_reported(skill: str, things: Mapping[str, str], reported: Sequence[str]) -> bool:
+def is_reported(skill: str, individuals: Mapping[str, str], reported: Sequence[str]) -> bool:
     above = {CORRIDOR: {CORRIDOR}, SCHOOL: {SCHOOL, CORRIDOR}, CHARGER: {CHARGER}}
     for each in reported:
         name, _, limits = each.partition("(")
         pairs = [pair.split("=") for pair in limits.strip(")").split(", ") if pair]
-        if name == skill and all(kind in above[things[it]] for it, kind in pairs):
+        if name == skill and all(kind in above[individuals[it]] for it, kind in pairs):
             return True
     return False

@@ -17,7 +17,7 @@ from support.simulated.mobile import driving
 from support.simulated.motion import Motion, joint_state
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 from support.simulated.troubles import Scanner, Tipping
-from support.simulated.world import Lidar, Pillar, Thing, room
+from support.simulated.world import Lidar, Obstacle, Pillar, room
 
 SECONDS = 60.0
 CROSSING = (4.0, 7.0)  # somebody crosses its way
@@ -65,7 +65,7 @@ BASE = Base(
     start=(-4.0, 0.0, 0.0),
     acceleration=0.8,
 )
-THINGS: Sequence[Thing] = [*room(-7.0, -4.0, 8.0, 4.0), Pillar(-1.0, 2.5, 0.3)]
+OBSTACLES: Sequence[Obstacle] = [*room(-7.0, -4.0, 8.0, 4.0), Pillar(-1.0, 2.5, 0.3)]
 JOINTS = ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3")
 HOME = (0.0, -1.6, 1.8, -1.8, -1.57, 0.0)
 ABOVE = (0.6, -1.2, 1.6, -2.0, -1.57, 0.0)
@@ -93,16 +93,16 @@ STORE = store_of(robot("heron"))
 
 def scan(t: float) -> dict[str, Any]:
     """Somebody crosses the way of the base; later somebody comes to its arm."""
-    things = list(THINGS)
+    obstacles = list(OBSTACLES)
     if during(t, CROSSING):
-        things.append(Pillar(-2.2, curve(t, (CROSSING[0], -2.0), (CROSSING[1], 2.5)), 0.2))
+        obstacles.append(Pillar(-2.2, curve(t, (CROSSING[0], -2.0), (CROSSING[1], 2.5)), 0.2))
     if during(t, PERSON):
         away = curve(t, (30.0, 3.8), (33.0, 1.0), (35.0, 1.0), (38.0, 3.8))
         now = BASE.at(t)
-        things.append(
+        obstacles.append(
             Pillar(now.x + away * math.cos(now.yaw), now.y + away * math.sin(now.yaw), 0.2)
         )
-    return SCANNER.fields(t, BASE.at(t).place, things)
+    return SCANNER.fields(t, BASE.at(t).place, obstacles)
 
 
 def tilt(t: float) -> tuple[float, float]:

@@ -15,7 +15,7 @@ from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 from support.simulated.troubles import Tipping
-from support.simulated.world import Lidar, Pillar, Thing, Wall
+from support.simulated.world import Lidar, Obstacle, Pillar, Wall
 
 SECONDS = 48.0
 PERSON = (5.0, 10.0)  # somebody walks towards it, and goes aside
@@ -66,7 +66,7 @@ BASE = Base(
     acceleration=3.0,
     held=(STUCK, EMERGENCY),
 )
-THINGS: Sequence[Thing] = [
+OBSTACLES: Sequence[Obstacle] = [
     Wall(-10.0, 3.0, 40.0, 3.5),
     Pillar(6.0, -3.0, 0.3),
     Pillar(14.0, -4.0, 0.25),
@@ -83,8 +83,8 @@ def scan(t: float) -> dict[str, Any]:
     """Somebody comes from the front, stops close to the robot, and goes aside."""
     x = curve(t, (PERSON[0], 9.5), (7.5, 5.9))
     y = curve(t, (8.8, 0.0), (PERSON[1], -2.0))
-    things = [*THINGS, Pillar(x, y, 0.2)] if during(t, PERSON) else THINGS
-    return LIDAR.fields(LIDAR.scan(BASE.at(t).place, things), PERIOD)
+    obstacles = [*OBSTACLES, Pillar(x, y, 0.2)] if during(t, PERSON) else OBSTACLES
+    return LIDAR.fields(LIDAR.scan(BASE.at(t).place, obstacles), PERIOD)
 
 
 def tilt(t: float) -> tuple[float, float]:

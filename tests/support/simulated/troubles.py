@@ -11,7 +11,7 @@ import numpy as np
 
 from support.simulated.base import Now, curve, imu
 from support.simulated.recording import during
-from support.simulated.world import Lidar, Thing
+from support.simulated.world import Lidar, Obstacle
 
 Stretch = tuple[float, float]
 _TUMBLING_S = 0.8
@@ -34,7 +34,7 @@ class Scanner:
     cloth: float
 
     def fields(
-        self, t: float, place: tuple[float, float, float], things: Sequence[Thing]
+        self, t: float, place: tuple[float, float, float], obstacles: Sequence[Obstacle]
     ) -> dict[str, Any]:
         """The fields of its sensor_msgs/LaserScan at an instant, from a place (m, m, rad)."""
         lidar = self.lidar
@@ -42,7 +42,7 @@ class Scanner:
             begin, end = self.narrowed
             within = (lidar.angles >= begin) & (lidar.angles <= end)
             lidar = replace(lidar, angles=lidar.angles[within])
-        ranges = lidar.scan(place, things)
+        ranges = lidar.scan(place, obstacles)
         if during(t, self.blind):
             ranges[:] = np.inf
         if during(t, self.covered):

@@ -15,7 +15,7 @@ from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, header, rounded, store_of
 from support.simulated.troubles import Scanner
-from support.simulated.world import Lidar, Pillar, Thing, Wall, room
+from support.simulated.world import Lidar, Obstacle, Pillar, Wall, room
 
 SECONDS = 64.0
 PERSON = (5.0, 9.0)  # somebody steps in front of it, and goes on
@@ -83,7 +83,7 @@ BASE = Base(
     held=(BUMP, STALL, (24.0, 28.0)),
 )
 # The room has a door through which the lidar sees nothing.
-THINGS: Sequence[Thing] = [
+OBSTACLES: Sequence[Obstacle] = [
     *room(-1.2, -2.6, 4.4, 2.4)[:3],
     Wall(-1.2, 2.4, -1.2, 0.6),
     Wall(-1.2, -0.4, -1.2, -2.6),
@@ -98,8 +98,8 @@ def scan(t: float) -> dict[str, Any]:
     person = Pillar(
         1.65, curve(t, (PERSON[0], 1.4), (6.2, 0.0), (7.8, 0.0), (PERSON[1], -1.4)), 0.2
     )
-    things = [*THINGS, person] if during(t, PERSON) else THINGS
-    return SCANNER.fields(t, BASE.at(t).place, things)
+    obstacles = [*OBSTACLES, person] if during(t, PERSON) else OBSTACLES
+    return SCANNER.fields(t, BASE.at(t).place, obstacles)
 
 
 def tilt(t: float) -> tuple[float, float]:

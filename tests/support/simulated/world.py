@@ -1,4 +1,4 @@
-"""A flat world: walls and round things, and what a lidar sees of them."""
+"""A flat world: walls and round obstacles, and what a lidar sees of them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Wall:
 
 @dataclass(frozen=True)
 class Pillar:
-    """A thing with a round outline: a pole, a leg, a person."""
+    """An obstacle with a round outline: a pole, a leg, a person."""
 
     x: float
     y: float
@@ -50,10 +50,10 @@ class Pillar:
         return np.where((squared >= 0) & (distance > 0), distance, np.inf)
 
 
-Thing = Wall | Pillar
+Obstacle = Wall | Pillar
 
 
-def room(x1: float, y1: float, x2: float, y2: float) -> list[Thing]:
+def room(x1: float, y1: float, x2: float, y2: float) -> list[Obstacle]:
     """The walls of a box."""
     corners = [(x1, y1), (x2, y1), (x2, y2), (x1, y2)]
     return [
@@ -76,13 +76,13 @@ class Lidar:
     steps: int = 128
     """Steps of its readings in a meter."""
 
-    def scan(self, base: tuple[float, float, float], things: Sequence[Thing]) -> Floats:
+    def scan(self, base: tuple[float, float, float], obstacles: Sequence[Obstacle]) -> Floats:
         """Its readings, where its base is at a place (m) and turned (rad)."""
         x, y, yaw = base
         at_x, at_y = x + self.x * np.cos(yaw), y + self.x * np.sin(yaw)
         sign = -1.0 if self.is_upside_down else 1.0
         directions = sign * self.angles + self.yaw + yaw
-        seen = np.min([thing.seen(at_x, at_y, directions) for thing in things], axis=0)
+        seen = np.min([obstacle.seen(at_x, at_y, directions) for obstacle in obstacles], axis=0)
         is_in_reach = (seen >= self.least) & (seen <= self.most)
         steps = np.rint(np.where(is_in_reach, seen, 0.0) * self.steps)
         return np.where(is_in_reach, steps / self.steps, self.nothing)

@@ -254,7 +254,7 @@ class Rewriter:
 
     def _is_meant(self, name: str, own: Collection[str]) -> bool:
         """Say whether an undeclared name is a misspelt name of this name space, and is therefore
-        reported as such. With skills, the name may be a class of things.
+        reported as such. With skills, the name may be a class of individuals.
         """
         is_other = name in self._conditions or name in self._variables
         if not self._space.path or is_other or not self._instances.guesses.take(len(own)):

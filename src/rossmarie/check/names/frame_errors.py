@@ -15,13 +15,13 @@ class UnknownFrame(Error, code="ROSS150", name="unknown-frame"):
 
 
 class FrameConflict(Error, code="ROSS151", name="frame-conflict"):
-    """Two declarations that give one thing different frames."""
+    """Two declarations with different frames for one subject."""
 
-    title = "{thing} cannot be both in `{found}` and in `{expected}`"
+    title = "{subject} cannot be both in `{found}` and in `{expected}`"
     label = "{words}"
     note = "each message names one frame, and each frame lies in one other frame"
     help = "write the same frame in both places, or leave one of the two out"
-    thing: str
+    subject: str
     found: str
     expected: str
     words: str
@@ -39,7 +39,7 @@ class CircularFrames(Error, code="ROSS152", name="circular-frames"):
 
 
 class Seen(Remark):
-    """The label of one of two things in different frames."""
+    """The label of one of two values in different frames."""
 
     says = "`{text}` is in `{frame}`"
     text: str
@@ -47,7 +47,7 @@ class Seen(Remark):
 
 
 class MixedFrames(Error, code="ROSS275", name="mixed-frames"):
-    """Two things in different frames where one frame is needed."""
+    """Two values in different frames where one frame is needed."""
 
     title = "`{text}` is in the frame `{found}`, but `{other}` is in `{expected}`"
     label = "`{text}` is in `{found}`"

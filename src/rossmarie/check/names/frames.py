@@ -201,8 +201,8 @@ def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> boo
 def check_frame_is(
     node: ast.Expression, frame: str, other: ast.Expression, context: Context
 ) -> bool:
-    """Say whether the frame of an expression is unknown, or the frame of another thing. A different
-    frame is reported.
+    """Say whether the frame of an expression is unknown, or the frame of another quantity. A
+    different frame is reported.
     """
     found = frame_of(node, context)
     if found is None or found.frame == frame:

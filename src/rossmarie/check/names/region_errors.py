@@ -1,4 +1,4 @@
-"""Mistakes about the places of things."""
+"""Mistakes about the places of individuals."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoLocation(Error, code="ROSS258", name="no-location"):
-    """A class without things in the scene, or exported without a scene."""
+    """A class without individuals in the scene, or exported without a scene."""
 
     title = "there is no {owl_class} in {path}"
     label = "the rules use the places of this class"
@@ -16,24 +16,29 @@ class NoLocation(Error, code="ROSS258", name="no-location"):
 
 
 class UnknownLocation(Error, code="ROSS259", name="unknown-location"):
-    """A thing without a location in the scene."""
+    """An individual without a location in the scene."""
 
-    title = "the place of {thing}, which is a {owl_class}, is not known"
-    label = "this condition would ignore {thing}"
-    help = "give {thing} a polygon or a position in the scene; then run `ezskiros export` again"
-    thing: str
+    title = "the place of {individual}, which is a {owl_class}, is not known"
+    label = "this condition would ignore {individual}"
+    help = (
+        "give {individual} a polygon or a position in the scene; then run `ezskiros export` again"
+    )
+    individual: str
     owl_class: str
 
     class Described(Remark):
-        says = "the scene describes the thing here"
+        says = "the scene describes the individual here"
 
 
 class SeveralFrames(Error, code="ROSS260", name="several-frames"):
-    """A class with things in more than one frame."""
+    """A class with individuals in more than one frame."""
 
     title = "the places of {owl_class} are in several frames: {frames}"
     label = "a position is in only one of these frames"
-    help = "describe all of these places in one frame, or use a class whose things are in one frame"
+    help = (
+        "describe all of these places in one frame, or use a class whose individuals are in one "
+        "frame"
+    )
     owl_class: str
     frames: str
 

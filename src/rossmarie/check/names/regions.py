@@ -1,4 +1,4 @@
-"""The locations of a class of things: `pose in Corridor`, `distance(pose, skiros.Location)`."""
+"""Locations of a class of individuals: `pose in Corridor`, `distance(pose, skiros.Location)`."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def places_of(
         path = skills.declaration.path.value
         context.collector.add(NoLocation(owl_class=owl_class, path=path).at(named))
     for each in nowhere:
-        finding = UnknownLocation(thing=_called(each), owl_class=owl_class)
+        finding = UnknownLocation(individual=_called(each), owl_class=owl_class)
         span = skills.span_at(each.place)
         places = () if span is None else (finding.Described().at(span),)
         context.collector.add(finding.at(named, *places))
@@ -109,7 +109,7 @@ def _polygon(location: Location, skills: CheckedSkills) -> core.Polygon:
 
 
 def _called(location: Location) -> str:
-    """The label of a thing, or else the last part of its IRI, with only the characters that
+    """The label of an individual, or else the last part of its IRI, with only the characters that
     comments may contain.
     """
     name = location.label or re.split("[#/]", location.iri)[-1]

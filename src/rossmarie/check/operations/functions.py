@@ -93,7 +93,7 @@ _NEEDS: Mapping[Operator, str] = {
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
-    Operator.DISTANCE: "two vectors, or a position and a class of things",
+    Operator.DISTANCE: "two vectors, or a position and a class of individuals",
     Operator.STOPPING: "a motion",
 }
 _FIELDS: Mapping[Operator, type[object]] = {

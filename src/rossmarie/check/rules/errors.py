@@ -263,7 +263,7 @@ class RepeatedExemption(Error, code="ROSS431", name="repeated-exemption"):
     """Two exemptions of one rule for the same skill."""
 
     title = "`{skill}` is exempted twice"
-    label = "the same skill with the same things"
+    label = "the same skill with the same individuals"
     note = "it would not be clear which of the two exemptions applies"
     help = "remove one of the two"
     skill: str

@@ -11,8 +11,8 @@ from rossmarie.check.skills.errors import (
     ImpossibleClass,
     InSkills,
     Known,
+    NoIndividual,
     NoSkills,
-    NoThing,
     RepeatedSkillParameter,
     UnknownSkill,
     UnknownSkillClass,
@@ -155,8 +155,10 @@ def _class_of(
         return None
     labels = _declared(parameter.name, parameter.place, skills)
     if parameter.type not in skills.file.classes:
-        thing = NoThing(identifier=parameter.name, skill=skill.name, found=kind_of(parameter.type))
-        context.collector.add(thing.at(argument.kind.span, *labels))
+        no_class = NoIndividual(
+            identifier=parameter.name, skill=skill.name, found=kind_of(parameter.type)
+        )
+        context.collector.add(no_class.at(argument.kind.span, *labels))
         return None
     name = find_class(argument.kind, skills, context)
     if name is None or skills.classes.are_related(name, parameter.type):
@@ -197,7 +199,7 @@ def kind_of(type_: str) -> str:
         "str": "a text",
         "enum": "one of several words",
     }
-    return words.get(type_, f"a thing of the class {type_}")
+    return words.get(type_, f"an individual of the class {type_}")
 
 
 def report_repeated(again: ast.Name, first: ast.Name, advice: str, context: Context) -> None:

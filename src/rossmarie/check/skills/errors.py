@@ -41,7 +41,7 @@ class UnknownSkillParameter(Error, code="ROSS145", name="unknown-skill-parameter
 
 
 class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
-    """A class of things that the skills file does not have, or has more than once."""
+    """A class of individuals that the skills file does not have, or has more than once."""
 
     title = "there is no class `{identifier}`"
     label = "{reason}"
@@ -55,7 +55,7 @@ class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
 
 
 class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property"):
-    """A property that things of a class do not have."""
+    """A property that individuals of a class do not have."""
 
     title = "class {owner} has no property `{identifier}`"
     label = "not a data property of this class or of its base classes"
@@ -90,11 +90,11 @@ class SeveralSkills(Error, code="ROSS149", name="several-skills"):
         found: str
 
 
-class NoThing(Error, code="ROSS233", name="no-thing"):
-    """A class for a parameter that is not a thing."""
+class NoIndividual(Error, code="ROSS233", name="no-individual"):
+    """A class for a parameter that stands for no individual."""
 
     title = "parameter `{identifier}` of skill `{skill}` is {found}, and has no class"
-    label = "only things have classes"
+    label = "only individuals have classes"
     help = "leave the class out; to read a number, write `input NAME = doing {skill}.{identifier};`"
     identifier: str
     skill: str
@@ -105,7 +105,7 @@ class ImpossibleClass(Error, code="ROSS245", name="impossible-class"):
     """A class that the parameter of a skill can never have."""
 
     title = "parameter `{identifier}` of skill `{skill}` can never be {found}"
-    label = "the parameter is {expected}, and no thing is both"
+    label = "the parameter is {expected}, and no individual is both"
     note = "no class in the ontology is derived from both"
     help = "name a class that is derived from {expected}, or leave the parameter out"
     identifier: str
@@ -123,7 +123,7 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
     found: str
 
     class Properties(Remark):
-        says = "choose a property of the thing: {known}"
+        says = "choose a property of the individual: {known}"
         known: str
 
     class LeaveOut(Remark):
@@ -131,7 +131,7 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
         extra: str
 
     class Other(Remark):
-        says = "name a parameter that is a number, or a property of a thing that is a number"
+        says = "name a parameter that is a number, or a property of an individual that is a number"
 
 
 class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-parameter"):
@@ -182,7 +182,7 @@ ALL: tuple[type[Template], ...] = (
     UnknownSkillProperty,
     NoSkills,
     SeveralSkills,
-    NoThing,
+    NoIndividual,
     ImpossibleClass,
     NoSkillNumber,
     RepeatedSkillParameter,

@@ -84,7 +84,7 @@ def _add(declared: ast.FrameDeclaration, tree: FrameTree, context: Context) -> N
         report_second(declared.frame, earlier, "frame", reason, context.collector)
         return
     finding = FrameConflict(
-        thing=f"the frame `{name}`",
+        subject=f"the frame `{name}`",
         found=frame.parent,
         expected=first.parent,
         words="a second declaration of this frame",
@@ -244,9 +244,11 @@ def find_frame(written: ast.Name, context: Context) -> str | None:
 
 
 def report_second_frame(
-    thing: str, written: ast.Name, found: str, first: ast.Name, expected: str, context: Context
+    subject: str, written: ast.Name, found: str, first: ast.Name, expected: str, context: Context
 ) -> None:
-    """Report two declarations of the frame of one thing."""
-    finding = FrameConflict(thing=thing, found=found, expected=expected, words=f"`{found}` here")
+    """Report two declarations of the frame of one subject."""
+    finding = FrameConflict(
+        subject=subject, found=found, expected=expected, words=f"`{found}` here"
+    )
     place = Here(what=f"`{expected}`").at(first.span)
     context.collector.add(finding.at(written.span, place))

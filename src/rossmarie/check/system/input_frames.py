@@ -79,8 +79,8 @@ def _source(
     if declared is not None:
         expected = context.frames.named(declared.text)
         if expected != found:
-            thing = f"the header of {used.topic}"
-            report_second_frame(thing, written, found, declared, expected, context)
+            subject = f"the header of {used.topic}"
+            report_second_frame(subject, written, found, declared, expected, context)
     elif is_of_header:
         first[used.topic] = written
     return found

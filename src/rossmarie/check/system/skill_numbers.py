@@ -21,7 +21,7 @@ from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import end_of_field, read_unit
 from rossmarie.check.wording.gaps import without
 from rossmarie.ir import Quantity as Query
-from rossmarie.skills import SkillParameter, ThingProperty, among
+from rossmarie.skills import IndividualProperty, SkillParameter, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Quantity, Type, Unknown
 from rossmarie.units import Unit, UnknownUnitError, parse_unit, si_unit
@@ -110,8 +110,8 @@ def _property(
     rest: list[ast.Name],
     skills: CheckedSkills,
     context: Context,
-) -> ThingProperty | None:
-    """The property of the thing that is a parameter; None after reporting an error."""
+) -> IndividualProperty | None:
+    """The property of the individual that is a parameter; None after reporting an error."""
     known = _properties_of(parameter.type, skills)
     finding: NoSkillNumber | UnknownSkillProperty
     if not rest:
@@ -141,8 +141,8 @@ def _property(
     return asked
 
 
-def _properties_of(class_name: str, skills: CheckedSkills) -> dict[str, ThingProperty]:
-    """The properties that things of a class have, or may have."""
+def _properties_of(class_name: str, skills: CheckedSkills) -> dict[str, IndividualProperty]:
+    """The properties that individuals of a class have, or may have."""
     near = {*skills.classes.above(class_name), *skills.classes.below(class_name)}
     return {
         name: each for name, each in skills.file.properties.items() if not near.isdisjoint(each.of)

@@ -58,7 +58,9 @@ def _is_nothing(node: ast.Doing, skills: CheckedSkills) -> bool:
 
 
 def _running(node: ast.Doing, skills: CheckedSkills, context: Context) -> RunningSkill:
-    """A skill whose things have the written classes, else the classes that the skill requires."""
+    """A skill whose individuals have the written classes, else the classes that the skill
+    requires.
+    """
     parameters = skills.file.skills[node.skill.text].parameters.values()
     types = {each.name: each.type for each in parameters if each.type in skills.file.classes}
     for argument in node.arguments:

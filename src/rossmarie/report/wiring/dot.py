@@ -1,5 +1,5 @@
-"""A wiring in the language of Graphviz: nodes are ellipses; topics, services and other things that
-nodes use are boxes.
+"""A wiring in the language of Graphviz: nodes are ellipses; topics, services and other resources
+that nodes use are boxes.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def _command(node: str, command: WiredCommand) -> Iterator[str]:
     for end in (PLANNER, ROBOT):
         yield f"{_node(end)} [label={_quoted(end)}, shape=ellipse];"
     for topic in (command.unfiltered, command.topic):
-        yield _thing(TargetKind.TOPIC, topic, command.message_type)
+        yield _resource(TargetKind.TOPIC, topic, command.message_type)
     unfiltered, filtered = (
         _id(TargetKind.TOPIC, command.unfiltered),
         _id(TargetKind.TOPIC, command.topic),
@@ -50,18 +50,18 @@ def _command(node: str, command: WiredCommand) -> Iterator[str]:
 
 def _input(node: str, each: Subscription) -> Iterator[str]:
     timeout = "no timeout" if each.timeout_ns is None else duration_text(each.timeout_ns)
-    yield _thing(TargetKind.TOPIC, each.topic, each.message_type)
+    yield _resource(TargetKind.TOPIC, each.topic, each.message_type)
     label = _lines((timeout, f"for {', '.join(each.rules)}"))
     yield f"{_id(TargetKind.TOPIC, each.topic)} -> {_node(node)} [label={label}];"
 
 
 def _output(node: str, each: Output) -> Iterator[str]:
-    yield _thing(each.kind, each.name, each.type or each.kind.value)
+    yield _resource(each.kind, each.name, each.type or each.kind.value)
     label = _lines(map(str, each.uses))
     yield f"{_node(node)} -> {_id(each.kind, each.name)} [label={label}];"
 
 
-def _thing(kind: TargetKind, name: str, below: str) -> str:
+def _resource(kind: TargetKind, name: str, below: str) -> str:
     return f"{_id(kind, name)} [label={_lines((name, below))}];"
 
 

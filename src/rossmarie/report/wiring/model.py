@@ -54,7 +54,7 @@ class WiredCommand:
 
 
 class TargetKind(enum.Enum):
-    """The kinds of things on which the node acts."""
+    """The kinds of resources on which the node acts."""
 
     TOPIC = "topic"
     SERVICE = "service"

@@ -9,11 +9,12 @@
 #include "shared.h"
 #include "task.h"
 
-template <class Thing> class ChangeTask : public Task {
+template <class Resource> class ChangeTask : public Task {
 public:
     using Report = std::function<void(bool success)>;
 
-    ChangeTask(std::shared_ptr<Shared<Thing>> shared, typename Thing::Change change, Report report)
+    ChangeTask(std::shared_ptr<Shared<Resource>> shared, typename Resource::Change change,
+               Report report)
         : shared_(std::move(shared)), change_(std::move(change)), report_(std::move(report))
     {
     }
@@ -36,8 +37,8 @@ public:
     void tick(int64_t /*now_ns*/) override { shared_->tick(); }
 
 private:
-    std::shared_ptr<Shared<Thing>> shared_;
-    typename Thing::Change change_;
+    std::shared_ptr<Shared<Resource>> shared_;
+    typename Resource::Change change_;
     Report report_;
     int run_ = 0;
 };

@@ -58,7 +58,8 @@ template <class Context> bool is_readable(const Context &context, const char *di
     return context.digest == digest && are_readable(context.running) && are_readable(context.ahead);
 }
 
-// True if an argument of a skill is of a class. A thing of several classes occurs once for each.
+// True if an argument of a skill is of a class. An individual of several classes occurs once for
+// each.
 template <class Skill, std::size_t COUNT>
 bool is_within(const Skill &skill, const Limit<COUNT> &limit)
 {
@@ -156,7 +157,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
-// The same of a property of the thing that is the argument.
+// The same of a property of the individual that is the argument.
 template <class Context, class Asked>
 double quantity(const Context &context, const char *digest, const Asked &asked,
                 const char *parameter, const char *property)

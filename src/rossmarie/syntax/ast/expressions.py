@@ -256,8 +256,8 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class Doing:
-    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class. `ahead Push`: the skill
-    can start next.
+    """`doing Push(Object: Fragile)`: a skill runs, with an individual of a class. `ahead Push`: the
+    skill can start next.
     """
 
     skill: Name

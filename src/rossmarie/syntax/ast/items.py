@@ -179,7 +179,7 @@ class ElementNames:
 @dataclass(frozen=True)
 class SkillNumber:
     """`Push.Object.Weight`: a number of a running skill. `steps` are the parameter, and a property
-    of its thing.
+    of its individual.
     """
 
     skill: Name

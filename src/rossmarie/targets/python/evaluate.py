@@ -75,10 +75,8 @@ def _steps(layout: PythonLayout) -> Iterator[StartFunction]:
         yield _rule(layout, number, rule)
 
 
-def _remark(
-    function: StartFunction, thing: ir.Signal | ir.Proposition | ir.Rule, text: str
-) -> None:
-    function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
+def _remark(function: StartFunction, part: ir.Signal | ir.Proposition | ir.Rule, text: str) -> None:
+    function.line(f"# {comments.after_hash(f'{names.place(part.span)}  {text}')}")
 
 
 def _look(layout: PythonLayout, array: int) -> StartFunction:

@@ -12,24 +12,24 @@
 
 class Task;
 
-// `Thing` has `bool apply(Change)`, and `restore()`, which restores the state before the first
+// `Resource` has `bool apply(Change)`, and `restore()`, which restores the state before the first
 // change. Both may take long: they run in another thread, one after the other.
-template <class Thing> class Shared {
+template <class Resource> class Shared {
 public:
     template <class... Arguments>
     explicit Shared(Middleware &middleware, Arguments &&...arguments)
-        : thing_(middleware, std::forward<Arguments>(arguments)...), worker_(middleware.queue())
+        : resource_(middleware, std::forward<Arguments>(arguments)...), worker_(middleware.queue())
     {
     }
 
     // A task has it from now on.
-    void take(const Task *task, typename Thing::Change change,
+    void take(const Task *task, typename Resource::Change change,
               std::function<void(bool success)> then)
     {
         tasks_.insert(task);
         is_changed_ = true;
         worker_.begin([this, change, then]() -> Worker::Then {
-            const bool success = thing_.apply(change);
+            const bool success = resource_.apply(change);
             return [then, success] { then(success); };
         });
     }
@@ -44,13 +44,13 @@ public:
             return;
         is_changed_ = false;
         worker_.begin([this]() -> Worker::Then {
-            thing_.restore();
+            resource_.restore();
             return [] {};
         });
     }
 
 private:
-    Thing thing_;                  // for the thread of the worker alone
+    Resource resource_;            // for the thread of the worker alone
     std::set<const Task *> tasks_; // that have it
     bool is_changed_ = false;
     Worker worker_; // last: it uses what stands above

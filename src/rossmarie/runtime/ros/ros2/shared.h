@@ -13,24 +13,24 @@
 
 class Task;
 
-// `Thing` has `apply(Change, Then)`, and `restore(Then)`, which restores the state before the first
-// change. Both call `Then` later with their success. They run one after the other.
-template <class Thing> class Shared {
+// `Resource` has `apply(Change, Then)`, and `restore(Then)`, which restores the state before the
+// first change. Both call `Then` later with their success. They run one after the other.
+template <class Resource> class Shared {
 public:
     using Then = std::function<void(bool success)>;
 
     template <class... Arguments>
     explicit Shared(Middleware &middleware, Arguments &&...arguments)
-        : middleware_(middleware), thing_(middleware, std::forward<Arguments>(arguments)...)
+        : middleware_(middleware), resource_(middleware, std::forward<Arguments>(arguments)...)
     {
     }
 
     // A task has it from now on.
-    void take(const Task *task, typename Thing::Change change, Then then)
+    void take(const Task *task, typename Resource::Change change, Then then)
     {
         tasks_.insert(task);
         is_changed_ = true;
-        begin({[this, change](Then tell) { thing_.apply(change, tell); }, std::move(then)});
+        begin({[this, change](Then tell) { resource_.apply(change, tell); }, std::move(then)});
     }
 
     // A task does not need it any more.
@@ -41,7 +41,7 @@ public:
     {
         if (is_changed_ && tasks_.empty()) {
             is_changed_ = false;
-            begin({[this](Then tell) { thing_.restore(tell); }, [](bool) {}});
+            begin({[this](Then tell) { resource_.restore(tell); }, [](bool) {}});
         }
         if (is_busy_ && Steady::now() - begun_ > PATIENCE)
             end(number_, false);
@@ -83,7 +83,7 @@ private:
     }
 
     Middleware &middleware_;
-    Thing thing_;
+    Resource resource_;
     std::set<const Task *> tasks_; // that have it
     std::deque<Job> jobs_;         // the first runs
     int number_ = 0;               // of the job that runs

@@ -30,7 +30,7 @@ from ezskiros.ontology.statements import (
 class Vocabulary(Protocol):
     """The part of the ontology that classes and symbols need."""
 
-    def attribute(self, thing: Thing, name: str) -> Any:
+    def attribute(self, individual: Thing, name: str) -> Any:
         """The value of an attribute of a symbol."""
         ...
 
@@ -43,7 +43,7 @@ class Described(ABC):
         """A description, such as `the parameter Speed`."""
 
 
-class ThingClass(type):
+class OntologyClass(type):
     """The type of all classes of an ontology.
 
     Its attributes belong to classes only, because instances have the names of the ontology.
@@ -66,7 +66,7 @@ class ThingClass(type):
         return cls.__qualname__
 
 
-class SameClass(ThingClass):
+class SameClass(OntologyClass):
     """The type of a class that is equivalent to its base class: members of the base class are
     members of it.
     """
@@ -74,12 +74,12 @@ class SameClass(ThingClass):
     def __subclasscheck__(cls, other: type) -> bool:
         return issubclass(other, cls.__mro__[1])
 
-    def __instancecheck__(cls, thing: object) -> bool:
-        return isinstance(thing, cls.__mro__[1])
+    def __instancecheck__(cls, individual: object) -> bool:
+        return isinstance(individual, cls.__mro__[1])
 
 
-class Thing(metaclass=ThingClass):
-    """An individual. Instances are symbols, made by `symbol`."""
+class Thing(metaclass=OntologyClass):
+    """The class of all individuals, `owl:Thing`. Instances are symbols, made by `symbol`."""
 
     __name: str
 
@@ -96,22 +96,22 @@ class Thing(metaclass=ThingClass):
         return self.__name
 
     def __bool__(self) -> bool:
-        session.report(errors.ThingAsTruth(parameter=self.__name).at(session.here()))
+        session.report(errors.IndividualAsCondition(parameter=self.__name).at(session.here()))
         return True
 
 
-def thing_class(
+def ontology_class(
     name: str,
     bases: tuple[type, ...],
     texts: dict[str, str | None],
     iri: str,
     vocabulary: Vocabulary,
-) -> ThingClass:
+) -> OntologyClass:
     """Make a class of an ontology."""
-    return ThingClass(name, bases, {**texts, "__iri__": iri, "__vocabulary__": vocabulary})
+    return OntologyClass(name, bases, {**texts, "__iri__": iri, "__vocabulary__": vocabulary})
 
 
-def symbol(owl_class: ThingClass, name: str) -> Thing:
+def symbol(owl_class: OntologyClass, name: str) -> Thing:
     """The symbol for the individual of the parameter `name`."""
     found = cast("Thing", object.__new__(cast("type[object]", owl_class)))
     object.__setattr__(found, "_Thing__name", name)
@@ -226,7 +226,9 @@ class RelationOf:
         if isinstance(found, UnknownValue):
             return found
         if not isinstance(found, Thing):
-            session.report(errors.NoThing(relation=self._name, found=described(found)).at(span))
+            session.report(
+                errors.NoIndividual(relation=self._name, found=described(found)).at(span)
+            )
             return UNKNOWN
         return Condition(Relation(repr(self._subject), self._iri, repr(found)), span)
 
@@ -314,7 +316,7 @@ def described(value: object) -> str:
         return "a string that is unknown before the skill runs"
     if isinstance(value, Thing):
         return f"the parameter `{value!r}`"
-    if isinstance(value, ThingClass):
+    if isinstance(value, OntologyClass):
         return f"the class {value!r}"
     if isinstance(value, RelationOf):
         return "a relation without its arguments"

@@ -1,5 +1,5 @@
-"""Skills that pass things to each other, in EzSkiROS and by SkiROS2's own API, and what they tell
-there. `A` and `B` are places, `Object` is a product; another one of the same weight is there.
+"""Skills that pass individuals to each other, in EzSkiROS and by SkiROS2's own API, and what they
+tell there. `A` and `B` are places, `Object` is a product; another one of the same weight is there.
 """
 
 from __future__ import annotations

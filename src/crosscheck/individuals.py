@@ -28,8 +28,8 @@ def find_nothing_to_take(robot: Robot, scene: SceneModel) -> Iterator[Diagnostic
     """A warning for each class that skills need and that has no individual in the scene."""
     needed: dict[str, list[tuple[Skill, SkillParameter]]] = {}
     for skill in robot.skills.skills.values():
-        for parameter in _things_of(robot, skill):
-            if parameter.is_needed and not scene.things(parameter.type):
+        for parameter in _individuals_of(robot, skill):
+            if parameter.is_needed and not scene.individuals(parameter.type):
                 needed.setdefault(parameter.type, []).append((skill, parameter))
     for owl_class, found in needed.items():
         names = listed(list(dict.fromkeys(skill.name for skill, _ in found)))
@@ -47,7 +47,7 @@ def find_never_in_scene(robot: Robot, scene: SceneModel) -> Iterator[Diagnostic]
     for span, step in asked.items():
         for parameter, classes in step.arguments:
             possible = _possible(robot, scene, step, parameter)
-            if possible and not any(scene.is_a(thing, classes) for thing in possible):
+            if possible and not any(scene.is_a(individual, classes) for individual in possible):
                 known = listed(scene.classes(possible))
                 help = NeverInScene.Others(parameter=parameter, known=known)
                 never = NeverInScene(query=str(step), parameter=parameter)
@@ -63,10 +63,10 @@ def _possible(robot: Robot, scene: SceneModel, step: ir.Doing, parameter: str) -
     found = [skill.parameters.get(parameter) for skill in skills if skill is not None]
     if any(each is None or not each.is_needed for each in found):
         return ()
-    return scene.things(*dict.fromkeys(each.type for each in found if each is not None))
+    return scene.individuals(*dict.fromkeys(each.type for each in found if each is not None))
 
 
-def _things_of(robot: Robot, skill: Skill) -> Iterator[SkillParameter]:
+def _individuals_of(robot: Robot, skill: Skill) -> Iterator[SkillParameter]:
     """The parameters of a skill that stand for individuals."""
     for each in skill.parameters.values():
         if each.type in robot.skills.classes:
@@ -102,15 +102,17 @@ def find_no_numbers(robot: Robot, scene: SceneModel, inquiry: Inquiry) -> Iterat
     stale: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
     for reading in _readings(robot.machine, inquiry):
         answers: dict[tuple[bool | None, ...], bool] = {}
-        for skill, thing in _taken(robot, scene, reading):
-            known = _answers(inquiry.about(reading.rule).machine, scene, reading, skill, thing)
+        for skill, individual in _taken(robot, scene, reading):
+            known = _answers(inquiry.about(reading.rule).machine, scene, reading, skill, individual)
             key = tuple(known.values())
             if key not in answers:
                 answers[key] = _is_stale(inquiry, reading, known)
             if answers[key]:
-                stale.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
-    for (thing, name), found in stale.items():
-        yield _without_number(robot, scene, thing, name, found)
+                stale.setdefault((individual, str(reading.step.property)), []).append(
+                    (reading, skill)
+                )
+    for (individual, name), found in stale.items():
+        yield _without_number(robot, scene, individual, name, found)
 
 
 def _readings(machine: ir.Machine, inquiry: Inquiry) -> Iterator[_Reading]:
@@ -136,14 +138,14 @@ def _taken(robot: Robot, scene: SceneModel, reading: _Reading) -> Iterator[tuple
         skill = robot.skills.skills.get(name)
         parameter = skill.parameters.get(reading.step.parameter) if skill is not None else None
         if skill is not None and parameter is not None:
-            for thing in scene.things(parameter.type):
-                number = scene.numbers(thing).get(str(reading.step.property))
+            for individual in scene.individuals(parameter.type):
+                number = scene.numbers(individual).get(str(reading.step.property))
                 if number is None or number != number:  # NaN
-                    yield skill, thing
+                    yield skill, individual
 
 
 def _answers(
-    machine: ir.Machine, scene: SceneModel, reading: _Reading, skill: Skill, thing: str
+    machine: ir.Machine, scene: SceneModel, reading: _Reading, skill: Skill, individual: str
 ) -> Mapping[int, bool | None]:
     """The answers to all queries while only this skill runs, with this individual. None for queries
     that depend on other individuals.
@@ -152,7 +154,7 @@ def _answers(
     for slot, step in queries(machine).items():
         arguments = dict(step.arguments)
         wanted = arguments.pop(reading.step.parameter, None)
-        fits = skill.name in step.skills and (wanted is None or scene.is_a(thing, wanted))
+        fits = skill.name in step.skills and (wanted is None or scene.is_a(individual, wanted))
         found[slot] = None if step.is_ahead or (fits and arguments) else fits
     return found
 
@@ -176,7 +178,7 @@ def _is_stale(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | 
 def _without_number(
     robot: Robot,
     scene: SceneModel,
-    thing: str,
+    individual: str,
     name: str,
     found: list[tuple[_Reading, Skill]],
 ) -> Diagnostic:
@@ -184,8 +186,8 @@ def _without_number(
     names = [robot.machine.rules[rule].name for rule in rules]
     reading, skill = found[0]
     without = NoNumberInScene(
-        thing=scene.spelled(thing),
-        problem="has no single" if name in scene.numbers(thing) else "has no",
+        individual=scene.spelled(individual),
+        problem="has no single" if name in scene.numbers(individual) else "has no",
         property=name,
         rules=listed(names),
         hold="holds" if len(names) == 1 else "hold",
@@ -193,4 +195,4 @@ def _without_number(
     )
     label = NoNumberInScene.Read(query=str(reading.step))
     heads = [robot.machine.rules[rule].head for rule in rules]
-    return without.at(scene.place(thing), *(label.at(head) for head in heads))
+    return without.at(scene.place(individual), *(label.at(head) for head in heads))

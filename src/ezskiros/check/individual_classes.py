@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 from ezskiros.check.clash import Clash, FactReason, KnownClasses, joined
 from ezskiros.check.entailed import Facts
 from ezskiros.check.spelled import spelled_iri
-from ezskiros.check.world_errors import ImpossibleThing
+from ezskiros.check.world_errors import ImpossibleIndividual
 from ezskiros.ontology.model import Model, Union
 
 IsReported: TypeAlias = Callable[[str, Union], bool]
@@ -35,24 +35,25 @@ def class_clashes(
     """
     if not model.has_disjoint_classes:
         return
-    for thing, needs in _needs(facts, classes, model).items():
+    for individual, needs in _needs(facts, classes, model).items():
         for one, other in combinations(needs, 2):
             if model.exclude(one, other) and not (
-                is_reported and (is_reported(thing, one) or is_reported(thing, other))
+                is_reported and (is_reported(individual, one) or is_reported(individual, other))
             ):
                 first, second = (_named(each, model) for each in (one, other))
-                why = f"`{thing}` would be a {first} and a {second}, and these classes are disjoint"
+                both = f"`{individual}` would be a {first} and a {second}"
+                why = f"{both}, and these classes are disjoint"
                 whole = joined(*needs[one].reasons, *needs[other].reasons)
                 iris = (*needs[one].relation, *needs[other].relation)
-                yield Clash(whole.said, ImpossibleThing, whole.axioms, why, iris, thing)
+                yield Clash(whole.said, ImpossibleIndividual, whole.axioms, why, iris, individual)
 
 
 def _needs(facts: Facts, classes: KnownClasses, model: Model) -> Mapping[str, Mapping[Union, Need]]:
     """The needs of each individual. The class of the parameter comes first."""
     found: dict[str, dict[Union, Need]] = defaultdict(dict)
-    for thing, known in classes.items():
+    for individual, known in classes.items():
         for owl_class, reason in known.items():
-            found[thing].setdefault(frozenset({owl_class}), Need((reason,)))
+            found[individual].setdefault(frozenset({owl_class}), Need((reason,)))
     for fact, reason in facts.items():
         declared = model.relations.get(fact.relation)
         if declared is None:
