@@ -24,9 +24,8 @@ typedef reacting_reactor reactor;
 
 #include "engine/plans.h"
 
-/* Tasks, with the columns of `plan` in engine/plans.h: rule, timeout in ns, state
- * after the end, waits, fails at once, resource, deed, answer, watch. Then the
- * escalations that start after a failure of each task, if there are any.
+/* Tasks, with the columns of `plan` in engine/plans.h; then the escalations that start
+ * after a failure of each task, if there are any.
  */
 static const plan tasks[7] = {
     {0, INT64_C(0), HOLDING, false, false, NONE, NONE, NONE, NONE}, /* actions.ross:2 act: limit /cmd_vel */
