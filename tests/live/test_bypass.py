@@ -19,9 +19,9 @@ def test_another_publisher_of_commands_closes_the_filter(
     start()
     robot.passes(1.0)
     teleoperation = publish(20, *PAST)
-    robot.diagnosed("publishes it, too, past the filter")
+    robot.diagnosed("also publishes this topic and bypasses the filter")
     until(lambda: robot.state().get("blocked") == ["/cmd_vel"], "it is reported")
-    assert "publishes it, too" in robot.call("why")["text"]
+    assert "also publishes this topic" in robot.call("why")["text"]
     robot.ask(forget="/cmd_vel")
     until(lambda: robot.speeds().count(0.0) > 10, "the node sends 0")
     assert set(robot.speeds()) == {0.0, 0.9}
@@ -43,7 +43,7 @@ def test_a_robot_that_does_not_listen_is_reported_of(robot: Robot, start: Start)
     """Nobody listens to the commands for the arm; the robot has its own name for them."""
     start()
     robot.passes(1.0)
-    name = "vehicle_safety: listeners of /arm_vel"
+    name = "vehicle_safety: subscribers of /arm_vel"
     assert name not in robot.diagnoses()
     robot.ask(deafen="/arm_vel")
     until(lambda: name in robot.diagnoses(), "it is reported")

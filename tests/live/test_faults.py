@@ -27,7 +27,7 @@ def test_a_publisher_is_killed(robot: Robot, start: Start, publish: Publish) -> 
     robot.passes(0.0)
     robot.stays_at(0.0)
     why = robot.call("why")["text"]
-    assert "it began with: input orientation (/imu/data) is older than its timeout" in why
+    assert "cause: input orientation (/imu/data) is older than its timeout" in why
 
 
 @pytest.mark.parametrize("topic", ["/imu/data", "imu/data"])
@@ -46,7 +46,7 @@ def test_stamps_are_out_of_order(robot: Robot, start: Start) -> None:
     start(header_stamps=["/imu/data"])
     robot.passes(0.2)
     robot.stays_at(0.2)
-    robot.diagnosed("its stamp is not later than the one before")
+    robot.diagnosed("its stamp is not later than the previous stamp")
 
 
 def test_an_input_is_not_a_number(robot: Robot, start: Start) -> None:
@@ -55,7 +55,7 @@ def test_an_input_is_not_a_number(robot: Robot, start: Start) -> None:
     robot.set(pitch="nan")
     robot.passes(0.0)
     robot.stays_at(0.0)
-    cause = "messages come without a usable value: abs(orientation.pitch()) = unknown"
+    cause = "messages arrive without a usable value: abs(orientation.pitch()) = unknown"
     assert cause in robot.call("why")["text"]
     robot.set(pitch=0.0)
     until(lambda: robot.call("reset", rule="")["success"], "it is safe")
@@ -76,7 +76,7 @@ def test_topics_are_flooded(robot: Robot, start: Start, publish: Publish) -> Non
 
 
 def is_of_type(ros: Ros, found: str, wanted: str) -> str:
-    return f"it is of type {ros.ros_type(found)}, not {ros.ros_type(wanted)}"
+    return f"its type is {ros.ros_type(found)}, not {ros.ros_type(wanted)}"
 
 
 def test_a_topic_is_of_another_type(ros: Ros, robot: Robot, start: Start, publish: Publish) -> None:
@@ -147,16 +147,19 @@ def test_a_node_that_is_killed_comes_back_safe(ros: Ros, robot: Robot) -> None:
 @pytest.mark.parametrize(
     ("parameters", "complaint"),
     [
-        ({"filter_rate": 0.0}, "parameter filter_rate: it must be from 0.1"),
-        ({"filter_rate": float("nan")}, "parameter filter_rate: it must be from 0.1"),
-        ({"patience": "a while"}, "parameter patience: it must be a number"),
-        ({"state_file": 7}, "parameter state_file: it must be text"),
-        ({"header_stamps": "/imu/data"}, "parameter header_stamps: it must be a list of texts"),
-        ({"header_stamps": ["/imu"]}, "parameter header_stamps: no rule looks at /imu"),
-        ({"heaviest": 31.0}, "parameter heaviest: it must be from 0.03"),
-        ({"heaviest": float("nan")}, "parameter heaviest: it must be from 0.03"),
-        ({"heaviest": "20 Nm"}, "parameter heaviest: it must be a number"),
-        ({"comand_timeout": 0.1}, "parameter comand_timeout: there is no such parameter"),
+        ({"filter_rate": 0.0}, "parameter filter_rate: the value must be between 0.1"),
+        ({"filter_rate": float("nan")}, "parameter filter_rate: the value must be between 0.1"),
+        ({"patience": "a while"}, "parameter patience: the value must be a number"),
+        ({"state_file": 7}, "parameter state_file: the value must be a string"),
+        (
+            {"header_stamps": "/imu/data"},
+            "parameter header_stamps: the value must be a list of strings",
+        ),
+        ({"header_stamps": ["/imu"]}, "parameter header_stamps: no rule reads /imu"),
+        ({"heaviest": 31.0}, "parameter heaviest: the value must be between 0.03"),
+        ({"heaviest": float("nan")}, "parameter heaviest: the value must be between 0.03"),
+        ({"heaviest": "20 Nm"}, "parameter heaviest: the value must be a number"),
+        ({"comand_timeout": 0.1}, "parameter comand_timeout: the node has no such parameter"),
     ],
     ids=str,
 )

@@ -167,7 +167,7 @@ def test_nobody_can_exempt_a_rule_that_holds_always(begin: Begin) -> None:
     asked = {"rule": "hard", "reason": "test"}
     refused = robot.ask(exempt=asked)
     assert not refused["success"]
-    assert refused["message"] == "the rule hard holds always: nobody can exempt it"
+    assert refused["message"] == "rule hard has `always`: it cannot be exempted"
     assert robot.ask(exempt={**asked, "rule": "contact"})["success"]
 
 

@@ -26,7 +26,7 @@ def test_nothing_passes_before_all_inputs_have_come(robot: Robot, start: Start) 
     robot.set(pitch=None)
     start(patience=1000.0)
     robot.stays_at(0.0)
-    assert "nothing has come on /imu/data" in robot.call("why")["text"]
+    assert "no message has arrived on /imu/data" in robot.call("why")["text"]
     until(lambda: robot.state().get("active") == [], "no rule is active")
     robot.set(pitch=0.0)
     robot.passes(1.0)
@@ -53,7 +53,7 @@ def test_a_grace_period_lets_commands_pass_as_the_rules_say(robot: Robot, start:
 def test_a_topic_that_nobody_publishes_is_named(robot: Robot, start: Start) -> None:
     start()
     name = "vehicle_safety: topic /scan"
-    until(lambda: robot.diagnoses().get(name) == "nobody publishes it", "it is named")
+    until(lambda: robot.diagnoses().get(name) == "no node publishes it", "it is named")
 
 
 def test_servers_that_are_not_there_are_named(ros: Ros, robot: Robot, start: Start) -> None:
@@ -62,9 +62,9 @@ def test_servers_that_are_not_there_are_named(ros: Ros, robot: Robot, start: Sta
     planner = "vehicle_safety: parameter /planner.double_"
     manager = "vehicle_safety: controller manager /controller_manager"
     missing = {
-        gripper: f"nobody publishes /gripper{STATUS[ros.name]}",
-        planner: "nobody offers /planner/set_parameters",
-        manager: "nobody offers /controller_manager/switch_controller",
+        gripper: f"no node publishes /gripper{STATUS[ros.name]}",
+        planner: "no node offers /planner/set_parameters",
+        manager: "no node offers /controller_manager/switch_controller",
     }
     until(lambda: missing.items() <= robot.diagnoses().items(), "they are named")
     reported = robot.heard("/diagnostics")
@@ -119,5 +119,7 @@ def test_a_node_that_computes_wrongly_does_not_begin(
     finally:
         for name in added:
             del ros.variables[name]
-    until(lambda: "computes wrongly: subnormal numbers count as 0" in node.said(), "it says why")
+    until(
+        lambda: "computes wrong results: subnormal numbers count as 0" in node.said(), "it says why"
+    )
     assert robot.commands(1.0) == []

@@ -18,7 +18,7 @@ def test_the_master_is_started_anew(
     with ros1.without_master():
         robot.stays_at(0.2)
     until(lambda: ros1.node_process() not in (before, None), "the node is back")
-    assert "the master was started anew" in launched.said()
+    assert "the ROS master was restarted" in launched.said()
     with master_of(ros1.variables) as master:
         state_file = master.getParam("/test", "/vehicle_safety/state_file")[2]
     assert state_file == str(tmp_path / "latched")

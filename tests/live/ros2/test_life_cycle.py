@@ -56,7 +56,7 @@ def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
     robot.set(pitch=40.0)
     robot.passes(0.0)
     assert "failed" in ros2.command("lifecycle", "set", NODE, "deactivate").lower()
-    assert "latched rules cannot be kept" in node.said()
+    assert "it cannot save the latched rules" in node.said()
     robot.stays_at(0.0)
 
 
@@ -84,7 +84,7 @@ def test_parameters_have_defaults_and_descriptions(ros2: Ros2, robot: Robot, sta
     robot.passes(1.0)
     assert "0.5" in ros2.command("param", "get", NODE, "command_timeout")
     reported = ros2.command("param", "describe", NODE, "filter_rate")
-    assert "How often (Hz)" in reported
+    assert "The rate (Hz) at which the node" in reported
     assert "1000.0" in reported
 
 
@@ -92,12 +92,15 @@ def test_parameters_have_defaults_and_descriptions(ros2: Ros2, robot: Robot, sta
     ("parameters", "complaint"),
     [
         ({"qos_overrides./imu/dat.subscription.reliability": "reliable"}, "one of /imu/data"),
-        ({"qos_overrides./imu/data.subscription.relibility": "reliable"}, "there is only"),
-        ({"qos_overrides./imu/data.subscription.depth": 5}, "there is only"),
+        (
+            {"qos_overrides./imu/data.subscription.relibility": "reliable"},
+            "the only QoS parameter is",
+        ),
+        ({"qos_overrides./imu/data.subscription.depth": 5}, "the only QoS parameter is"),
         ({"qos_overrides./imu/data.subscription.reliability": "sure"}, "reliable or best_effort"),
         ({"qos_overrides./imu/data.subscription.reliability": 1}, "reliable or best_effort"),
-        ({"autostart": 1}, "parameter autostart: it must be true or false"),
-        ({"header_stamps": ["/imu"]}, "parameter header_stamps: no rule looks at /imu"),
+        ({"autostart": 1}, "parameter autostart: the value must be true or false"),
+        ({"header_stamps": ["/imu"]}, "parameter header_stamps: no rule reads /imu"),
         ({"header_stamps": ["/mode"]}, "parameter header_stamps: messages on /mode have no header"),
     ],
     ids=str,

@@ -36,7 +36,7 @@ def test_a_publisher_that_is_less_reliable_than_asked_for_is_named(
     robot: Robot, start: Start
 ) -> None:
     start(**{"qos_overrides./imu/data.subscription.reliability": "reliable"})
-    robot.diagnosed("what robot publishes does not come")
+    robot.diagnosed("no message arrives from robot")
     time.sleep(0.5)
     robot.stays_at(0.0)
 

@@ -25,7 +25,7 @@ SANITIZED = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefi
 STRICT = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow=local", "-Werror")
 SOURCES = {
     "clock": (),
-    "guard": ("runtime/guard.cpp", "runtime/operators.cpp", "runtime/telling.cpp",
+    "guard": ("runtime/guard.cpp", "runtime/operators.cpp", "runtime/reporting.cpp",
               "runtime/settings.cpp", "src/rules.cpp"),
     "latched_rules": (),
     "messages": (),

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 // The interface of the filter of a command topic, independent of its message type.
 #pragma once
 
@@ -6,33 +6,34 @@
 #include <functional>
 #include <string>
 
-// Processes everything that is due before a later command is bounded.
+// Brings the guard up to date with an instant before the filter bounds a command.
 using CatchUp = std::function<void(int64_t now_ns)>;
 
 class AnyFilter {
 public:
     virtual ~AnyFilter() = default;
 
-    // Call it whenever bounds may have changed, and regularly.
+    // Updates the bounds. Call this function regularly, and after each possible change of the
+    // bounds.
     virtual void update(int64_t now_ns) = 0;
 
-    // Sends 0 as the last command. May be called from another thread.
+    // Sends 0 as the last command. Another thread may call this function.
     virtual void stop() = 0;
 
-    // True if another node commands the robot past the filter: then only 0 is sent.
+    // Tells the filter whether another node bypasses the filter. If so, the filter sends only 0.
     virtual void bar(bool is_bypassed) = 0;
 
-    // True if only 0 passes.
+    // Returns true if the bounds allow only 0.
     virtual bool is_blocked() const = 0;
 
-    // The number of nodes that subscribe to the filtered topic.
+    // Returns the number of subscribers of the filtered topic.
     virtual int listeners() const = 0;
 
-    // The number of commands that were not finite.
+    // Returns the number of commands that were not finite.
     virtual int refused() const = 0;
     virtual const std::string &topic() const = 0;
 
-    // The source topic of commands, and their type.
+    // Return the source topic of the commands, and their type.
     virtual const std::string &source() const = 0;
     virtual std::string type() const = 0;
 };

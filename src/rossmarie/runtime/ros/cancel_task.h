@@ -1,6 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// Cancels the goals of an action server, and keeps it free of goals until the rule is released.
+// Cancels the goals of an action server, and keeps the server free of goals until the rule is
+// released.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@ class CancelTask : public Task {
 public:
     using Report = std::function<void(bool success)>;
 
-    // With `resend` the goal that was interrupted is sent again when the rule is released.
+    // If `resend` is true, the interrupted goal is sent again when the rule is released.
     CancelTask(std::shared_ptr<Goals> goals, bool resend, Report report)
         : goals_(std::move(goals)), resend_(resend), report_(std::move(report))
     {

@@ -1,5 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Changes an external state by service calls, and restores it when no task needs it any more.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Changes an external state by service calls. When no task needs the change any more, the old state
+// is restored.
 #pragma once
 
 #include <functional>

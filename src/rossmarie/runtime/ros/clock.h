@@ -1,7 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//  Instants: nanoseconds of ROS time, in order. If ROS time stands still (/clock is not published
-// any more), the steady clock of the system detects this and takes its place; otherwise no message
-// would ever be too old.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The instants of the node: nanoseconds of ROS time, in order. ROS time stands still if no node
+// publishes /clock any more. The steady clock of the system detects this and replaces ROS time.
+// Otherwise no message would ever expire.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,15 @@
 
 class Clock {
 public:
-    // ROS time may stand still for `patience_ns` of wall time; 0: for ever.
+    // ROS time may stand still for `patience_ns` of wall time. 0 means without limit.
     Clock(const Middleware &middleware, int64_t patience_ns)
         : middleware_(middleware), patience_ns_(patience_ns)
     {
     }
 
-    // An instant that is not before one given earlier, and not in the future. It goes back only
-    // where ROS time jumps back (a recording starts over), or goes on after it stood still.
+    // Returns an instant that is not earlier than the previous instants and not in the future. The
+    // instants go back only if ROS time jumps back (a recording starts over), or if ROS time
+    // advances again after a standstill.
     int64_t in_order(int64_t at_ns)
     {
         const int64_t now = look();
@@ -32,21 +33,22 @@ public:
 
     int64_t latest() const { return given_ns_; }
 
-    // The number of times that time has gone back.
+    // Returns the number of jumps back.
     int jumps() const { return jumps_; }
 
     bool stands_still() const { return is_still_; }
 
-    // The distance (ns) by which ROS time has jumped forward since the last call; 0 without a jump.
+    // Returns the distance (ns) by which ROS time jumped forward since the last call. 0: no jump.
     int64_t take_leap() { return std::exchange(leap_ns_, 0); }
 
 private:
     using Steady = std::chrono::steady_clock;
 
     static constexpr int64_t LEAP_NS = 1'000'000'000;
-    static constexpr int64_t FASTER = 10; // than before: simulated time may run fast, but evenly
+    static constexpr int64_t FASTER =
+        10; // minimum factor of a jump: simulated time may run fast, but evenly
 
-    // The present instant.
+    // Returns the present instant.
     int64_t look()
     {
         const int64_t now = middleware_.now_ns();
@@ -69,14 +71,14 @@ private:
         return now;
     }
 
-    // Of wall time, since ROS time has moved.
+    // Returns the wall time since ROS time last advanced.
     int64_t elapsed_ns() const { return std::chrono::nanoseconds(Steady::now() - moved_).count(); }
 
     const Middleware &middleware_;
     int64_t patience_ns_;
     int64_t seen_ns_ = 0;
     Steady::time_point moved_ = Steady::now();
-    int64_t ahead_ns_ = 0; // of the wall clock, when ROS time moved at last
+    int64_t ahead_ns_ = 0; // lead over the wall clock when ROS time last advanced
     int64_t leap_ns_ = 0;
     int64_t given_ns_ = 0;
     int jumps_ = 0;

@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//  The points of a cloud: from its bytes to columns of numbers. A cloud describes the places of its
-// numbers, and this description is not trusted.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Reads the points of a cloud from its bytes into columns of numbers. A cloud describes the offsets
+// of its numbers. This code checks the description before each use.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-// A field of points that the rules read, and memory for it.
+// A field of points that the rules read, and memory for its numbers.
 struct PointColumn {
     const char *name;
     double *room;
@@ -17,11 +17,12 @@ struct PointColumn {
 
 namespace clouds {
 
-constexpr std::size_t UNKNOWN = SIZE_MAX; // more than any list may have
+constexpr std::size_t UNKNOWN = SIZE_MAX; // greater than the size of any list
 constexpr std::array<const char *, 3> AXES{"x", "y", "z"};
-constexpr std::array<std::size_t, 9> SIZES{0, 1, 1, 2, 2, 4, 4, 4, 8}; // by type, INT8 is 1
+constexpr std::array<std::size_t, 9> SIZES{0, 1, 1, 2, 2,
+                                           4, 4, 4, 8}; // in bytes, indexed by the type; INT8 is 1
 
-// The place of a number in the bytes of a point, and its type; type 0 is not a number.
+// The offset of a number in the bytes of a point, and its type. Type 0 means that it is no number.
 struct Place {
     std::size_t offset = 0;
     std::size_t type = 0;
@@ -62,8 +63,8 @@ inline double number_at(const std::uint8_t *bytes, std::size_t type, bool is_big
     }
 }
 
-// The number of fields of the points with a name; `place` belongs to the last one, if it is a
-// single number.
+// Returns the number of fields with this name. `place` is the place of the last of these fields if
+// the field is a single number.
 template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Place &place)
 {
     std::size_t found = 0;
@@ -74,7 +75,7 @@ template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Pl
         place = Place{};
         const std::size_t type = field.datatype;
         if (type == 0 || type >= SIZES.size() ||
-            field.count > 1) // PCL writes 0 for one number, too
+            field.count > 1) // PCL writes 0 for a single number
             continue;
         if (std::uint64_t{field.offset} + SIZES[type] <= cloud.point_step)
             place = {field.offset, type};
@@ -82,7 +83,7 @@ template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Pl
     return found;
 }
 
-// True if all points lie inside the data, and none overlap.
+// Returns true if all points lie inside the data and do not overlap.
 template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
 {
     const std::uint64_t rows = cloud.height, columns = cloud.width;
@@ -90,7 +91,7 @@ template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
         return true;
     if (rows > most / columns)
         return false;
-    const std::uint64_t row = columns * cloud.point_step; // below 2^64, as is all that follows
+    const std::uint64_t row = columns * cloud.point_step; // below 2^64, like the products below
     if (rows > 1 && cloud.row_step < row)
         return false;
     return (rows - 1) * cloud.row_step + row <= cloud.data.size();
@@ -98,9 +99,9 @@ template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
 
 } // namespace clouds
 
-// Fills the columns with the points that have a position, and returns their number; UNKNOWN if
-// there are more than `most` points, including those without a position, or if the cloud cannot be
-// read.
+// Fills the columns with the points that have a position, and returns the number of these points.
+// Returns UNKNOWN if the cloud has more than `most` points, including points without a position, or
+// if the cloud is not readable.
 template <class Cloud, std::size_t COLUMNS>
 std::size_t points(const Cloud &cloud, std::size_t most, const PointColumn (&columns)[COLUMNS])
 {
@@ -116,7 +117,7 @@ std::size_t points(const Cloud &cloud, std::size_t most, const PointColumn (&col
     }
     if (!clouds::is_whole(cloud, most))
         return clouds::UNKNOWN;
-    if (cloud.width == 0) // of no row, or of billions
+    if (cloud.width == 0) // the cloud may have any number of empty rows
         return 0;
     std::size_t count = 0;
     for (std::size_t row = 0; row != cloud.height; row++) {

@@ -1,11 +1,12 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 // A command that a rule publishes.
 #pragma once
 
 #include "filter.h"
 #include "task.h"
 
-// A command, sent once or repeatedly: then it replaces the planner's. Bounds apply to it.
+// Sends a command once or repeatedly. A repeated command replaces the commands of the planner. The
+// bounds apply to the command.
 template <class Command> class CommandTask : public Task {
 public:
     using Message = typename Command::Message;

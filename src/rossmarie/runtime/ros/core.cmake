@@ -1,7 +1,8 @@
-# Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+# Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 #
-# What a node is built of in either generation of ROS: guard.cmake of a generation includes this. Two
-# files may be the user's: those that ROSSMARIE_HOOKS and ROSSMARIE_PARAMETERS name.
+# The sources of the node for ROS 1 and ROS 2. The guard.cmake of each generation includes this
+# file. ROSSMARIE_HOOKS and ROSSMARIE_PARAMETERS may name files of the user that replace the two
+# defaults.
 get_filename_component(_guard_folder ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 include(${_guard_folder}/needs.cmake)
 set(_guard_hooks ${_guard_folder}/src/hooks.cpp)
@@ -15,14 +16,14 @@ endif()
 set(_guard_sources
   ${_guard_folder}/runtime/guard.cpp
   ${_guard_folder}/runtime/operators.cpp
-  ${_guard_folder}/runtime/telling.cpp
+  ${_guard_folder}/runtime/reporting.cpp
   ${_guard_folder}/runtime/settings.cpp
   ${_guard_folder}/src/rules.cpp
   ${_guard_hooks})
 set(_guard_includes ${_guard_folder} ${_guard_folder}/runtime ${_guard_folder}/src)
 
-# Numbers must come out as written: see the head of the monitor. Several nodes may be loaded into one
-# process, so they hide their symbols.
+# The compiler must not change floating-point results: see the head of the monitor. One process may
+# load several nodes, so each node hides its symbols.
 add_library(${_guard_node}_core STATIC
   ${_guard_folder}/src/${_guard_code}_monitor.c
   ${_guard_folder}/src/${_guard_code}_reactor.c)
@@ -32,7 +33,7 @@ set_target_properties(${_guard_node}_core PROPERTIES
   C_VISIBILITY_PRESET hidden
   POSITION_INDEPENDENT_CODE ON)
 
-# Tests what the rules say that happens at once.
+# Adds the test of the immediate reactions of the rules.
 macro(_guard_add_test)
   add_executable(${_guard_node}_test_reactions
     ${_guard_folder}/test/test_reactions.c

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Tables of the generated rules.cpp: the names of rules, inputs and tasks, and their needs.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The tables of the generated rules.cpp: names of rules, inputs and tasks, and their requirements.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// The display of a value in a verdict: value * scale + offset in `unit`.
+// The format of a value in a verdict: value * scale + offset, in `unit`.
 struct ValueText {
     enum Kind { NUMBER, FLAG, TEXT } kind;
     const char *unit;
@@ -22,8 +22,8 @@ struct RuleInput {
     bool has_timeout;
 };
 
-// The texts of a rule, in the words of its author, and the terms of its verdicts. A rule that is
-// always applied cannot be exempted.
+// The texts of a rule from the rules file, and the values and inputs of its verdicts. An operator
+// cannot exempt a rule with `always`.
 struct RuleText {
     const char *name;
     const char *condition;
@@ -36,17 +36,17 @@ struct RuleText {
 };
 extern const std::vector<RuleText> RULES;
 
-// Texts that the rules know; a text of a message is the index of one of them.
+// The texts that the rules compare. The monitor represents a text of a message by its index here.
 extern const std::vector<std::string> TEXTS;
 
-// An input of the rules, and the topic that it comes from.
+// An input of the rules, and its topic.
 struct InputText {
     const char *name;
     const char *topic;
 };
 extern const std::vector<InputText> INPUTS;
 
-// A topic that the node listens to. Its messages are too old at an age of `timeout_ns`; 0: never.
+// A topic that the node subscribes to. A message expires at the age `timeout_ns`. 0 means never.
 struct ChannelText {
     const char *topic;
     int64_t timeout_ns;
@@ -54,7 +54,7 @@ struct ChannelText {
 };
 extern const std::vector<ChannelText> CHANNELS;
 
-// A parameter of the rules, in SI units: from what the rules say to the last value that counts.
+// A parameter of the rules, in SI units, with its default and its strictest value.
 struct RuleParameter {
     const char *name;
     double usual;
@@ -63,7 +63,7 @@ struct RuleParameter {
 };
 extern const std::vector<RuleParameter> RULE_PARAMETERS;
 
-// The source of commands.
+// The source topics of the commands.
 extern const std::vector<std::string> SOURCES;
 
 struct TaskText {
@@ -74,7 +74,7 @@ struct TaskText {
 };
 extern const std::vector<TaskText> TASKS;
 
-// A requirement on another node: a service, or a topic that shows its presence.
+// A requirement on another node: a service, or a topic that shows the presence of the node.
 struct OtherText {
     const char *title;
     const char *name;
@@ -82,16 +82,16 @@ struct OtherText {
 };
 extern const std::vector<OtherText> OTHERS;
 
-// The key of the names of the latched rules: another set of them has another key.
+// A key for the set of names of the latched rules. Another set has another key.
 extern const char *const LATCHED_RULES_KEY;
 
-// The number of rows of a table; the index identifies a row.
+// Returns the number of rows of a table. The index of a row identifies the row.
 template <class Row> int count(const std::vector<Row> &table)
 {
     return static_cast<int>(table.size());
 }
 
-// The row of a rule that the C describes.
+// Returns the row of a rule from its description in the generated C.
 template <class Description>
 RuleText rule_text(const Description &rule, bool is_latched, std::vector<ValueText> values,
                    std::vector<RuleInput> inputs, std::vector<std::string> categories = {},

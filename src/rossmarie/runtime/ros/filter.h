@@ -1,6 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// A command topic: commands on the unfiltered topic are bounded and published on the filtered one.
+// The filter of a command topic: receives commands on the unfiltered topic, bounds them, and
+// publishes them on the filtered topic.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@
 #include "stamps.h"
 #include "throttle.h"
 
-// `Command` describes a command topic: `Message`, `topic`, `source` (where commands come from), its
-// `index`, how many `fields` it has, and each_number(message, visit(field, number)).
+// `Command` describes a command topic: its `Message` type, `topic`, `source` topic, `index`, number
+// of `fields`, and each_number(message, visit(field, number)).
 template <class Command> class Filter : public AnyFilter {
 public:
     using Message = typename Command::Message;
@@ -50,7 +51,7 @@ public:
             send(now_ns);
     }
 
-    // A message that replaces the planner's until `give_back`.
+    // Sends `message` in place of the planner's commands until `give_back`.
     void take_over(const Message &message)
     {
         is_taken_over_ = true;
@@ -84,14 +85,14 @@ public:
     const std::string &source() const override { return source_; }
     std::string type() const override { return Middleware::type<Message>(); }
 
-    // Sends a message on its way, bounded.
+    // Bounds a message and publishes it.
     void pass(Message message, int64_t now_ns)
     {
         const Bounds bounds = bounds_at(now_ns);
         if (!is_finite(message)) {
             refused_ += 1;
             if (throttle_.is_due())
-                say::error("a command on " + topic_ + " is not finite: 0 is sent");
+                say::error("a command on " + topic_ + " is not finite; the filter sends 0 instead");
             Command::each_number(message, [](std::size_t, auto &number) { number = 0; });
         }
         Command::each_number(message, [&](std::size_t field, auto &number) {
@@ -121,7 +122,7 @@ private:
         pass(message, now);
     }
 
-    // Sends the last command again; without one, a command that is 0.
+    // Sends the last command again. If there is none, sends 0.
     void send(int64_t now_ns)
     {
         Message message = latest_;
@@ -167,7 +168,8 @@ private:
         });
     }
 
-    // True if bounds restrict a number that was sent last: this cannot wait.
+    // Returns true if the bounds are stricter than the last sent bounds. Such a change must not
+    // wait.
     bool is_stricter(const Bounds &bounds) const
     {
         return !std::equal(bounds.begin(), bounds.end(), sent_.begin(), [](auto &a, auto &b) {
@@ -191,12 +193,12 @@ private:
     bool blocked_ = false;
     bool is_taken_over_ = false;
     bool is_bypassed_ = false;
-    std::mutex sending_; // what stands below: 0 is the last that is sent, whichever thread sends it
+    std::mutex sending_; // guards is_over_: after the final 0 no thread sends a command
     bool is_over_ = false;
     int refused_ = 0;
 };
 
-// Begins to let the commands of a topic pass.
+// Adds the filter of a command topic.
 template <class Command>
 Filter<Command> &add_filter(Performers &made, Host &host, const Filtering &filtering)
 {

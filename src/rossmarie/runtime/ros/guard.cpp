@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The work of the guard: the monitor, the reactor and the filters process messages and time.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The loop of the guard: the monitor, the reactor and the filters process messages and time.
 #include "guard.h"
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 
 #include "reports.h"
 
-static const double LONGEST_WAIT = 0.05; // seconds of wall time between two looks at the clock
-static const std::chrono::seconds CHECK_PERIOD{1}; // ... at others, and at who passes the filter by
+static const double LONGEST_WAIT = 0.05;           // s, wall time between two readings of the clock
+static const std::chrono::seconds CHECK_PERIOD{1}; // of other nodes, and of bypasses of the filter
 
 // --- begin ---------------------------------------------------------------------------------------
 
-// The flags of the core's compiler can change results, and so can the process.
+// Compiler flags and the floating-point mode of the process can change results.
 static void must_compute(const char *fault)
 {
     if (fault)
-        throw std::runtime_error(std::string("the core computes wrongly: ") + fault);
+        throw std::runtime_error(std::string("the generated C computes wrong results: ") + fault);
 }
 
 Guard::Guard(Middleware &middleware, const Settings &settings)
@@ -66,7 +66,7 @@ void Guard::check(const Middleware &middleware, const Settings &settings)
             return middleware.resolved(channel.topic) == middleware.resolved(topic);
         });
         if (found == CHANNELS.end())
-            throw BadParameter("header_stamps", "no rule looks at " + topic);
+            throw BadParameter("header_stamps", "no rule reads " + topic);
         if (!found->has_stamp)
             throw BadParameter("header_stamps", "messages on " + topic + " have no header");
     }
@@ -89,7 +89,7 @@ double Guard::wait()
     return std::max(0.0, std::min(wait, LONGEST_WAIT));
 }
 
-// The next instant at which something happens without a message.
+// Returns the next instant at which the guard must run without a message.
 int64_t Guard::next_wake() const
 {
     int64_t wake_ns = std::min(core::next_wake(&monitor_), core::reactor_next_wake(&reactor_));
@@ -98,7 +98,7 @@ int64_t Guard::next_wake() const
     return wake_ns;
 }
 
-// If ROS time stands still for longer, no input with a timeout would ever be stale.
+// Returns the longest standstill of ROS time (ns). During a standstill no input would expire.
 int64_t Guard::clock_timeout() const
 {
     if (settings_.clock_timeout_ns > 0)
@@ -128,7 +128,7 @@ void Guard::pass_time(int64_t at_ns)
     follow(at_ns);
 }
 
-// A message has come, and its fields are in values_.
+// Processes a message. Its fields are in values_.
 void Guard::take(int64_t at_ns)
 {
     if (!begin_when_ready(at_ns))
@@ -139,9 +139,9 @@ void Guard::take(int64_t at_ns)
     follow(at_ns);
 }
 
-// The monitor begins with the first messages of all inputs that can be stale, so that it does not
-// count those as stale that are only starting; after some patience it does. No command passes
-// before.
+// Starts the monitor when each input with a timeout has a fresh message, so that a starting input
+// does not count as stale. After the time `patience` the monitor starts in any case. No command
+// passes before the start.
 bool Guard::begin_when_ready(int64_t at_ns)
 {
     if (has_begun_)
@@ -161,7 +161,7 @@ bool Guard::begin_when_ready(int64_t at_ns)
     return has_begun_ = is_ready || is_over;
 }
 
-// Lets time pass.
+// Processes the passage of time.
 void Guard::step()
 {
     using Seconds = std::chrono::duration<double>;
@@ -183,7 +183,7 @@ void Guard::step()
     } else {
         for (const auto &filter : performers_.filters)
             filter->update(at_ns);
-        tell(at_ns);
+        publish_changes(at_ns);
     }
     if (!is_checking_ && now - checked_ >= CHECK_PERIOD)
         check_others();
@@ -191,7 +191,7 @@ void Guard::step()
         publish_diagnostics();
 }
 
-// Runs the reactor. Call it after each call of the monitor, with the same instant.
+// Runs the reactor. Call this function after each call of the monitor, with the same instant.
 void Guard::follow(int64_t at_ns)
 {
     end_exemptions(at_ns);
@@ -201,10 +201,10 @@ void Guard::follow(int64_t at_ns)
     open_when_ready(at_ns);
     for (const auto &filter : performers_.filters)
         filter->update(at_ns);
-    tell(at_ns);
+    publish_changes(at_ns);
 }
 
-// No command passes until all inputs with a timeout have arrived once.
+// Opens the filters when each input with a timeout has received a message.
 void Guard::open_when_ready(int64_t at_ns)
 {
     if (is_open_)
@@ -214,7 +214,8 @@ void Guard::open_when_ready(int64_t at_ns)
     if (!is_ready && !is_over)
         return;
     if (!is_ready)
-        say::warning("the grace period is over: commands pass although inputs have never arrived");
+        say::warning(
+            "the grace period has ended: commands pass although some inputs have never arrived");
     is_in_grace_ = !is_ready;
     is_open_ = has_changed_ = true;
     core::reactor_open(&reactor_);
@@ -227,7 +228,7 @@ void Guard::end_exemptions(int64_t at_ns)
             (at_ns >= exemptions_[rule].until_ns || Wall::now() >= exemptions_[rule].until)) {
             exempted_[rule] = false;
             has_changed_ = true;
-            say::warning(std::string("the exemption from rule ") + RULES[rule].name + " is over");
+            say::warning(std::string("the exemption of rule ") + RULES[rule].name + " has ended");
         }
 }
 
@@ -237,8 +238,7 @@ void Guard::stop_all()
         filter->stop();
 }
 
-// --- reports of the monitor and the reactor
-// -------------------------------------------------------
+// --- callbacks of the monitor and the reactor ----------------------------------------------------
 
 void Guard::on_event(const core::Event &event)
 {

@@ -1,11 +1,13 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The guard: one thread and one queue of callbacks, so that a verdict and the command that it holds
-// back cannot overtake each other. Each message goes through the monitor (which rules are active?),
-// the reactor (what follows?) and the filters (what may pass?) before the next is looked at.
-// These two are the C of the rules (core:: in rules.h). They decide, the guard performs.
+// The guard has one thread and one queue of callbacks, so that a command cannot overtake the
+// verdict that blocks it. The guard processes each message completely before the next message: the
+// monitor decides which rules are active, the reactor decides the task commands and the bounds, and
+// the filters apply the bounds. Monitor and reactor are the generated C of the rules (core:: in
+// rules.h). The guard performs the task commands.
 //
-// guard.cpp contains its work, operators.cpp the operators' services, telling.cpp the reports.
+// guard.cpp contains the loop, operators.cpp the services for operators, and reporting.cpp the
+// publication of verdicts, states and diagnostics.
 #pragma once
 
 #include <chrono>
@@ -29,25 +31,25 @@
 
 class Guard : public Host {
 public:
-    // Throws BadParameter, as `check` does.
+    // Throws BadParameter, like `check`.
     Guard(Middleware &middleware, const Settings &settings);
 
-    // True if these settings are valid, without a check of files.
+    // Throws BadParameter if these settings are invalid. Does not check files.
     static void check(const Middleware &middleware, const Settings &settings);
 
-    // The topics that the guard subscribes to, with their names in its namespace.
+    // Returns the topics that the guard subscribes to, relative to its namespace.
     static std::vector<std::string> topics();
 
-    // Call it when time has passed.
+    // Processes the passage of time. Call this function after the time that `wait` returns.
     void step();
 
-    // The seconds until `step` has something to do, if no message arrives.
+    // Returns the time (s) until the next necessary `step` if no message arrives.
     double wait();
 
-    // True if latched rules are kept over a restart.
+    // Returns true if the latched rules are saved for a restart.
     bool is_kept() const { return latched_.is_kept(); }
 
-    // The last command of the guard on each command topic: 0.
+    // Sends 0 as the last command on each command topic.
     void stop_all();
 
     // The services for tasks.
@@ -60,7 +62,7 @@ public:
 private:
     using Wall = std::chrono::steady_clock;
 
-    struct Exemption { // ends by whichever clock comes first
+    struct Exemption { // ends when either clock reaches the end
         int64_t until_ns = 0;
         Wall::time_point until{};
         std::string reason;
@@ -84,7 +86,7 @@ private:
     void why(Why::Response &response) const;
     void exempt(const Exempt::Request &request, Exempt::Response &response);
 
-    void tell(int64_t at_ns);
+    void publish_changes(int64_t at_ns);
     void publish_state(int64_t at_ns);
     void publish_diagnostics();
     void check_others();
@@ -100,11 +102,11 @@ private:
     Clock clock_{middleware_, clock_timeout()};
     core::Monitor monitor_;
     core::Values given_{};  // the parameters of the rules
-    core::Values values_{}; // of the messages that the monitor takes next, and these
+    core::Values values_{}; // given_, and the fields of the messages for the next step
     Arrays arrays_;
     core::Reactor reactor_;
     LatchedRules latched_{settings_.state_file, middleware_.name()};
-    Performers performers_; // they use what stands above
+    Performers performers_; // after the members that they use
     Inputs inputs_;
     Publisher<Verdict> verdicts_ = middleware_.advertise<Verdict>("~verdicts", 100);
     Publisher<State> state_ = middleware_.advertise_latched<State>("~state");
@@ -112,26 +114,26 @@ private:
     Publisher<DiagnosticArray> diagnostics_ =
         middleware_.advertise<DiagnosticArray>("/diagnostics", 10);
 
-    std::map<int, core::Event> causes_; // of the active rules, as they became so
+    std::map<int, core::Event> causes_; // by active rule: the event of its activation
     std::vector<Verdict> new_verdicts_;
     std::vector<std::string> overruled_;
     std::vector<char> in_force_ = std::vector<char>(TASKS.size(), false);
     std::vector<int> task_states_ = std::vector<int>(TASKS.size(), 0);
     std::map<int, DiagnosticStatus> diagnoses_;
-    Findings found_;                     // of others, as checked at last
-    std::map<int, std::string> lacking_; // what tasks will need and others lack, likewise
+    Findings found_;                     // of the last check of other nodes
+    std::map<int, std::string> missing_; // by task: its unmet requirement at the last check
     std::vector<unsigned char> exempted_ = std::vector<unsigned char>(RULES.size(), false);
-    std::vector<Exemption> exemptions_ = std::vector<Exemption>(RULES.size()); // of those
+    std::vector<Exemption> exemptions_ = std::vector<Exemption>(RULES.size()); // by rule
     int64_t started_ns_ = 0;
     std::vector<int64_t> arrived_ns_ = std::vector<int64_t>(CHANNELS.size(), 0);
     bool has_begun_ = false;
-    bool is_given_ = false; // the monitor has the parameters of the rules
+    bool is_given_ = false; // true: the monitor has the parameters of the rules
     bool is_open_ = false;
     bool is_in_grace_ = false;
     bool is_reset_wanted_ = false;
     bool is_checking_ = false;
     bool has_changed_ = true;
-    double longest_pause_ = 0.0; // since the diagnostics of a second ago
+    double longest_pause_ = 0.0; // since the last diagnostics
     Wall::time_point looked_ = Wall::now();
     Wall::time_point diagnosed_{};
     Wall::time_point checked_ = Wall::now();

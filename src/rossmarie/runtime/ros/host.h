@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The guard, as far as tasks need it.
+// The interface of the guard for tasks.
 #pragma once
 
 #include "middleware.h"

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// A topic that rules read: the accepted messages, and the instant of each.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// An input topic: decides which messages the monitor accepts, and the instant of each.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 #include "stamps.h"
 #include "throttle.h"
 
-// The data about an input topic for the diagnostics.
+// The data of an input topic for the diagnostics.
 class AnyInput {
 public:
     virtual ~AnyInput() = default;
@@ -41,7 +41,7 @@ private:
     Throttle throttle_;
 };
 
-// An input whose messages come by the subscription of another one.
+// An input whose messages arrive through the subscription of another input.
 class SharedInput : public AnyInput {
 public:
     SharedInput(std::string topic, std::string type) : AnyInput(std::move(topic), std::move(type))
@@ -53,8 +53,8 @@ template <class Message> class Input : public AnyInput {
 public:
     using Take = std::function<void(const Message &, int64_t at_ns)>;
 
-    // `timeout_ns` is the age at which the topic counts as stale, 0 if it never does. With
-    // `by_stamp` the stamps in the headers say when messages are from, not their arrival.
+    // The topic is stale at the age `timeout_ns`. 0 means never. If `by_stamp` is true, the stamp
+    // in the header gives the instant of a message, not its arrival.
     Input(Middleware &middleware, Clock &clock, const std::string &topic, int64_t timeout_ns,
           bool by_stamp, Take take)
         : AnyInput(middleware.resolved(topic), Middleware::type<Message>()), clock_(clock),
@@ -69,7 +69,7 @@ private:
     void receive(const Message &message, int64_t received_ns)
     {
         clock_.now();
-        if (clock_.stands_still()) { // the instant of its measurement is unknown
+        if (clock_.stands_still()) { // the instant of the measurement is unknown
             refuse("ROS time stands still");
             return;
         }
@@ -86,7 +86,7 @@ private:
     bool is_current(int64_t stamp_ns)
     {
         const int64_t now = clock_.now();
-        if (jumps_ != clock_.jumps()) { // stamps of before the jump say nothing any more
+        if (jumps_ != clock_.jumps()) { // the stamps before the jump are meaningless now
             jumps_ = clock_.jumps();
             latest_ns_ = INT64_MIN;
         }
@@ -95,7 +95,7 @@ private:
         if (timeout_ns_ > 0 && stamp_ns - now >= timeout_ns_)
             return refuse("its stamp is in the future");
         if (stamp_ns <= latest_ns_)
-            return refuse("its stamp is not later than the one before");
+            return refuse("its stamp is not later than the previous stamp");
         latest_ns_ = stamp_ns;
         return true;
     }

@@ -1,8 +1,8 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The file that keeps latched rules over a restart: one name on each line. It belongs to one node:
-// a lock beside it keeps others away, and its usual name has those of the node and of its latched
-// rules.
+// The file that keeps the latched rules over a restart: one rule name on each line. The file
+// belongs to one node. A lock file next to it excludes other nodes. The default file name contains
+// the name of the node and a key of its latched rules.
 #pragma once
 
 #include <fcntl.h>
@@ -30,8 +30,8 @@
 
 class LatchedRules {
 public:
-    // `path` is empty for the default path; `node` is the full name of the node. Throws
-    // BadParameter if the file cannot be written, or if another node uses it.
+    // An empty `path` means the default path. `node` is the full name of the node. Throws
+    // BadParameter if the file is not writable, or if another node uses the file.
     LatchedRules(std::string path, const std::string &node) : path_(std::move(path))
     {
         if (!has_any())
@@ -53,9 +53,9 @@ public:
     LatchedRules(const LatchedRules &) = delete;
     LatchedRules &operator=(const LatchedRules &) = delete;
 
-    // Latches what the file names. A file that is there and cannot be read, or that names a rule
-    // that is not latched, latches all rules, because its intended content is unknown. So does,
-    // where there is no file yet, one that this node has left under other rules.
+    // Latches the rules that the file names. Latches all latched rules if the intended content is
+    // unknown: the file is not readable, or the file names another rule, or the file does not exist
+    // and this node left a non-empty file of another set of rules.
     void restore(core::Monitor &monitor)
     {
         if (!has_any())
@@ -71,11 +71,11 @@ public:
             if (RULES[rule].is_latched && (!stranger.empty() || names.count(RULES[rule].name) > 0))
                 core::latch(&monitor, rule);
         if (!stranger.empty())
-            say::error(stranger + " is of other rules: all latched rules are active");
+            say::error(stranger + " names other rules: all latched rules are active");
     }
 
-    // Writes the latched rules that are active, if they are others than at last: either all of the
-    // new file is there after a crash, or all of the old.
+    // Writes the active latched rules if they have changed. After a crash, either the complete new
+    // file or the complete old file exists.
     void keep(const core::Monitor &monitor)
     {
         std::string text;
@@ -88,7 +88,7 @@ public:
         has_written_ = true;
         written_ = text;
         if (!is_kept_)
-            say::error("cannot write " + path_ + ": latched rules will not survive a restart");
+            say::error("cannot write " + path_ + ": the latched rules will not survive a restart");
     }
 
     bool is_kept() const { return is_kept_; }
@@ -108,7 +108,7 @@ private:
         });
     }
 
-    // The folder for data of ROS programs.
+    // Returns the data folder of ROS.
     static std::string usual_folder()
     {
         const char *ros_home = std::getenv("ROS_HOME");
@@ -116,11 +116,11 @@ private:
         const std::string folder = ros_home != nullptr ? ros_home
                                    : home != nullptr   ? std::string(home) + "/.ros"
                                                        : ".";
-        mkdir(folder.c_str(), 0755); // if it exists already, this does nothing
+        mkdir(folder.c_str(), 0755); // fails without effect if the folder exists
         return folder;
     }
 
-    // `/robot1/slope_safety` as `robot1.slope_safety`: names of ROS have no dots.
+    // Converts `/robot1/slope_safety` to `robot1.slope_safety`. ROS names contain no dots.
     static std::string node_in_file_name(const std::string &node)
     {
         std::string name = node.substr(node.find_first_not_of('/'));
@@ -129,14 +129,14 @@ private:
         return name;
     }
 
-    // Those in the folder whose names begin and end so.
+    // Returns the files of the folder whose names begin with `begin` and end with ENDING.
     static std::vector<std::string> files(const std::string &folder, const std::string &begin)
     {
         std::vector<std::string> found;
         std::error_code problem;
         for (const auto &entry : std::filesystem::directory_iterator(folder, problem)) {
             const std::string name = entry.path().filename().string();
-            const bool is_of_node = name.rfind(begin, 0) == 0 && // ... and of none in its namespace
+            const bool is_of_node = name.rfind(begin, 0) == 0 && // not of a node in its namespace
                                     name.find(ENDING) == name.find('.', begin.size());
             if (is_of_node && entry.path().extension() == ENDING)
                 found.push_back(entry.path().string());
@@ -150,7 +150,7 @@ private:
         return file.is_open() && file.peek() == std::ifstream::traits_type::eof();
     }
 
-    // Reads the names; false if they are not all names of latched rules.
+    // Reads the names. Returns false if a name is not the name of a latched rule.
     static bool is_read(const std::string &path, std::set<std::string> &names)
     {
         std::ifstream file(path);
@@ -162,7 +162,7 @@ private:
         return is_good && !file.bad();
     }
 
-    // The system frees the lock when the node ends, however that comes.
+    // Locks the file. The operating system releases the lock at any end of the node.
     void take()
     {
         const std::string beside = path_ + ".lock";
@@ -170,7 +170,7 @@ private:
         if (lock_ < 0)
             refuse("cannot write " + beside + ": " + std::strerror(errno));
         if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
-            refuse(path_ + " is used by another node; each needs a file of its own");
+            refuse(path_ + " is used by another node; each node needs its own file");
         std::FILE *file = std::fopen(new_path().c_str(), "w");
         if (file == nullptr)
             refuse("cannot write " + new_path() + ": " + std::strerror(errno));
@@ -199,7 +199,7 @@ private:
     }
 
     std::string path_;
-    std::vector<std::string> relatives_; // files of this node, under whichever rules
+    std::vector<std::string> relatives_; // files of this node, for any set of rules
     int lock_ = -1;
     std::string written_;
     bool has_written_ = false;

@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// Fields of messages as numbers, and numbers as fields.
+// Conversions between message fields and numbers.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ template <class Number> double number(Number value) { return static_cast<double>
 inline double number(const Middleware::Time &time) { return Middleware::seconds(time); }
 inline double number(const Middleware::Duration &duration) { return Middleware::seconds(duration); }
 
-// All elements of an array.
+// Returns all elements of an array.
 template <class Array> std::vector<double> numbers(const Array &array)
 {
     std::vector<double> numbers;
@@ -30,8 +30,8 @@ template <class Array> std::vector<double> numbers(const Array &array)
     return numbers;
 }
 
-// One field of all elements of a list, as far as there is room: of a longer list only its length
-// counts.
+// Copies one field of each element of a list until `room` is full. The rules use only the length of
+// a longer list.
 template <class List, std::size_t MOST, class Read>
 const double *column(const List &list, std::array<double, MOST> &room, Read read)
 {
@@ -44,14 +44,14 @@ const double *column(const List &list, std::array<double, MOST> &room, Read read
     return room.data();
 }
 
-// An element of an array that may be shorter; then it is unknown.
+// Returns an element of an array. The element is NAN (unknown) if the array is shorter.
 template <class Array> double element(const Array &array, std::size_t index)
 {
     return index < array.size() ? number(array[index]) : NAN;
 }
 
-// The place of an element by its name, the place behind all others if none has it, or several have,
-// or if nobody knows which names belong to which elements.
+// Returns the index of the element with a name. Returns SIZE_MAX if no element or several elements
+// have this name, or if the arrays of names and of elements differ in length.
 template <class Names, class Array>
 std::size_t place_of(const char *name, const Names &names, const Array &array)
 {
@@ -63,21 +63,21 @@ std::size_t place_of(const char *name, const Names &names, const Array &array)
     return static_cast<std::size_t>(found - names.begin());
 }
 
-// The place of an element in an array that has to have `count`, else the place behind all others.
+// Returns `place` if the array has `count` elements, and SIZE_MAX otherwise.
 template <class Array>
 std::size_t place_among(std::size_t place, std::size_t count, const Array &array)
 {
     return array.size() == count ? place : SIZE_MAX;
 }
 
-// The index of a text among those that the rules know, -1 for any other.
+// Returns the index of a text in TEXTS, or -1 for any other text.
 inline double text_index(const std::string &text)
 {
     const auto found = std::find(TEXTS.begin(), TEXTS.end(), text);
     return found == TEXTS.end() ? -1.0 : static_cast<double>(found - TEXTS.begin());
 }
 
-// True if an array is as long as it is said to be, not of a fixed size.
+// True if the size of an array type is not fixed.
 template <class Array>
 constexpr auto is_resizable(int) -> decltype(std::declval<Array>().resize(1), true)
 {

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 // The services of the node for operators.
 #include "guard.h"
 #include "reports.h"
@@ -28,7 +28,7 @@ void Guard::reset(const Reset::Request &request, Reset::Response &response)
         return;
     }
     if (!has_begun_) {
-        response.message = "the node still waits for its inputs";
+        response.message = "the node is still waiting for its inputs";
         return;
     }
     const int64_t at_ns = clock_.now();
@@ -37,7 +37,7 @@ void Guard::reset(const Reset::Request &request, Reset::Response &response)
     for (int rule = 0; rule < count(RULES); rule++)
         if ((wanted < 0 || rule == wanted) && RULES[rule].is_latched &&
             core::is_active(&monitor_, rule))
-            response.message += "still holds: " + why_active(rule);
+            response.message += "the condition still holds: " + why_active(rule);
     response.success = response.message.empty();
     say::information("reset: " + (response.success ? "done" : response.message));
     follow(at_ns);
@@ -52,7 +52,7 @@ std::string Guard::why_active(int rule) const
         return name + ", latched before the node started" + clears;
     const double age = static_cast<double>(clock_.latest() - found->second.at_ns) / 1e9;
     const std::string cause = reports::cause(found->second);
-    return name + ", active for " + std::to_string(age) + " s; it began with: " + cause + clears;
+    return name + ", active for " + std::to_string(age) + " s; cause: " + cause + clears;
 }
 
 void Guard::why(Why::Response &response) const
@@ -63,12 +63,13 @@ void Guard::why(Why::Response &response) const
     if (clock_.stands_still())
         response.text += "no command passes: ROS time stands still\n";
     for (const auto &[topic, by] : found_.bypassed)
-        response.text += "no command passes on " + topic + ": " + by + " publishes it, too\n";
+        response.text +=
+            "no command passes on " + topic + ": " + by + " also publishes this topic\n";
     if (!is_open_)
         for (int channel = 0; channel < count(CHANNELS); channel++)
             if (CHANNELS[channel].timeout_ns != 0 && arrived_ns_[channel] == 0)
-                response.text +=
-                    "no command passes: nothing has come on " + inputs_[channel]->topic() + "\n";
+                response.text += "no command passes: no message has arrived on " +
+                                 inputs_[channel]->topic() + "\n";
     if (response.text.empty())
         response.text = "no rule is active\n";
 }
@@ -79,7 +80,7 @@ void Guard::exempt(const Exempt::Request &request, Exempt::Response &response)
     if (rule < 0)
         response.message = "there is no rule " + request.rule;
     else if (RULES[rule].is_always)
-        response.message = "the rule " + request.rule + " holds always: nobody can exempt it";
+        response.message = "rule " + request.rule + " has `always`: it cannot be exempted";
     else if (Middleware::nanoseconds(request.time) < 0)
         response.message = "the time is negative";
     else if (request.reason.empty())

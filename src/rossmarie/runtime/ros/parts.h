@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The parts that the generated rules.cpp makes for the guard: inputs, filters and tasks.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The parts of the guard that the generated rules.cpp makes: inputs, filters and tasks.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 
 using Inputs = std::vector<std::unique_ptr<AnyInput>>;
 
-// The receiver of the fields of messages. `arrive` is called for each channel that a message
-// updates, then `take`.
+// The receiver of the fields of messages. A message calls `arrive` for each channel that it
+// updates, and then `take`.
 struct Listener {
     Middleware &middleware;
     Clock &clock;
@@ -35,13 +35,13 @@ struct Listener {
     std::function<void(int64_t at_ns)> take;
 };
 
-// An input for each channel.
+// Makes an input for each channel.
 Inputs make_inputs(const Listener &listener);
 
-// The parameters of the rules, for the monitor.
+// Copies the parameters of the rules into the values for the monitor.
 void give(core::Values &values, const std::vector<double> &given);
 
-// The needs of filters.
+// The objects that filters use.
 struct Filtering {
     Clock &clock;
     const core::Reactor &reactor;
@@ -49,23 +49,23 @@ struct Filtering {
     CatchUp catch_up;
 };
 
-// A filter for each command topic, and the tasks, some of which use a filter.
+// A filter for each command topic, and the tasks. Some tasks use a filter.
 struct Performers {
     std::vector<std::unique_ptr<AnyFilter>> filters;
     std::vector<std::unique_ptr<Task>> tasks;
 };
 Performers make_performers(Host &host, const Filtering &filtering);
 
-// A list of structs. Each describes a topic that the node listens to: its `Message`, its `topic`,
-// its `timeout_ns`, and `fill(values, arrays, message)`. One that `has(message)` shares its topic
-// with others: a message is for those of them of which it has something.
+// A list of structs. Each struct describes a topic that the node subscribes to: its `Message` type,
+// `topic`, `timeout_ns`, and `fill(values, arrays, message)`. A struct with `has(message)` shares
+// its topic with other structs: it receives the messages for which `has` returns true.
 template <class... Each> struct Channels {};
 
 template <class Channel> auto shares(int) -> decltype(&Channel::has, std::true_type());
 template <class Channel> std::false_type shares(long);
 template <class Channel> constexpr bool is_shared = decltype(shares<Channel>(0))::value;
 
-// Copies the content of a message for a channel that shares its topic with the subscribing one.
+// Copies the content of a message for a channel that shares its topic with the subscribing channel.
 template <class Listening, class Channel>
 bool take_over(const Listener &listener, const typename Listening::Message &message, int channel,
                int64_t at_ns)

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Events and states in words.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The texts of verdicts, inputs and tasks for logs and diagnostics.
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,7 @@ inline std::string of_input(int input, int state)
                                                  : "is older than its timeout");
 }
 
-// The missing inputs of a rule; if none is silent, its values and its condition.
+// Returns the stale inputs of a rule. If no input is stale, returns its values and its condition.
 inline std::string cause(const core::Event &event)
 {
     const RuleText &rule = RULES[event.rule];
@@ -46,7 +46,7 @@ inline std::string cause(const core::Event &event)
     const bool is_stale = event.change == core::ACTIVATED_STALE;
     if (is_stale && !stale.empty())
         return stale;
-    std::string cause = is_stale ? "messages come without a usable value: " : "";
+    std::string cause = is_stale ? "messages arrive without a usable value: " : "";
     for (std::size_t i = 0; i < rule.values.size(); i++)
         cause += rule.values[i].name + (" = " + shown(rule.values[i], event.values[i])) + "; ";
     return cause + (event.change == core::CLEARED ? "no longer: " : "") + rule.condition;
@@ -88,7 +88,7 @@ inline Verdict verdict(const core::Event &event)
     return verdict;
 }
 
-// A verdict as a line of the log.
+// Returns a verdict as a line of the log.
 inline std::string line(const Verdict &verdict)
 {
     if (verdict.change == Verdict::TIME_JUMP)

@@ -1,7 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The beams of a laser scan: sectors, points, and beams without a reading. A scan describes the
-// angles of its beams, and this description is not trusted. Compile with -ffp-contract=off: angles
-// are those of replays to the last bit.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Reads sectors, points and beams without a reading from a laser scan. A scan describes the angles
+// of its beams. This code checks the description before each use. Compile with -ffp-contract=off,
+// so that the angles equal the angles of a replay to the last bit.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-// A field of beams that the rules read, and memory for it.
+// A field of beams that the rules read, and memory for its numbers.
 enum class BeamField { RANGE, ANGLE, INTENSITY };
 struct BeamColumn {
     BeamField field;
@@ -19,10 +19,10 @@ struct BeamColumn {
 
 namespace scans {
 
-constexpr std::size_t UNKNOWN = SIZE_MAX; // more than any list may have
+constexpr std::size_t UNKNOWN = SIZE_MAX; // greater than the size of any list
 constexpr double HALF_TURN = 3.141592653589793, TURN = 2.0 * HALF_TURN;
-constexpr double SLACK = 0.01;   // of an increment, by which beams may miss an angle
-constexpr double MISCOUNT = 1.5; // increments, by which `angle_max` may be off
+constexpr double SLACK = 0.01;   // tolerance of an angle, in increments
+constexpr double MISCOUNT = 1.5; // tolerance of `angle_max`, in increments
 
 enum class Reading { RETURN, CLOSE, NOTHING, INVALID };
 
@@ -55,7 +55,7 @@ template <class Scan> Frame frame_of(const Scan &scan)
     return frame;
 }
 
-// True if a scan is consistent.
+// Returns true if a scan is consistent.
 template <class Scan> bool is_sound(const Scan &scan, const Frame &frame)
 {
     const double last = static_cast<double>(scan.angle_max);
@@ -71,10 +71,10 @@ template <class Scan> bool is_sound(const Scan &scan, const Frame &frame)
     return 0.0 <= frame.low && frame.low <= frame.high && 0.0 < frame.high && frame.low < INFINITY;
 }
 
-// An angle less whole turns, from 0 on.
+// Returns an angle modulo a turn, in [0, TURN).
 inline double within_turn(double angle) { return angle - std::floor(angle / TURN) * TURN; }
 
-// True if the beams cover a sector, to within one increment at each end.
+// Returns true if the beams cover a sector, with a tolerance of one increment at each end.
 inline bool reaches_over(const Frame &frame, double first, double width)
 {
     const double last = static_cast<double>(frame.count - 1);
@@ -88,7 +88,7 @@ inline bool reaches_over(const Frame &frame, double first, double width)
 
 } // namespace scans
 
-// Fills `found` with the valid readings of a sector; with none if the scan is unknown.
+// Fills `found` with the valid readings of a sector. Leaves it empty if the scan is unknown.
 template <class Scan>
 void sector(const Scan &scan, double first, double width, std::vector<double> &found)
 {
@@ -110,7 +110,7 @@ void sector(const Scan &scan, double first, double width, std::vector<double> &f
 }
 
 // Fills the columns with the points of a scan, or with the beams without a reading, and returns
-// their number; UNKNOWN if the scan has more than `most` beams, or if it is unknown.
+// their number. Returns UNKNOWN if the scan has more than `most` beams, or if the scan is unknown.
 template <class Scan, std::size_t COLUMNS>
 std::size_t beams(const Scan &scan, bool are_points, std::size_t most,
                   const BeamColumn (&columns)[COLUMNS])

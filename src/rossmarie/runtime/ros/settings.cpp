@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 #include "settings.h"
 
 #include "descriptions.h"
@@ -8,30 +8,33 @@
 
 static const std::vector<ParameterText> OF_ALL_RULES = {
     {"command_timeout", ParameterText::NUMBER, 0.5, 0.0, 1e6,
-     "A command older than this (s) is not sent again when its bounds change."},
+     "The maximum age of a command (s). The filter does not send an older command again when the "
+     "bounds change."},
     {"filter_rate", ParameterText::NUMBER, 20.0, 0.1, 1000.0,
-     "How often (Hz) the node sends commands of its own: 0 while nothing may pass, and "
-     "along ramps."},
+     "The rate (Hz) at which the node itself sends commands: 0 while the bounds allow only 0, and "
+     "the last command while a bound follows its ramp."},
     {"patience", ParameterText::NUMBER, 5.0, 0.0, 1e6,
-     "Until all inputs with a timeout have arrived, rules are not looked at and no command "
-     "passes; after this (s) those that are missing count as stale."},
+     "The time (s) for which the node waits for the first message of each input with a timeout. "
+     "Until then the node evaluates no rule and passes no command. After this time a missing "
+     "input is stale."},
     {"grace_period", ParameterText::NUMBER, 0.0, 0.0, 1e6,
-     "After this (s) commands pass even if inputs have never arrived; 0 is never."},
+     "The time (s) after which commands pass even if some inputs have never arrived. 0 means "
+     "never."},
     {"clock_timeout", ParameterText::NUMBER, 0.0, 0.0, 1e6,
-     "No command passes while ROS time stands still for longer than this (s) by the wall "
-     "clock; 0 is the shortest timeout of an input. A simulation that waits for the node, "
-     "or for the machine, needs more."},
+     "The time (s, wall clock) for which ROS time may stand still. If ROS time stands still for "
+     "longer, no command passes. 0 means the shortest timeout of an input. Increase the value "
+     "for a simulation that waits for the node or runs on a slow machine."},
     {"state_file", ParameterText::TEXT, 0.0, 0.0, 0.0,
-     "The file that keeps latched rules over a restart, of this node alone; empty for a "
-     "file in ~/.ros with the names of the node and of its latched rules."},
+     "The file that keeps the latched rules over a restart. Each node needs its own file. Empty "
+     "means a file in ~/.ros with a name made from the node and its latched rules."},
     {"header_stamps", ParameterText::TEXTS, 0.0, 0.0, 0.0,
-     "The input topics of which the stamps in the headers count, not the arrival: a "
-     "message whose stamp is old, in the future, or not later than the one before is "
-     "refused."},
+     "The input topics whose header stamps, not arrival times, give the time of a message. The "
+     "node refuses a message whose stamp is too old, in the future, or not later than the "
+     "previous stamp."},
 };
 
-// The parameters of these rules: from the value in the rules to the tightest value, whichever of
-// the two is greater.
+// Returns all parameters. A parameter of the rules ranges from its default to its strictest value,
+// in either order.
 static std::vector<ParameterText> with_own()
 {
     std::vector<ParameterText> all = OF_ALL_RULES;
@@ -58,20 +61,20 @@ static const ParameterText *parameter_called(const std::string &name)
     return found == all.end() ? nullptr : &*found;
 }
 
-// A number within the limits of its parameter; NaN is not.
+// Returns a number that lies within the limits of its parameter. NaN does not.
 static double number(const ParameterSource &source, const char *name)
 {
     const ParameterText &about = *parameter_called(name);
     double value = about.usual;
     source.read(name, value);
     if (!(about.low <= value && value <= about.high))
-        throw BadParameter(name, "it must be from " + std::to_string(about.low) + " to " +
-                                     std::to_string(about.high) + ", and is " +
+        throw BadParameter(name, "the value must be between " + std::to_string(about.low) +
+                                     " and " + std::to_string(about.high) + ", but is " +
                                      std::to_string(value));
     return value;
 }
 
-// A misspelt name would leave a safety setting at its default.
+// Refuses unknown names: a misspelt name would leave a safety parameter at its default.
 static void refuse_unknown(const ParameterSource &source)
 {
     for (const std::string &name : source.names())
@@ -79,7 +82,7 @@ static void refuse_unknown(const ParameterSource &source)
             std::string known;
             for (const ParameterText &each : parameter_texts())
                 known += std::string(known.empty() ? "" : ", ") + each.name;
-            throw BadParameter(name, "there is no such parameter; there are " + known);
+            throw BadParameter(name, "the node has no such parameter; it has " + known);
         }
 }
 

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
 // The parameters of the node, as config/parameters.yaml describes them.
 #pragma once
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// A parameter with which the node does not start.
+// The error for a parameter with an invalid name or value. The node does not start.
 struct BadParameter : std::runtime_error {
     BadParameter(const std::string &name, const std::string &what)
         : std::runtime_error("parameter " + name + ": " + what)
@@ -16,8 +16,8 @@ struct BadParameter : std::runtime_error {
     }
 };
 
-// A parameter: a number in [low, high], a text, or a list of texts; these two are empty if not
-// given.
+// A parameter: a number in [low, high], a text, or a list of texts. The default of a text or of a
+// list is empty.
 struct ParameterText {
     const char *name;
     enum Kind { NUMBER, TEXT, TEXTS } kind;
@@ -28,8 +28,9 @@ struct ParameterText {
 };
 const std::vector<ParameterText> &parameter_texts();
 
-// The source of parameters. `read` returns false, and leaves the value, if a parameter is not
-// given; it throws BadParameter if it is of another kind. `names` are the given ones, or more.
+// The source of parameters. `read` returns false and keeps the value if the parameter is not set.
+// `read` throws BadParameter if the parameter has another type. `names` includes all parameters
+// that are set.
 class ParameterSource {
 public:
     virtual ~ParameterSource() = default;
@@ -43,12 +44,12 @@ struct Settings {
     int64_t command_timeout_ns;
     int64_t filter_period_ns;
     int64_t patience_ns;
-    int64_t grace_ns;         // 0: commands never pass without all inputs
+    int64_t grace_ns;         // 0: no command passes before all inputs have arrived
     int64_t clock_timeout_ns; // 0: the shortest timeout of an input
-    std::string state_file;   // empty: the usual one
+    std::string state_file;   // empty: the default path
     std::vector<std::string> header_stamps;
-    std::vector<double> given; // for each parameter of the rules
+    std::vector<double> given; // by parameter of the rules
 };
 
-// Throws BadParameter for invalid values.
+// Reads the parameters. Throws BadParameter for an invalid name or value.
 Settings settings(const ParameterSource &source);

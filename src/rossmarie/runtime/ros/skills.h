@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Answers of the running skills to the queries of the rules. Messages are not trusted: if a message
-// comes from another export, or is too large, the answer is NAN (unknown).
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Answers the queries of the rules about the running skills. The answer is NAN (unknown) if the
+// message belongs to another export or is too large.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace skills {
 
-constexpr std::size_t MOST = 64; // skills, arguments of each, and properties of each of these
+constexpr std::size_t MOST = 64; // skills, arguments of a skill, and properties of an argument
 
 template <std::size_t COUNT> using Names = std::array<const char *, COUNT>;
 
@@ -19,7 +19,7 @@ template <class... Texts> constexpr Names<sizeof...(Texts)> names(Texts... texts
     return {texts...};
 }
 
-// A parameter, and the classes of its argument: it has to have one of them.
+// A parameter, and the allowed classes of its argument.
 template <std::size_t COUNT> struct Limit {
     const char *parameter;
     Names<COUNT> classes;
@@ -58,8 +58,8 @@ template <class Context> bool is_readable(const Context &context, const char *di
     return context.digest == digest && are_readable(context.running) && are_readable(context.ahead);
 }
 
-// True if an argument of a skill is of a class. An individual of several classes occurs once for
-// each.
+// Returns true if an argument of a skill has one of the classes. An individual with several classes
+// occurs once for each class.
 template <class Skill, std::size_t COUNT>
 bool is_within(const Skill &skill, const Limit<COUNT> &limit)
 {
@@ -69,7 +69,7 @@ bool is_within(const Skill &skill, const Limit<COUNT> &limit)
     return false;
 }
 
-// 1 if a running skill is one of `asked`, and its arguments are within all limits; 0 if none is.
+// Returns 1 if a running skill is one of `asked` and its arguments are within all limits, else 0.
 template <class Context, class Asked, class... Limits>
 double doing(const Context &context, const char *digest, const Asked &asked,
              const Limits &...limits)
@@ -82,7 +82,7 @@ double doing(const Context &context, const char *digest, const Asked &asked,
     return 0.0;
 }
 
-// True if the argument of a parameter of a skill that can start next is still unknown.
+// Returns true if a skill that can start next has no argument for this parameter yet.
 template <class Skill, std::size_t COUNT>
 bool is_open(const Skill &skill, const Limit<COUNT> &limit)
 {
@@ -92,8 +92,8 @@ bool is_open(const Skill &skill, const Limit<COUNT> &limit)
     return true;
 }
 
-// 1 if a skill that can start next is one of `asked`, and its arguments may be within all limits; 0
-// if none is.
+// Returns 1 if a skill that can start next is one of `asked` and its arguments may be within all
+// limits, else 0.
 template <class Context, class Asked, class... Limits>
 double ahead(const Context &context, const char *digest, const Asked &asked,
              const Limits &...limits)
@@ -107,7 +107,7 @@ double ahead(const Context &context, const char *digest, const Asked &asked,
     return 0.0;
 }
 
-// A number that occurs at least once, always with the same value.
+// A number that must occur at least once, and always with the same value.
 class OnlyNumber {
 public:
     void add(double number)
@@ -123,8 +123,8 @@ private:
     bool is_there_ = false, is_one_ = true;
 };
 
-// Calls a function with each argument of a parameter of the skill that is one of `asked`, if only
-// one such skill runs.
+// Calls `visit` with each argument of a parameter of the running skill that is one of `asked`. Does
+// nothing unless exactly one such skill runs.
 template <class Context, class Asked, class Visit>
 void each_argument(const Context &context, const char *digest, const Asked &asked,
                    const char *parameter, Visit visit)
@@ -146,7 +146,7 @@ void each_argument(const Context &context, const char *digest, const Asked &aske
             visit(argument);
 }
 
-// The number that is an argument of the only running skill that is one of `asked`.
+// Returns the numeric argument of the only running skill that is one of `asked`.
 template <class Context, class Asked>
 double quantity(const Context &context, const char *digest, const Asked &asked,
                 const char *parameter)
@@ -157,7 +157,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
-// The same of a property of the individual that is the argument.
+// Returns a property of the individual that is the argument of this skill.
 template <class Context, class Asked>
 double quantity(const Context &context, const char *digest, const Asked &asked,
                 const char *parameter, const char *property)
@@ -171,7 +171,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
-// The number of a boolean, which is 0 or 1.
+// Returns the number of a boolean. A boolean is 0 or 1; any other number is unknown.
 inline double boolean(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
 
 } // namespace skills

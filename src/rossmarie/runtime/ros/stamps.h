@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The stamp in the header of a message, if it has one.
+// Access to the stamp in the header of a message, if the message has a header.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Stops and starts controllers of a controller manager, and checks whether it has them.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Stops and starts controllers of a controller manager, and checks that the manager has them.
 #pragma once
 
 #include <algorithm>
@@ -24,20 +24,20 @@ public:
         switched_.insert(switched_.end(), change.stop.begin(), change.stop.end());
     }
 
-    void check(std::function<void(const std::string &lacking)> tell) override
+    void check(std::function<void(const std::string &missing)> report) override
     {
         if (!list_.is_free())
             return;
         const ListControllers::Request all;
         using Answer = ListControllers::Response;
-        list_.call(all, [this, tell](bool has_answered, const Answer &answer) {
-            // A manager that is not there is reported elsewhere.
-            tell(has_answered ? lacking(answer) : "");
+        list_.call(all, [this, report](bool has_answered, const Answer &answer) {
+            // Guard::check_others reports a missing manager.
+            report(has_answered ? missing(answer) : "");
         });
     }
 
 private:
-    std::string lacking(const ListControllers::Response &present) const
+    std::string missing(const ListControllers::Response &present) const
     {
         std::string names;
         for (const std::string &name : switched_)

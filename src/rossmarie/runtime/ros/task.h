@@ -1,7 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The actions of rules. The reactor decides the time: it calls `start` when a task comes into
-// force, `stop` when its rule is released or another rule has its resource, `give_up` when it has
-// failed.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The tasks of rules. The reactor decides when a task starts and ends. It calls `start` when a task
+// starts, `stop` when its rule is released or another rule takes its resource, and `give_up` when
+// the task has failed.
 #pragma once
 
 #include <functional>
@@ -20,21 +20,22 @@ public:
     virtual void give_up() { stop(); }
     virtual void tick(int64_t /*now_ns*/) {}
 
-    // Sends a pose of the past: x, y and z in m, and with an orientation its quaternion.
+    // Sends a recorded pose: x, y and z in m, and the quaternion of the orientation if there is
+    // one.
     virtual void retrace(int64_t /*now_ns*/, const double * /*pose*/) {}
 
-    // Finds missing requirements of `start` on other nodes. The result comes later, in a few words;
-    // "" if nothing is missing.
-    virtual void check(std::function<void(const std::string &lacking)> /*tell*/) {}
+    // Checks the requirements of `start` on other nodes. Calls `report` later with the unmet
+    // requirement as text, or with "".
+    virtual void check(std::function<void(const std::string &missing)> /*report*/) {}
 
-    // The instant at which `tick` has something to do next.
+    // Returns the instant of the next necessary `tick`.
     virtual int64_t next_ns() const { return INT64_MAX; }
 };
 
-// A limit or a scale: the reactor bounds the commands itself.
+// A limit or a scale. The reactor computes the bounds, so the task does nothing.
 class BoundTask : public Task {};
 
-// A message, sent once (period_ns is 0) or repeatedly.
+// Publishes a message once (period_ns is 0) or repeatedly.
 template <class Message> class PublishTask : public Task {
 public:
     PublishTask(Middleware &middleware, const std::string &topic, int64_t period_ns,
@@ -50,7 +51,7 @@ public:
 
     void tick(int64_t now_ns) override
     {
-        // After a jump back in time, the period begins anew.
+        // After a jump back in time, the period starts again.
         if (now_ns >= next_ns_ || (next_ns_ != INT64_MAX && next_ns_ - now_ns > period_ns_))
             send(now_ns);
     }
@@ -69,7 +70,7 @@ private:
     Message message_;
 };
 
-// Poses of the past, one per message: the reactor decides which, and when.
+// Publishes recorded poses, one per message. The reactor chooses the pose and the instant.
 template <class Message> class RetraceTask : public Task {
 public:
     using Put = std::function<void(Message &message, const double *pose)>;
@@ -93,7 +94,7 @@ private:
     Put put_;
 };
 
-// True if a response means success: it does unless it has a field `success` that is false.
+// Returns false if a response has a field `success` that is false, else true.
 template <class Response>
 auto is_success(const Response &response, int) -> decltype(bool(response.success))
 {
@@ -101,7 +102,7 @@ auto is_success(const Response &response, int) -> decltype(bool(response.success
 }
 template <class Response> bool is_success(const Response &, long) { return true; }
 
-// A service call.
+// Calls a service.
 template <class Service> class CallTask : public Task {
 public:
     using Report = std::function<void(bool success)>;
@@ -123,7 +124,7 @@ public:
         });
     }
 
-    // The result of the call does not matter any more.
+    // Ignores the result of a running call.
     void stop() override { ++run_; }
 
 private:
@@ -133,7 +134,7 @@ private:
     Client<Service> client_;
 };
 
-// A function at the start, at the end, or at both.
+// Calls a function at the start, and another function at the end.
 class DoTask : public Task {
 public:
     explicit DoTask(

@@ -1,5 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Transforms between frames: a message on /tf has any number of them, from any node.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Finds a transform between two frames. A message on /tf contains any number of transforms, from
+// any node.
 #pragma once
 
 #include <cmath>
@@ -7,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-// True if a text is the name of a frame. Older programs write a slash in front, which tf2 leaves
-// out.
+// Returns true if a text is the name of a frame. Older programs write a leading slash, which tf2
+// removes.
 inline bool is_frame(const std::string &text, const char *name)
 {
     const std::size_t first = !text.empty() && text[0] == '/' ? 1 : 0;
@@ -18,7 +19,7 @@ inline bool is_frame(const std::string &text, const char *name)
 template <class Message>
 using Transform = std::decay_t<decltype(std::declval<const Message &>().transforms[0].transform)>;
 
-// The transform of a frame with another parent than declared: its place is unknown.
+// Returns the transform of a frame with another parent than declared: its pose is unknown.
 template <class Message> const Transform<Message> &unknown_transform()
 {
     static const Transform<Message> unknown = [] {
@@ -30,8 +31,8 @@ template <class Message> const Transform<Message> &unknown_transform()
     return unknown;
 }
 
-// The transform from the frame `child` to `parent`, the last one if there are several; one that is
-// not known if the last one is to another parent; null if there is none.
+// Returns the last transform from the frame `child` to `parent`. Returns an unknown transform if
+// the last transform of `child` has another parent, and null if there is no transform of `child`.
 template <class Message>
 const Transform<Message> *transform_in(const Message &message, const char *parent,
                                        const char *child)

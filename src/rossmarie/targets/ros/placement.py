@@ -8,7 +8,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.manifest import Maintainer, Manifest, Placement
 
 _VERSION = "0.1.0"
-_LICENSE = "to be chosen"
+_LICENSE = "TODO: choose a license"
 _MAIL = "nobody@example.org"
 
 
@@ -35,7 +35,7 @@ def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
     """The fields of package.xml from the manifest, as XML. `files` are the rules files."""
-    nobody = Maintainer(f"whoever maintains {files}", _MAIL)
+    nobody = Maintainer(f"Maintainer of {files}", _MAIL)
     maintainers = manifest.maintainers or (nobody,)
     licenses = manifest.licenses or (_LICENSE,)
     return {

@@ -23,8 +23,8 @@ def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
 def _input(machine: ir.Machine, used: ir.Input) -> str:
     channel = machine.channels[used.channel]
     if ir.is_setting(channel):
-        return f"- `{used.name}`: a parameter of the node, which only tightens"
-    timeout = "" if used.timeout_ns is None else f", stale after {used.timeout_ns / 1e9:g} s"
+        return f"- `{used.name}`: a parameter of the node that can only make the rules stricter"
+    timeout = "" if used.timeout_ns is None else f", timeout {used.timeout_ns / 1e9:g} s"
     return f"- `{used.name}`: `{channel.topic}` ({channel.message_type}){timeout}"
 
 

@@ -37,7 +37,7 @@ def words_of(setting: ir.NodeParameter) -> tuple[str, str]:
     """The default of a parameter of the rules, and its allowed values."""
     unit = f" in {setting.unit}" if setting.unit else ""
     direction = "greater" if setting.is_up else "smaller"
-    about = f"A number{unit} of the rules, or a {direction} one, which is stricter."
+    about = f"A number of the rules{unit}. Only a {direction} value, which is stricter, is allowed."
     return repr(setting.usual), about
 
 

@@ -19,7 +19,7 @@ _ALWAYS = {"roscpp", "std_msgs"}
 
 def next_step(_: ir.Machine) -> str:
     """The build instructions of the package."""
-    return "build it where ROS 1 is: `catkin_make` in its workspace"
+    return "to build the package, run `catkin_make` in its ROS 1 workspace"
 
 
 def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:

@@ -23,6 +23,6 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
             finding = UnsupportedEffect(
                 target="ros1",
                 effect=effect_words(machine, effect),
-                reason="a parameter of dynamic_reconfigure has no dots in its name",
+                reason="the name of a dynamic_reconfigure parameter cannot contain dots",
             )
             yield finding.at(task.span, help=finding.OtherParameter())

@@ -25,7 +25,8 @@ _ALWAYS = {
 def next_step(machine: ir.Machine) -> str:
     """The build instructions of the package."""
     package = node_name(machine)
-    return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
+    command = f"colcon build --packages-select {package}"
+    return f"to build the package, run `{command}` in its ROS 2 workspace"
 
 
 def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:

@@ -25,7 +25,7 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
                 finding = UnsupportedEffect(
                     target="ros2",
                     effect=f"{effect_words(machine, task.effect)} then resend",
-                    reason="goals of ROS 2 can only be sent again where their type is known",
+                    reason="ROS 2 can send a goal again only if its type is known",
                 )
                 yield finding.at(task.span, help=finding.StateType(server=server))
             case (

@@ -107,8 +107,8 @@ static void check_opening(Guard &guard)
 {
     guard.step();
     CHECK(is_zero(passed(1.0)));
-    CHECK(why() == "no command passes: nothing has come on /robot/level\n");
-    CHECK(ask<Reset>("~reset", {""}).message == "the node still waits for its inputs");
+    CHECK(why() == "no command passes: no message has arrived on /robot/level\n");
+    CHECK(ask<Reset>("~reset", {""}).message == "the node is still waiting for its inputs");
     level(0.0);
     CHECK(passed(1.0).linear.x == 1.0);
     CHECK(why() == "no rule is active\n");
@@ -141,7 +141,8 @@ static void check_what_is_not_finite()
 {
     CHECK(is_zero(passed(NAN)));
     CHECK(is_zero(passed(1.0, INFINITY)));
-    CHECK(say::lines.back() == "error: a command on /robot/cmd_vel is not finite: 0 is sent");
+    CHECK(say::lines.back() ==
+          "error: a command on /robot/cmd_vel is not finite; the filter sends 0 instead");
 }
 
 static void check_latched_rule(Guard &guard)
@@ -151,7 +152,8 @@ static void check_latched_rule(Guard &guard)
     CHECK(is_zero(passed(1.0)));
     CHECK(is_diagnosed("rule wild", DiagnosticStatus::ERROR));
     CHECK(!ask<Reset>("~reset", {"fast"}).success);
-    CHECK(ask<Reset>("~reset", {"wild"}).message.find("still holds: rule wild, active for") == 0);
+    CHECK(ask<Reset>("~reset", {"wild"})
+              .message.find("the condition still holds: rule wild, active for") == 0);
     level(0.0);
     CHECK(is_zero(passed(1.0)));
     CHECK(ask<Reset>("~reset", {"wild"}).success);
@@ -166,7 +168,7 @@ static void check_exemption(Guard &guard)
     CHECK(ask<Exempt>("~exempt", {"slow", {1}, "test"}).message == "there is no rule slow");
     const Exempt::Response refused = ask<Exempt>("~exempt", {"torn", {1}, "test"});
     CHECK(!refused.success);
-    CHECK(refused.message == "the rule torn holds always: nobody can exempt it");
+    CHECK(refused.message == "rule torn has `always`: it cannot be exempted");
     CHECK(ask<Exempt>("~exempt", {"fast", {1}, ""}).message == "a reason is required");
     CHECK(ask<Exempt>("~exempt", {"fast", {100 * MILLISECOND_NS}, "test"}).success);
     wait(guard, 50);
@@ -196,7 +198,7 @@ static void check_stamps()
     place(network.now_ns, 4.0);
     CHECK(passed(1.0).linear.x == 0.2);
     place(network.now_ns, 0.0);
-    CHECK(say::lines.back().find("its stamp is not later than the one before") !=
+    CHECK(say::lines.back().find("its stamp is not later than the previous stamp") !=
           std::string::npos);
     CHECK(passed(1.0).linear.x == 0.2);
     network.now_ns += 1;
@@ -216,7 +218,7 @@ static void check_bypass(Guard &guard)
     CHECK(reported.back().data);
     level(0.0);
     CHECK(is_zero(passed(1.0)));
-    CHECK(why().find("/planner publishes it, too") != std::string::npos);
+    CHECK(why().find("/planner also publishes this topic") != std::string::npos);
     network.findings.bypassed.clear();
     while (published<Bool>("~bypassed").empty())
         guard.step();
@@ -248,7 +250,7 @@ int main()
 {
     network.now_ns = 1000 * 1000 * MILLISECOND_NS;
     CHECK(refusal("/robot/level").find("have no header") != std::string::npos);
-    CHECK(refusal("/lever").find("no rule looks at /lever") != std::string::npos);
+    CHECK(refusal("/lever").find("no rule reads /lever") != std::string::npos);
     CHECK(Guard::topics() == std::vector<std::string>({"level", "mode", "place", "unfil_cmd_vel"}));
     char name[] = "/tmp/guard_XXXXXX";
     setenv("ROS_HOME", mkdtemp(name), 1);

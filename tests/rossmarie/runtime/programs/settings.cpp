@@ -85,18 +85,19 @@ int main()
     CHECK(settings(given).state_file == "/tmp/latched");
 
     CHECK(refusal("patience", 0.0).empty());
-    CHECK(refusal("patience", -0.1).find("parameter patience: it must be from") == 0);
-    CHECK(refusal("filter_rate", 0.0).find("and is 0.0") != std::string::npos);
+    CHECK(refusal("patience", -0.1).find("parameter patience: the value must be between") == 0);
+    CHECK(refusal("filter_rate", 0.0).find("but is 0.0") != std::string::npos);
     CHECK(!refusal("grace_period", NAN).empty());
     CHECK(!refusal("clock_timeout", INFINITY).empty());
-    CHECK(refusal("patients", 1.0).find("there is no such parameter; there are command_timeout") !=
+    CHECK(refusal("patients", 1.0).find("the node has no such parameter; it has command_timeout") !=
           std::string::npos);
 
     CHECK(usual.given == std::vector<double>({0.5, 1.2}));
     given.numbers["gap"] = 0.8;
     given.numbers["braking"] = 0.6;
     CHECK(settings(given).given == std::vector<double>({0.8, 0.6}));
-    CHECK(refusal("gap", 0.4).find("parameter gap: it must be from 0.500000 to 500") == 0);
+    CHECK(refusal("gap", 0.4).find("parameter gap: the value must be between 0.500000 and 500") ==
+          0);
     CHECK(refusal("gap", 500.0).empty() && !refusal("gap", 501.0).empty());
     CHECK(refusal("braking", 0.0012).empty() && !refusal("braking", 0.001).empty());
     CHECK(!refusal("braking", 1.3).empty() && !refusal("braking", -0.6).empty());

@@ -66,7 +66,7 @@ def test_what_both_generations_share_is_the_same_text() -> None:
         "runtime/guard.h",
         "runtime/filter.h",
         "runtime/task.h",
-        "runtime/telling.cpp",
+        "runtime/reporting.cpp",
     } <= shared
 
 

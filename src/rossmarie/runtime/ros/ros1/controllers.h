@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
 // Stops and starts controllers of a controller manager.
 #pragma once
@@ -29,8 +29,8 @@ public:
     {
     }
 
-    // A manager refuses to start a running controller; changes that this node has already made are
-    // left out.
+    // Makes the changes that this node has not made yet: a manager refuses to start a running
+    // controller.
     bool apply(const Change &change)
     {
         const Change rest{undone(change.start, true), undone(change.stop, false)};
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // Either all changes are made, or none.
+    // Makes all changes or none.
     bool call(const Change &change)
     {
         if (change.start.empty() && change.stop.empty())
@@ -63,8 +63,8 @@ private:
         wanted.request.strictness = wanted.request.STRICT;
         const bool is_answered = client_.call(wanted);
         if (!is_answered || !wanted.response.ok)
-            say::error("controllers of " + manager_ + " are not switched: it " +
-                       (is_answered ? "refuses" : "does not answer"));
+            say::error(manager_ + " did not switch the controllers: it " +
+                       (is_answered ? "refused" : "did not answer"));
         return is_answered && wanted.response.ok;
     }
 
@@ -81,7 +81,7 @@ private:
 
     void remember(const std::string &name, bool is_started)
     {
-        if (changed_.erase(name) == 0) // else it is again as it was
+        if (changed_.erase(name) == 0) // otherwise the controller is in its original state again
             changed_[name] = is_started;
     }
 

@@ -1,8 +1,8 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The goals of one action server: those of others, which tasks interrupt, and those that tasks
-// send. Action servers and their clients communicate over topics; goals of others
-// are kept as bytes, so that this works for actions of any type.
+// The goals of one action server: goals of other nodes, which tasks interrupt, and goals that tasks
+// send. Action servers and their clients communicate over topics. This class keeps goals of other
+// nodes as bytes, so it needs no action type.
 #pragma once
 
 #include <actionlib_msgs/GoalID.h>
@@ -35,10 +35,10 @@ public:
     {
     }
 
-    // `look` is called whenever there is news about the goals.
+    // Calls `look` after each change of the goals.
     void watch(std::function<void()> look) { watchers_.push_back(std::move(look)); }
 
-    // A task has the server from now on.
+    // Gives the server to a task.
     void take(const Task *task)
     {
         tasks_.insert(task);
@@ -46,23 +46,24 @@ public:
         interrupt();
     }
 
-    // A task does not have the server any more. When no task has it, the last task decides whether
-    // the interrupted goal is sent again.
+    // Takes the server from a task. The last task decides whether the interrupted goal is sent
+    // again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty() && !resend)
             kept_ = Goal();
     }
 
-    // To be called when all task commands of a call have been given, and regularly: what is sent
-    // before the server listens is lost.
+    // Sends the interrupted goal again if this is due. Call this function regularly, and after the
+    // last task command of a call. The server does not receive a goal that is sent before the
+    // server subscribes.
     void tick()
     {
         if (tasks_.empty() && kept_.is_known() && is_connected())
             send_again();
     }
 
-    // Cancels all goals of others, and keeps the last one.
+    // Cancels all goals of other nodes, and keeps the last of these goals.
     void interrupt()
     {
         if (latest_.is_known())
@@ -84,14 +85,15 @@ public:
         cancel_.publish(cancelled);
     }
 
-    // True if no goal is pursued; false before the server has reported its goals.
+    // Returns true if the server pursues no goal. Returns false before the server has reported its
+    // goals.
     bool is_free() const
     {
         return has_reported_ && !latest_.is_known() &&
                std::all_of(listed_.begin(), listed_.end(), is_over);
     }
 
-    // Connects to the server early, so that it listens when it is needed.
+    // Connects to the server early, so that the server subscribes before the first goal.
     template <class ActionGoal> void advertise()
     {
         namespace traits = ros::message_traits;
@@ -99,13 +101,13 @@ public:
                   traits::definition<ActionGoal>());
     }
 
-    // True if the server hears what is sent: whoever tells the status subscribes to goals.
+    // Returns true if the server receives goals: the publisher of the status subscribes to goals.
     bool is_connected() const { return subscribers_.count(server_node_) > 0; }
 
-    // The number of times that a server has gone: it does not answer earlier requests any more.
+    // Returns the number of servers that have disappeared. Such a server never answers a request.
     int losses() const { return losses_; }
 
-    // Sends a goal of a task; returns its name.
+    // Sends a goal of a task. Returns the ID of the goal.
     template <class ActionGoal> std::string send(ActionGoal message)
     {
         message.goal_id = new_id();
@@ -115,7 +117,7 @@ public:
         return message.goal_id.id;
     }
 
-    // The server's report about a goal; null if it does not list the goal.
+    // Returns the status of a goal, or null if the server does not list the goal.
     const Status *find(const std::string &id) const
     {
         const auto found = std::find_if(listed_.begin(), listed_.end(), [&id](const Status &each) {
@@ -137,16 +139,16 @@ private:
     using GoalEvent = ros::MessageEvent<const ShapeShifter>;
     using StatusEvent = ros::MessageEvent<const actionlib_msgs::GoalStatusArray>;
 
-    // A goal of others: its name, and the message as it came.
+    // A goal of another node: its ID, and the received message.
     struct Goal {
         actionlib_msgs::GoalID id;
-        std::vector<uint8_t> bytes; // of what stands behind the name
+        std::vector<uint8_t> bytes; // the message after the ID
         boost::shared_ptr<const ShapeShifter> message;
-        bool is_listed = false; // by the server
+        bool is_listed = false; // true: the server lists the goal
         bool is_known() const { return message != nullptr; }
     };
 
-    // True if a goal is pursued, or will be, and has not been cancelled.
+    // Returns true if the server pursues or will pursue a goal that has not been cancelled.
     static bool is_untouched(const Status &status)
     {
         return status.status == Status::PENDING || status.status == Status::ACTIVE;
@@ -159,9 +161,9 @@ private:
         const ShapeShifter &message = *event.getConstMessage();
         latest_ = taken_apart(event.getConstMessage());
         newest_ = std::max(newest_, latest_.id.stamp);
-        kept_ = Goal(); // the new one takes its place
+        kept_ = Goal(); // the new goal replaces it
         advertise(message.getMD5Sum(), message.getDataType(), message.getMessageDefinition());
-        tell_watchers();
+        notify_watchers();
     }
 
     void on_status(const StatusEvent &event)
@@ -172,16 +174,16 @@ private:
         for (const Status &each : listed_)
             if (is_over(each))
                 own_.erase(each.goal_id.id);
-        // A server that has forgotten a goal, because it was restarted, does not pursue it.
+        // A restarted server does not list earlier goals, and does not pursue them.
         const Status *latest = find(latest_.id.id);
         if (latest == nullptr ? latest_.is_listed : is_over(*latest))
             latest_ = Goal();
         else
             latest_.is_listed = latest != nullptr;
-        tell_watchers();
+        notify_watchers();
     }
 
-    void tell_watchers()
+    void notify_watchers()
     {
         for (const auto &look : watchers_)
             look();
@@ -210,16 +212,16 @@ private:
 
     void on_gone()
     {
-        say::warning("the action server " + server_ + " has gone, and its goals with it");
+        say::warning("the action server " + server_ + " has disappeared with all its goals");
         losses_ += 1;
         latest_ = Goal();
         listed_.clear();
         own_.clear();
         has_reported_ = false;
-        tell_watchers();
+        notify_watchers();
     }
 
-    // A name that no goal has had. Servers refuse goals that are older than one that they have had.
+    // Returns a new ID. Servers refuse a goal that is older than an earlier goal.
     actionlib_msgs::GoalID new_id()
     {
         newest_ = std::max(newest_, ros::Time::now());
@@ -245,7 +247,7 @@ private:
         return goal;
     }
 
-    // The goal that was interrupted, under a new name: servers ignore one that they have had.
+    // Sends the interrupted goal with a new ID: servers ignore an ID that they know.
     void send_again()
     {
         latest_ = std::exchange(kept_, Goal());
@@ -266,25 +268,25 @@ private:
         message.morph(model.getMD5Sum(), model.getDataType(), model.getMessageDefinition(), "0");
         message.read(in);
         publisher_.publish(message);
-        say::information("the goal for " + server_ + " that was interrupted is sent again");
+        say::information("the interrupted goal for " + server_ + " is sent again");
     }
 
     ros::NodeHandle node_;
     std::string server_;
     std::vector<std::function<void()>> watchers_;
-    std::set<const Task *> tasks_; // that have the server
-    Goal latest_;                  // of others, as far as it is not over
-    Goal kept_;                    // that was interrupted
-    std::set<std::string> own_;    // goals of tasks that are pursued
-    std::vector<Status> listed_;   // by the server
+    std::set<const Task *> tasks_; // the tasks that have the server
+    Goal latest_;                  // the last goal of other nodes, until its end
+    Goal kept_;                    // the interrupted goal
+    std::set<std::string> own_;    // running goals of tasks
+    std::vector<Status> listed_;   // the goals that the server lists
     std::string server_node_;
-    std::multiset<std::string> subscribers_; // to goals of this node
+    std::multiset<std::string> subscribers_; // subscribers to the goals of this node
     Throttle throttle_;
     ros::Time newest_;
     int sent_ = 0;
     int losses_ = 0;
-    bool has_reported_ = false; // since a task took the server
-    ros::Publisher publisher_;  // of goals
+    bool has_reported_ = false; // true: the server has reported since a task took it
+    ros::Publisher publisher_;  // publishes goals
     ros::Publisher cancel_;
     ros::Subscriber goal_;
     ros::Subscriber status_;

@@ -1,20 +1,20 @@
-# Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+# Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 #
-# Builds and installs the node of needs.cmake as a part of the package that includes this file, before
-# catkin_package().
+# Builds and installs the node that needs.cmake describes, as a part of your package. Include this
+# file before catkin_package().
 include(${CMAKE_CURRENT_LIST_DIR}/../core.cmake)
 
 find_package(catkin REQUIRED COMPONENTS message_generation ${_guard_uses})
 find_package(Threads REQUIRED)
 catkin_destinations()
 
-# The messages of all guards are the same, so those of one package share them.
+# All guards have the same messages, so the guards of one package share them.
 if(NOT _guard_has_messages)
   set(_guard_has_messages TRUE)
   set(_guard_services Exempt.srv Reset.srv Why.srv)
   add_message_files(BASE_DIR ${_guard_folder}/msg
     FILES State.msg TaskState.msg Value.msg Verdict.msg)
-  # With an absolute folder, this macro would install them at a wrong place.
+  # With an absolute folder, this macro would install the files in a wrong place.
   add_service_files(DIRECTORY ${_guard_folder}/srv FILES ${_guard_services} NOINSTALL)
   foreach(_guard_service IN LISTS _guard_services)
     list(APPEND ${PROJECT_NAME}_INSTALLED_SERVICE_FILES srv/${_guard_service})
@@ -24,7 +24,7 @@ if(NOT _guard_has_messages)
   generate_messages(DEPENDENCIES std_msgs)
 endif()
 
-# The system's headers are no concern of -Wall.
+# SYSTEM suppresses warnings of -Wall in the headers of the system.
 add_executable(${_guard_node}
   ${_guard_folder}/runtime/ros1/main.cpp
   ${_guard_sources})
@@ -40,7 +40,7 @@ set_target_properties(${_guard_node} PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 target_link_libraries(${_guard_node} ${_guard_node}_core ${catkin_LIBRARIES} Threads::Threads m)
 
-# ctest --test-dir build/PACKAGE
+# Run the test with: ctest --test-dir build/PACKAGE
 if(CATKIN_ENABLE_TESTING)
   enable_testing()
   _guard_add_test()

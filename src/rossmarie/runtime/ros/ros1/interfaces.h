@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The interfaces of this node: its own messages and services, and diagnostics.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The message and service types of this node: its own types, and diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>

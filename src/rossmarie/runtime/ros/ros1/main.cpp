@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The node: runs the guard.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The main program of the node: runs the guard.
 #include <ros/ros.h>
 
 #include <csignal>
@@ -12,21 +12,22 @@
 #include "rules.h"
 #include "settings.h"
 
-static const double SENDING_S = 0.1; // until what was published last has been sent
+static const double SENDING_S = 0.1; // s, time to send the last messages
 static volatile std::sig_atomic_t is_ended = 0;
 
 int main(int argc, char **argv)
 {
-    // If a signal ends the node, 0 is sent first, so that the robot does not keep the last command.
+    // If a signal ends the node, the node sends 0 first. So the robot does not keep the last
+    // command.
     ros::init(argc, argv, NODE, ros::init_options::NoSigintHandler);
     std::signal(SIGINT, [](int) { is_ended = 1; });
     std::signal(SIGTERM, [](int) { is_ended = 1; });
-    const ros::NodeHandle alive; // ROS ends with its last handle, and the log with it
+    const ros::NodeHandle alive; // ROS and its log end with the last handle
     try {
         const Parameters parameters;
         const Settings given = settings(parameters);
         Middleware middleware;
-        // The stack has no room for long lists.
+        // The stack is too small for long lists.
         const auto guard = std::make_unique<Guard>(middleware, given);
         say::information("the node is active");
         while (ros::ok() && !is_ended && middleware.is_known_to_master()) {
@@ -36,8 +37,9 @@ int main(int argc, char **argv)
         guard->stop_all();
         ros::WallDuration(SENDING_S).sleep();
         if (!middleware.is_known_to_master()) {
-            // roscpp does not register again; the launch file starts the node again, which does.
-            ROS_FATAL("the master was started anew and does not know this node, which ends");
+            // roscpp does not register again. The launch file restarts the node, which then
+            // registers.
+            ROS_FATAL("the ROS master was restarted and does not know this node: the node exits");
             parameters.give_to_master();
             return EXIT_FAILURE;
         }

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The functions of ROS that the node uses, under its own names.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The functions of ROS 1 that the node uses, behind the same interface as for ROS 2.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -20,7 +20,7 @@
 #include "need.h"
 #include "worker.h"
 
-// The lines of the log.
+// Writes lines to the log.
 namespace say {
 inline void debug(const std::string &text) { ROS_DEBUG("%s", text.c_str()); }
 inline void information(const std::string &text) { ROS_INFO("%s", text.c_str()); }
@@ -69,7 +69,7 @@ public:
     static double seconds(ros::Time time) { return time.toSec(); }
     static double seconds(ros::Duration time) { return time.toSec(); }
 
-    // --- topics and services; names that begin with ~ are the node's own
+    // --- topics and services; a name that begins with ~ is private to the node
 
     static std::string name() { return ros::this_node::getName(); }
 
@@ -85,14 +85,14 @@ public:
         return Publisher<Message>(handle(topic).advertise<Message>(bare(topic), depth));
     }
 
-    // The last message is kept for those who come later.
+    // Later subscribers receive the last message.
     template <class Message> Publisher<Message> advertise_latched(const std::string &topic)
     {
         return Publisher<Message>(handle(topic).advertise<Message>(bare(topic), 1, true));
     }
 
-    // `Kept` would say whether a message that was published earlier may come, too; in ROS 1 its
-    // publisher decides.
+    // ROS 2 uses `Kept`: TAKEN lets messages arrive that were published before the subscription. In
+    // ROS 1 the publisher decides.
     enum class Kept { TAKEN, LEFT };
     template <class Message>
     void subscribe(const std::string &topic, uint32_t depth, Kept /*kept*/,
@@ -120,16 +120,17 @@ public:
         services_.push_back(handle(name).advertiseService(bare(name), call));
     }
 
-    // False from when the check finds a master that was started anew: nobody finds this node then.
+    // Returns false after the check has found a restarted master. Such a master does not know this
+    // node.
     bool is_known_to_master() const { return is_known_; }
 
-    // Finds missing requirements, and other publishers of the topics that this node commands.
-    // Another thread queries the master.
+    // Finds unmet requirements, and other publishers of the command topics. Another thread queries
+    // the master.
     void check(const std::vector<Need> &needs, const std::vector<std::string> &commanded,
-               std::function<void(const Findings &)> tell)
+               std::function<void(const Findings &)> report)
     {
-        worker_.begin([this, needs, commanded, tell]() -> Worker::Then {
-            if (!asked_whether_known())
+        worker_.begin([this, needs, commanded, report]() -> Worker::Then {
+            if (!is_registered())
                 return [this] { is_known_ = false; };
             ros::master::V_TopicInfo topics;
             ros::master::getTopics(topics);
@@ -141,18 +142,18 @@ public:
                 if (const std::string problem = problem_of(need, types); !problem.empty())
                     found.problems[need.title] = problem;
             const auto published = publishers(commanded);
-            if (!published) // another publisher may exist all the same
+            if (!published) // unknown: another publisher may exist
                 return [this] { is_known_ = false; };
             for (const auto &[topic, nodes] : *published)
                 for (const std::string &node : nodes)
                     if (node != name() && is_alive(node))
                         found.bypassed[topic] = node;
-            return [tell, found] { tell(found); };
+            return [report, found] { report(found); };
         });
     }
 
 private:
-    static bool asked_whether_known()
+    static bool is_registered()
     {
         XmlRpc::XmlRpcValue names, response, address;
         names[0] = names[1] = ros::this_node::getName();
@@ -160,7 +161,8 @@ private:
         return ros::master::execute("lookupNode", names, response, address, true) && address == own;
     }
 
-    // The nodes that the master knows as publishers of topics; nothing if it does not answer.
+    // Returns the publishers of topics that the master lists, or nothing if the master does not
+    // answer.
     using Publishers = std::map<std::string, std::vector<std::string>>;
     static std::optional<Publishers> publishers(const std::vector<std::string> &topics)
     {
@@ -180,7 +182,7 @@ private:
         return found;
     }
 
-    // The master continues to list nodes that were killed.
+    // Returns false for a killed node, which the master continues to list.
     static bool is_alive(const std::string &node)
     {
         XmlRpc::XmlRpcValue asking, response, address, process;
@@ -200,14 +202,14 @@ private:
     static std::string problem_of(const Need &need, const std::map<std::string, std::string> &types)
     {
         if (need.is_service)
-            return ros::service::exists(need.name, false) ? "" : "nobody offers " + need.name;
+            return ros::service::exists(need.name, false) ? "" : "no node offers " + need.name;
         const auto found = types.find(need.name);
         if (found == types.end())
             return need.is_optional    ? ""
-                   : need.type.empty() ? "nobody publishes " + need.name
-                                       : "nobody publishes it";
+                   : need.type.empty() ? "no node publishes " + need.name
+                                       : "no node publishes it";
         if (!need.type.empty() && found->second != need.type)
-            return "it is of type " + found->second + ", not " + need.type;
+            return "its type is " + found->second + ", not " + need.type;
         return "";
     }
 
@@ -217,7 +219,7 @@ private:
         return name[0] == '~' ? name.substr(1) : name;
     }
 
-    ros::CallbackQueue queue_; // outlives all that is called through it
+    ros::CallbackQueue queue_; // first: it outlives its users
     ros::NodeHandle node_;
     ros::NodeHandle private_{"~"};
     std::vector<ros::Subscriber> subscribers_;
@@ -226,7 +228,7 @@ private:
     Worker worker_{queue_};
 };
 
-// Calls a service. The result is reported later, on the queue of the node.
+// Calls a service. The result arrives later, through the queue of the node.
 template <class Service> class Client {
 public:
     using Answer = std::function<void(bool has_answered, const typename Service::Response &)>;
@@ -236,18 +238,18 @@ public:
     {
     }
 
-    // True if the next call need not wait for an earlier one.
+    // Returns true if no earlier call is open.
     bool is_free() const { return open_calls_ == 0; }
 
-    void call(const typename Service::Request &request, Answer tell)
+    void call(const typename Service::Request &request, Answer report)
     {
         ++open_calls_;
-        worker_.begin([this, request, tell]() mutable -> Worker::Then {
+        worker_.begin([this, request, report]() mutable -> Worker::Then {
             typename Service::Response response;
             const bool has_answered = client_.call(request, response);
-            return [this, tell, has_answered, response] {
+            return [this, report, has_answered, response] {
                 --open_calls_;
-                tell(has_answered, response);
+                report(has_answered, response);
             };
         });
     }
@@ -255,5 +257,5 @@ public:
 private:
     ros::ServiceClient client_;
     int open_calls_ = 0;
-    Worker worker_; // last: it uses what stands above
+    Worker worker_; // last: it uses the members above
 };

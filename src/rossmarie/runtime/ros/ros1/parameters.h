@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The parameters of the node, as they were on the parameter server when it started.
+// The parameters of the node, as the parameter server had them at the start of the node.
 #pragma once
 
 #include <ros/ros.h>
@@ -21,7 +21,8 @@ public:
             given_ = XmlRpc::XmlRpcValue();
     }
 
-    // A restarted master has none; the program that restarts the node sets them again.
+    // Sets the parameters again on a restarted master, which has none. The restarted node needs
+    // them.
     void give_to_master() const
     {
         if (given_.valid())
@@ -47,7 +48,7 @@ public:
         else if (given.getType() == XmlRpc::XmlRpcValue::TypeDouble)
             value = static_cast<const double &>(given);
         else
-            throw BadParameter(name, "it must be a number");
+            throw BadParameter(name, "the value must be a number");
         return true;
     }
 
@@ -65,7 +66,7 @@ public:
             return false;
         const XmlRpc::XmlRpcValue &given = given_[name];
         if (given.getType() != XmlRpc::XmlRpcValue::TypeArray)
-            throw BadParameter(name, "it must be a list of texts");
+            throw BadParameter(name, "the value must be a list of strings");
         value.clear();
         for (int i = 0; i < given.size(); i++)
             value.push_back(text(name, given[i]));
@@ -81,7 +82,7 @@ private:
     static std::string text(const std::string &name, const XmlRpc::XmlRpcValue &value)
     {
         if (value.getType() != XmlRpc::XmlRpcValue::TypeString)
-            throw BadParameter(name, "it must be text");
+            throw BadParameter(name, "the value must be a string");
         return static_cast<const std::string &>(value);
     }
 

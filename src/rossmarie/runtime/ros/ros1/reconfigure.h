@@ -1,7 +1,7 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The service dynamic_reconfigure/Reconfigure as it goes over the wire. Not every system that has
-// ROS has the package's headers for C++.
+// The wire format of the service dynamic_reconfigure/Reconfigure. Some ROS systems lack the C++
+// headers of this package.
 #pragma once
 
 #include <ros/serialization.h>
@@ -25,7 +25,7 @@ struct Group {
     int32_t parent;
 };
 
-// Request and response of the service.
+// The request, and the response, of the service.
 struct Config {
     std::vector<Parameter<uint8_t>> bools;
     std::vector<Parameter<int32_t>> ints;

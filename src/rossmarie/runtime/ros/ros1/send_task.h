@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Sends a goal to an action server, in place of the pursued one.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Sends a goal to an action server, in place of its present goal.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ public:
     using Goal = typename ActionGoal::_goal_type;
     using Report = std::function<void(bool success)>;
 
-    // With `resend` the goal that was interrupted is sent again when the rule is released.
+    // If `resend` is true, the interrupted goal is sent again when the rule is released.
     SendTask(std::shared_ptr<Goals> goals, Goal goal, bool resend, Report report)
         : goals_(std::move(goals)), resend_(resend), report_(std::move(report))
     {
@@ -67,9 +67,9 @@ private:
         const bool was_listed = is_listed_;
         is_listed_ = status != nullptr;
         if (losses_ != goals_->losses()) {
-            finish(false, "the server has gone");
+            finish(false, "the server has disappeared");
         } else if (status == nullptr && was_listed) {
-            finish(false, "the server does not know it any more");
+            finish(false, "the server no longer knows the goal");
         } else if (status != nullptr && Goals::is_over(*status)) {
             id_.clear();
             finish(status->status == Goals::Status::SUCCEEDED, outcome(*status));
@@ -100,8 +100,8 @@ private:
     ActionGoal message_;
     bool resend_;
     Report report_;
-    std::string id_; // of the goal that was sent, as far as it is not over
-    int losses_ = 0; // of the server, when it was sent
+    std::string id_; // the ID of the sent goal, until its end
+    int losses_ = 0; // goals_->losses() when the goal was sent
     bool is_listed_ = false;
     bool is_awaited_ = false;
 };

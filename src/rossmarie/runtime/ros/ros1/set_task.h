@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// Sets a parameter of a node by dynamic_reconfigure.
+// Sets a parameter of another node through dynamic_reconfigure.
 #pragma once
 
 #include <algorithm>
@@ -29,16 +29,15 @@ public:
     {
         const Config old = is_empty(kept_) ? present() : kept_;
         if (is_empty(old))
-            return refuse("the node does not say that it has it");
+            return refuse("the node does not report this parameter");
         Config wanted = old, answer;
         if (!std::visit([&wanted](const auto &given) { return assign(wanted, given); }, value))
-            return refuse(std::string("of its type, ") + type_of(old) +
-                          ", it cannot have this value");
+            return refuse(std::string("its type is ") + type_of(old) +
+                          ", which does not allow this value");
         kept_ = old;
         if (!client_.call(wanted, answer))
             return refuse("the node does not answer");
-        return are_equal(only_this(answer), wanted) ||
-               refuse("the node has given it another value");
+        return are_equal(only_this(answer), wanted) || refuse("the node has set another value");
     }
 
     void restore()
@@ -46,11 +45,12 @@ public:
         Config answer;
         Config kept = std::exchange(kept_, Config());
         if (!is_empty(kept) && !client_.call(kept, answer))
-            refuse("the node does not answer, so that it does not get its old value back");
+            refuse("the node does not answer; the old value is not restored");
     }
 
 private:
-    // A node answers with its whole configuration, also when nothing is asked for.
+    // Returns the present value. A node answers each request, even an empty one, with its complete
+    // configuration.
     Config present()
     {
         Config nothing, answer;
@@ -64,7 +64,7 @@ private:
         return false;
     }
 
-    // A configuration of this parameter alone.
+    // Returns a configuration with only this parameter.
     Config only_this(const Config &all) const
     {
         Config found;
@@ -108,7 +108,8 @@ private:
                           [](const auto &a, const auto &b) { return a.value == b.value; });
     }
 
-    // Give the one parameter another value; false if its type does not have this value.
+    // Sets the only parameter of a configuration. Returns false if its type does not allow this
+    // value.
     static bool assign(Config &one, bool value)
     {
         for (auto &each : one.bools)
@@ -136,7 +137,7 @@ private:
     std::string name_;
     std::string owner_;
     ros::ServiceClient client_;
-    Config kept_; // of before the first change
+    Config kept_; // the value before the first change
 };
 
 using SetTask = ChangeTask<Parameter>;

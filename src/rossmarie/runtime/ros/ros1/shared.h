@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// A state that several tasks change by service calls; it is restored when none of them needs it any
-// more.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// A state that several tasks change by service calls. When no task needs a change any more, the old
+// state is restored.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 class Task;
 
-// `Resource` has `bool apply(Change)`, and `restore()`, which restores the state before the first
-// change. Both may take long: they run in another thread, one after the other.
+// `Resource` has `bool apply(Change)` and `restore()`. `restore` restores the state before the
+// first change. Both functions may take long, so they run in another thread, one after the other.
 template <class Resource> class Shared {
 public:
     template <class... Arguments>
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    // A task has it from now on.
+    // Gives the state to a task, and applies the change of the task.
     void take(const Task *task, typename Resource::Change change,
               std::function<void(bool success)> then)
     {
@@ -34,10 +34,11 @@ public:
         });
     }
 
-    // A task does not need it any more.
+    // Takes the state from a task.
     void release(const Task *task) { tasks_.erase(task); }
 
-    // Call it when all task commands of a call have been given.
+    // Restores the state if no task has it. Call this function after the last task command of a
+    // call.
     void tick()
     {
         if (!is_changed_ || !tasks_.empty())
@@ -50,8 +51,8 @@ public:
     }
 
 private:
-    Resource resource_;            // for the thread of the worker alone
-    std::set<const Task *> tasks_; // that have it
+    Resource resource_;            // only the thread of the worker uses it
+    std::set<const Task *> tasks_; // the tasks that have the state
     bool is_changed_ = false;
-    Worker worker_; // last: it uses what stands above
+    Worker worker_; // last: it uses the members above
 };

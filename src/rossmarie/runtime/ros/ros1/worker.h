@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// A thread for slow work, so that the node never waits. The result of a job returns as a callback
-// on the one queue of the node.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// A thread for slow work, so that the node never waits. The result of a job arrives as a callback
+// in the queue of the node.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -31,7 +31,7 @@ public:
     Worker(const Worker &) = delete;
     Worker &operator=(const Worker &) = delete;
 
-    // `job` runs in the thread; the function that it returns runs in the node.
+    // Runs `job` in the thread of the worker, and the function that `job` returns in the node.
     void begin(Job job)
     {
         {
@@ -75,5 +75,5 @@ private:
     std::condition_variable wake_;
     std::deque<Job> jobs_;
     bool is_over_ = false;
-    std::thread thread_; // last: it uses what stands above
+    std::thread thread_; // last: it uses the members above
 };

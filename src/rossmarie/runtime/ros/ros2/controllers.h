@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
 // Stops and starts controllers of a controller manager.
 #pragma once
@@ -29,8 +29,8 @@ public:
     {
     }
 
-    // A manager refuses to start a running controller; changes that this node has already made are
-    // left out.
+    // Makes the changes that this node has not made yet: a manager refuses to start a running
+    // controller.
     void apply(const Change &change, Then then)
     {
         const Change rest{undone(change.start, true), undone(change.stop, false)};
@@ -56,7 +56,7 @@ public:
 private:
     using SwitchController = controller_manager_msgs::srv::SwitchController;
 
-    // Either all changes are made, or none.
+    // Makes all changes or none.
     void call(const Change &change, const Then &then)
     {
         if (change.start.empty() && change.stop.empty())
@@ -69,8 +69,8 @@ private:
         client_.call(wanted, [this, then](bool has_answered, const Answer &answer) {
             const bool success = has_answered && answer.ok;
             if (!success)
-                say::error("controllers of " + manager_ + " are not switched: it " +
-                           (has_answered ? "refuses" : "does not answer"));
+                say::error(manager_ + " did not switch the controllers: it " +
+                           (has_answered ? "refused" : "did not answer"));
             then(success);
         });
     }
@@ -88,7 +88,7 @@ private:
 
     void remember(const std::string &name, bool is_started)
     {
-        if (changed_.erase(name) == 0) // else it is again as it was
+        if (changed_.erase(name) == 0) // otherwise the controller is in its original state again
             changed_[name] = is_started;
     }
 

@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The goals of one action server: those of others, which tasks interrupt, and those that tasks
+// The goals of one action server: goals of other nodes, which tasks interrupt, and goals that tasks
 // send.
 #pragma once
 
@@ -37,10 +37,10 @@ public:
     }
     virtual ~Goals() = default;
 
-    // `look` is called whenever there is news about the goals.
+    // Calls `look` after each change of the goals.
     void watch(std::function<void()> look) { watchers_.push_back(std::move(look)); }
 
-    // A task has the server from now on.
+    // Gives the server to a task.
     void take(const Task *task)
     {
         tasks_.insert(task);
@@ -49,16 +49,16 @@ public:
         cancel_all();
     }
 
-    // A task does not have the server any more. When no task has it, the last task decides whether
-    // the interrupted goal is sent again.
+    // Takes the server from a task. The last task decides whether the interrupted goal is sent
+    // again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty())
             is_resent_ = resend;
     }
 
-    // To be called when all task commands of a call have been given, and regularly: a server may
-    // not have listened.
+    // Sends requests that are due. Call this function regularly, and after the last task command of
+    // a call. The server may have missed an earlier request.
     virtual void tick()
     {
         const bool is_over = std::all_of(listed_.begin(), listed_.end(), Goals::is_over);
@@ -68,11 +68,11 @@ public:
             let_go(*std::exchange(is_resent_, std::nullopt));
     }
 
-    // Cancels all goals of others.
+    // Cancels all goals of other nodes.
     void interrupt()
     {
         if (is_sending_)
-            return; // one of the goals may be that of the task
+            return; // one of the goals may be the goal of the task
         for (const Status &each : listed_) {
             const GoalName &name = each.goal_info.goal_id.uuid;
             if (is_untouched(each) && own_.count(name) == 0 && interrupted_.insert(name).second)
@@ -80,7 +80,8 @@ public:
         }
     }
 
-    // True if no goal of others is pursued; false before the server has reported its goals.
+    // Returns true if the server pursues no goal of other nodes. Returns false before the server
+    // has reported its goals.
     bool is_free() const
     {
         const auto is_no_other = [this](const Status &each) {
@@ -89,7 +90,7 @@ public:
         return has_answered_ && std::all_of(listed_.begin(), listed_.end(), is_no_other);
     }
 
-    // From when a task sends a goal until it knows its name.
+    // Enclose the time in which a task has sent a goal and does not know its ID yet.
     void begin_sending() { is_sending_ = true; }
     void end_sending(const GoalName *own)
     {
@@ -99,8 +100,8 @@ public:
     }
     void forget(const GoalName &own) { own_.erase(own); }
 
-    // The number of times that a server has gone. An earlier goal that is not listed now has gone
-    // with it.
+    // Returns the number of servers that have disappeared. An earlier goal that is not listed any
+    // more has disappeared with its server.
     int losses() const { return losses_; }
     bool is_listed(const GoalName &name) const
     {
@@ -113,14 +114,14 @@ public:
     Middleware &middleware() { return middleware_; }
 
 protected:
-    // Goals of others that come from now on wait; and do so no longer, and are sent or dropped.
+    // `hold` makes new goals of other nodes wait. `let_go` sends the waiting goals or drops them.
     virtual void hold() {}
     virtual void let_go(bool /*resend*/) {}
 
-    // A server has gone.
+    // Handles the disappearance of a server.
     virtual void lose() {}
 
-    // True if they wait.
+    // Returns true if goals of other nodes wait.
     bool is_held() const { return !tasks_.empty() || is_resent_; }
 
 private:
@@ -137,7 +138,7 @@ private:
         return !is_untouched(status) && status.status != Status::STATUS_CANCELING;
     }
 
-    // True if a goal is pursued, or will be, and has not been cancelled.
+    // Returns true if the server pursues or will pursue a goal that has not been cancelled.
     static bool is_untouched(const Status &status)
     {
         return status.status == Status::STATUS_ACCEPTED ||
@@ -151,13 +152,13 @@ private:
         asked_ = Steady::now();
         const auto take = [this, asked = asked_](bool has_answered, const Answer &answer) {
             if (asked != asked_)
-                return; // it has been asked again
-            // Of what is being cancelled the status tells next.
+                return; // a later request replaces this request
+            // The next status reports the goals that are being cancelled.
             is_cancelling_ = !answer.goals_canceling.empty();
             has_answered_ = has_answered && !is_cancelling_;
-            tell_watchers();
+            notify_watchers();
         };
-        cancel_.call(CancelGoal::Request(), take); // no name and no time mean all goals
+        cancel_.call(CancelGoal::Request(), take); // no ID and no time mean all goals
     }
 
     void cancel(const GoalName &name)
@@ -173,14 +174,14 @@ private:
             return cancel_all();
         asked_ = Steady::now();
         interrupted_.clear();
-        middleware_.later([this] { tell_watchers(); }); // not while the guard is at work
+        middleware_.later([this] { notify_watchers(); }); // after the present work of the guard
     }
 
-    // The end of a killed server is detected late, possibly after its successor has reported its
-    // goals.
+    // Handles the disappearance of a server. ROS may detect the end of a killed server after its
+    // successor has reported its goals.
     void on_gone()
     {
-        say::warning("an action server " + server_ + " has gone, and its goals with it");
+        say::warning("an action server " + server_ + " has disappeared with all its goals");
         losses_ += 1;
         if (!servers_.empty())
             servers_.pop_front();
@@ -190,7 +191,7 @@ private:
             is_sending_ = is_cancelling_ = has_answered_ = false;
         }
         lose();
-        tell_watchers();
+        notify_watchers();
     }
 
     void on_status(const StatusArray &message, const ServerName &from)
@@ -199,10 +200,10 @@ private:
             servers_.push_back(from);
         listed_ = message.status_list;
         has_answered_ = has_answered_ || std::exchange(is_cancelling_, false);
-        tell_watchers();
+        notify_watchers();
     }
 
-    void tell_watchers()
+    void notify_watchers()
     {
         for (const auto &look : watchers_)
             look();
@@ -212,15 +213,15 @@ private:
     std::string server_;
     Client<CancelGoal> cancel_;
     std::vector<std::function<void()>> watchers_;
-    std::set<const Task *> tasks_;   // that have the server
-    std::optional<bool> is_resent_;  // what is to be done when the server is free again
-    std::vector<Status> listed_;     // by the server
+    std::set<const Task *> tasks_;   // the tasks that have the server
+    std::optional<bool> is_resent_;  // true: send the goal again when the server is free
+    std::vector<Status> listed_;     // the goals that the server lists
     std::set<GoalName> own_;         // goals of tasks
-    std::set<GoalName> interrupted_; // goals of others, since the server was asked last
+    std::set<GoalName> interrupted_; // goals of other nodes, since the last request
     bool is_sending_ = false;
-    bool is_cancelling_ = false;     // says the server, and the status has not come yet
-    bool has_answered_ = false;      // since a task took the server
-    std::deque<ServerName> servers_; // that have reported their status, the newest last
+    bool is_cancelling_ = false;     // true: the server cancels, no status yet
+    bool has_answered_ = false;      // true: the server answered since a task took it
+    std::deque<ServerName> servers_; // servers that reported a status, newest last
     int losses_ = 0;
     Steady::time_point asked_{};
 };

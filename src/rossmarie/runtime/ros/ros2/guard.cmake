@@ -1,6 +1,7 @@
-# Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+# Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 #
-# Builds and installs the node of needs.cmake as a part of the package that includes this file.
+# Builds and installs the node that needs.cmake describes, as a part of the package that includes
+# this file.
 include(${CMAKE_CURRENT_LIST_DIR}/../core.cmake)
 
 find_package(rosidl_default_generators REQUIRED)
@@ -8,7 +9,7 @@ foreach(_guard_used IN LISTS _guard_uses)
   find_package(${_guard_used} REQUIRED)
 endforeach()
 
-# The messages of all guards are the same, so those of one package share them.
+# All guards have the same messages, so the guards of one package share them.
 if(NOT _guard_interfaces)
   rosidl_generate_interfaces(${PROJECT_NAME}
     ${_guard_folder}:msg/State.msg

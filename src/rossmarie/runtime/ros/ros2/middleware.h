@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The functions of ROS that the node uses, under its own names.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The functions of ROS 2 that the node uses, behind the same interface as for ROS 1.
 #pragma once
 
 #include <builtin_interfaces/msg/duration.hpp>
@@ -21,8 +21,8 @@
 #include "rules.h"
 #include "subscription.h"
 
-// What the log says, by the logger of the node on whose behalf the thread works: several may live
-// in one process.
+// Writes lines to the log, with the logger of the node for which the thread works. One process may
+// contain several nodes.
 namespace say {
 inline rclcpp::Logger &logger()
 {
@@ -68,12 +68,12 @@ public:
     using Duration = builtin_interfaces::msg::Duration;
     using PublisherName = std::array<uint8_t, RMW_GID_STORAGE_SIZE>;
 
-    // `after` is called after everything that comes in.
+    // Calls `after` after each callback.
     Middleware(Node &node, std::function<void()> after) : node_(node), after_(std::move(after)) {}
 
     Node &node() { return node_; }
 
-    // Runs `job`, which something that came in caused.
+    // Runs `job` for a callback.
     template <class Job> void run(Job job)
     {
         const say::As as(node_.get_logger());
@@ -81,7 +81,7 @@ public:
         after_();
     }
 
-    // Lets `job` run when everything else has returned.
+    // Runs `job` after the present callback has returned.
     void later(std::function<void()> job)
     {
         later_.push_back(std::move(job));
@@ -108,7 +108,7 @@ public:
     static Time time(int64_t at_ns) { return split<Time>(at_ns > 0 ? at_ns : 0); }
     static Duration duration(int64_t time_ns) { return split<Duration>(time_ns); }
 
-    // --- topics and services; names that begin with ~ are the node's own
+    // --- topics and services; a name that begins with ~ is private to the node
 
     std::string name() const { return node_.get_fully_qualified_name(); }
 
@@ -128,14 +128,14 @@ public:
             rclcpp::create_publisher<Message>(node_, full(topic), rclcpp::QoS(depth)));
     }
 
-    // The last message is kept for those who come later.
+    // Later subscribers receive the last message.
     template <class Message> Publisher<Message> advertise_latched(const std::string &topic)
     {
         return Publisher<Message>(rclcpp::create_publisher<Message>(
             node_, full(topic), rclcpp::QoS(1).transient_local()));
     }
 
-    // `Kept` says whether an earlier message may arrive, too.
+    // TAKEN lets messages arrive that were published before the subscription. LEFT does not.
     enum class Kept { TAKEN, LEFT };
     template <class Message>
     void subscribe(const std::string &topic, size_t depth, Kept kept,
@@ -152,8 +152,8 @@ public:
             node_, full(topic), depth, kept == Kept::TAKEN, take));
     }
 
-    // A topic of which the last message is kept for those who come later. `lose` is called when
-    // somebody who published it has gone. Who has published a message is reported by a number.
+    // Subscribes to a topic that keeps its last message for later subscribers. Calls `lose` when a
+    // publisher disappears. `receive` gets the ID of the publisher with each message.
     template <class Message>
     void subscribe_latched(const std::string &topic,
                            std::function<void(const Message &, const PublisherName &)> receive,
@@ -186,9 +186,9 @@ public:
             }));
     }
 
-    // Finds missing requirements, and other publishers of the topics that this node commands.
+    // Finds unmet requirements, and other publishers of the command topics.
     void check(const std::vector<Need> &needs, const std::vector<std::string> &commanded,
-               std::function<void(const Findings &)> tell)
+               std::function<void(const Findings &)> report)
     {
         Findings found;
         for (const Need &need : needs)
@@ -200,7 +200,7 @@ public:
         for (const std::string &topic : commanded)
             if (const std::string other = other_publisher(topic); !other.empty())
                 found.bypassed[topic] = other;
-        tell(found);
+        report(found);
     }
 
 private:
@@ -209,19 +209,19 @@ private:
         if (need.is_service)
             return node_.get_node_graph_interface()->count_services(need.name) > 0
                        ? ""
-                       : "nobody offers " + need.name;
+                       : "no node offers " + need.name;
         const auto publishers = node_.get_publishers_info_by_topic(need.name);
         for (const auto &publisher : publishers)
             if (!need.type.empty() && publisher.topic_type() != need.type)
-                return "it is of type " + publisher.topic_type() + ", not " + need.type;
+                return "its type is " + publisher.topic_type() + ", not " + need.type;
         if (publishers.empty() && !need.is_optional)
-            return "nobody publishes " + (need.type.empty() ? need.name : "it");
+            return "no node publishes " + (need.type.empty() ? need.name : "it");
         return "";
     }
 
-    // Who publishes a topic besides this node; empty: nobody. This node does it once: whoever has
-    // its name and does it, too, is another one, or one that died and is still believed to be
-    // there.
+    // Returns the name of another publisher of a topic, or "" if there is none. This node publishes
+    // the topic once. A second publisher with its name is another node, or a dead node that ROS
+    // still lists.
     std::string other_publisher(const std::string &topic) const
     {
         int own = 0;
@@ -263,7 +263,7 @@ private:
     std::vector<rclcpp::ServiceBase::SharedPtr> services_;
 };
 
-// Calls a service. The result is reported later.
+// Calls a service. The result arrives later.
 template <class Service> class Client {
 public:
     using Request = typename Service::Request;
@@ -278,20 +278,21 @@ public:
 
     bool is_there() const { return client_->service_is_ready(); }
 
-    // True if the next call need not wait for an earlier one.
+    // Returns true: a call never waits for an earlier call.
     static bool is_free() { return true; }
 
-    void call(const Request &request, Answer tell)
+    void call(const Request &request, Answer report)
     {
         if (!is_there()) {
-            middleware_.later([tell] { tell(false, Response()); });
+            middleware_.later([report] { report(false, Response()); });
             return;
         }
-        client_->prune_pending_requests(); // those that were never answered
+        client_->prune_pending_requests(); // requests without an answer
         using Future = typename rclcpp::Client<Service>::SharedFuture;
-        client_->async_send_request(
-            std::make_shared<Request>(request),
-            [this, tell](Future answer) { middleware_.run([&] { tell(true, *answer.get()); }); });
+        client_->async_send_request(std::make_shared<Request>(request),
+                                    [this, report](Future answer) {
+                                        middleware_.run([&] { report(true, *answer.get()); });
+                                    });
     }
 
 private:

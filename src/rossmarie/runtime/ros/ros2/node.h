@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-//  The node: a component with a life cycle. While it is active, the guard runs; otherwise no
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// The node: a lifecycle node and component. While the node is active, the guard runs. Otherwise no
 // command passes.
 #pragma once
 
@@ -21,8 +21,9 @@
 
 class SafetyNode : public rclcpp_lifecycle::LifecycleNode {
 public:
-    // Simulated time comes in turn with the messages. On a thread of its own it may stand still
-    // while they arrive and then jump, so that all of them count as old.
+    // The node processes /clock in turn with the messages. With a separate clock thread, ROS time
+    // could stand still while messages arrive and jump afterwards, so that all these messages
+    // expire.
     explicit SafetyNode(const rclcpp::NodeOptions &options)
         : LifecycleNode(NODE, rclcpp::NodeOptions(options).use_clock_thread(false)),
           parameters_(*this)
@@ -83,11 +84,11 @@ public:
     {
         const say::As as(get_logger());
         if (!guard_->is_kept()) {
-            say::error("stays active: latched rules cannot be kept, and would be forgotten");
+            say::error("the node stays active: it cannot save the latched rules");
             return CallbackReturn::FAILURE;
         }
         end();
-        say::information("the node is not active; no command passes");
+        say::information("the node is inactive; no command passes");
         return CallbackReturn::SUCCESS;
     }
 
@@ -102,7 +103,7 @@ private:
     using State = lifecycle_msgs::msg::State;
     using Steady = std::chrono::steady_clock;
 
-    // No error ends the process, because other components may live in it.
+    // Reports an error and does not end the process, which may contain other components.
     template <class Job> CallbackReturn attempt(Job job)
     {
         const say::As as(get_logger());
@@ -115,7 +116,7 @@ private:
         return CallbackReturn::SUCCESS;
     }
 
-    // Lifecycle managers of Nav2 notice by a bond that a node has died.
+    // Creates a bond. It shows the lifecycle manager of Nav2 that the node is alive.
     void bind()
     {
         bond_ = std::make_unique<bond::Bond>("bond", get_name(), shared_from_this());
@@ -124,7 +125,7 @@ private:
         bond_->start();
     }
 
-    // The robot is not left with the last command, whichever program and thread ends the process.
+    // Sends 0, so that the robot does not keep the last command. Any thread may call this function.
     void stop_robot()
     {
         const std::lock_guard<std::mutex> lock(guarding_);
@@ -151,7 +152,7 @@ private:
         arm();
     }
 
-    // Lets the timer wake the guard when it has something to do.
+    // Sets the timer to the next necessary step of the guard.
     void arm()
     {
         if (!guard_ || !wake_)
@@ -170,18 +171,18 @@ private:
         wake_->reset();
     }
 
-    static constexpr double BOND_PERIOD_S = 0.1; // as the nodes of Nav2 have it
+    static constexpr double BOND_PERIOD_S = 0.1; // the value of the nodes of Nav2
     static constexpr double BOND_TIMEOUT_S = 4.0;
 
     Parameters parameters_;
     Settings settings_;
-    bool is_managed_ = true; // by somebody else
+    bool is_managed_ = true; // by a lifecycle manager
     rclcpp::PreShutdownCallbackHandle interrupted_;
     rclcpp::TimerBase::SharedPtr start_;
     rclcpp::TimerBase::SharedPtr wake_;
-    Steady::time_point armed_; // for when the timer is set
-    std::mutex guarding_;      // the life of what stands below
+    Steady::time_point armed_; // the instant to which the timer is set
+    std::mutex guarding_;      // guards the lifetime of middleware_ and guard_
     std::unique_ptr<Middleware> middleware_;
-    std::unique_ptr<Guard> guard_; // after what it uses
+    std::unique_ptr<Guard> guard_; // after the members that it uses
     std::unique_ptr<bond::Bond> bond_;
 };

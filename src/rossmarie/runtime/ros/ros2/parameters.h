@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// The parameters of the node. They can be set until it is configured, and after it was cleaned up.
+// The parameters of the node. A user can set the parameters while the node is unconfigured.
 #pragma once
 
 #include <lifecycle_msgs/msg/state.hpp>
@@ -16,12 +16,13 @@
 
 class Parameters : public ParameterSource {
 public:
-    // Invalid values raise no error here: `read` reports them when the node is configured.
+    // Declares the parameters. `read` reports invalid values when the node is configured.
     explicit Parameters(rclcpp_lifecycle::LifecycleNode &node) : node_(node)
     {
         declare(
             AUTOSTART, rclcpp::ParameterValue(true),
-            described("Whether the node configures and activates itself; else a manager does."));
+            described("If true, the node configures and activates itself. If false, a lifecycle "
+                      "manager does so."));
         for (const ParameterText &each : parameter_texts())
             declare(each.name, usual(each), described(each));
         fixed_ = node_.add_on_set_parameters_callback(
@@ -32,12 +33,12 @@ public:
     {
         const rclcpp::ParameterValue found = given(AUTOSTART);
         if (found.get_type() != rclcpp::PARAMETER_BOOL)
-            throw BadParameter(AUTOSTART, "it must be true or false");
+            throw BadParameter(AUTOSTART, "the value must be true or false");
         return found.get<bool>();
     }
 
-    // Throws BadParameter for a setting of the quality of service that nobody would follow.
-    // `topics` are the full names of those that the node listens to.
+    // Throws BadParameter for a QoS setting that would have no effect. `topics` are the full names
+    // of the topics that the node subscribes to.
     void check_quality(const std::vector<std::string> &topics) const
     {
         for (const auto &[name, value] : overrides())
@@ -62,18 +63,19 @@ public:
         else if (found.get_type() == rclcpp::PARAMETER_DOUBLE)
             value = found.get<double>();
         else
-            throw BadParameter(name, "it must be a number");
+            throw BadParameter(name, "the value must be a number");
         return true;
     }
 
     bool read(const std::string &name, std::string &value) const override
     {
-        return read_as(name, rclcpp::PARAMETER_STRING, "it must be text", value);
+        return read_as(name, rclcpp::PARAMETER_STRING, "the value must be a string", value);
     }
 
     bool read(const std::string &name, std::vector<std::string> &value) const override
     {
-        return read_as(name, rclcpp::PARAMETER_STRING_ARRAY, "it must be a list of texts", value);
+        return read_as(name, rclcpp::PARAMETER_STRING_ARRAY, "the value must be a list of strings",
+                       value);
     }
 
 private:
@@ -84,7 +86,7 @@ private:
     static constexpr const char *QUALITY = "qos_overrides.";
     static constexpr const char *RELIABILITY = ".subscription.reliability";
 
-    // Of any type, so that 5 does for 5.0; `read` says what does not do.
+    // Allows any type, so that 5 can replace 5.0. `read` reports a wrong type.
     static Descriptor described(const std::string &about)
     {
         Descriptor descriptor;
@@ -117,8 +119,8 @@ private:
         return rclcpp::ParameterValue();
     }
 
-    // A node that cannot be created cannot report the reason, so a value that ROS rejects is stored
-    // for later.
+    // Declares a parameter. Stores a value that ROS rejects, so that the node starts and `read`
+    // reports the reason.
     void declare(const std::string &name, const rclcpp::ParameterValue &value,
                  const Descriptor &descriptor)
     {
@@ -162,8 +164,8 @@ private:
                 continue;
             }
             result.successful = false;
-            result.reason =
-                each.get_name() + " is fixed while the node is configured; clean it up first";
+            result.reason = each.get_name() +
+                            " cannot change while the node is configured; clean up the node first";
         }
         return result;
     }
@@ -187,12 +189,12 @@ private:
             known += (known.empty() ? "" : ", ") + topic;
         }
         if (!is_known)
-            throw BadParameter(name, std::string("there is only ") + QUALITY + "TOPIC" +
-                                         RELIABILITY + ", and TOPIC is one of " + known);
+            throw BadParameter(name, std::string("the only QoS parameter is ") + QUALITY + "TOPIC" +
+                                         RELIABILITY + ", where TOPIC is one of " + known);
         const bool is_text = value.get_type() == rclcpp::PARAMETER_STRING;
         const std::string said = is_text ? value.get<std::string>() : "";
         if (said != "reliable" && said != "best_effort")
-            throw BadParameter(name, "it must be reliable or best_effort");
+            throw BadParameter(name, "the value must be reliable or best_effort");
     }
 
     const Overrides &overrides() const

@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// An action server in front of another one. Goals pass through it, so that it can send an
-// interrupted goal again. The client sees one goal, which stays active all the time.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// A relay: an action server in front of the real action server. The relay forwards each goal, so it
+// can send an interrupted goal again. The goal of the client stays active all the time.
 #pragma once
 
 #include <rclcpp_action/rclcpp_action.hpp>
@@ -16,15 +16,15 @@
 
 template <class Action> class Relay : public Goals {
 public:
-    // `front` is the name for clients. It opens when the server is there, so that clients that wait
-    // for a server wait for that one.
+    // `front` is the name for clients. The relay opens it when the real server is available, so
+    // that clients wait for the real server.
     Relay(Middleware &middleware, const std::string &server, const std::string &front)
         : Goals(middleware, server), front_name_(front),
           client_(rclcpp_action::create_client<Action>(&middleware.node(), server))
     {
     }
 
-    // Nobody would hold them when a rule asks for it.
+    // Cancels all goals: without the relay, no rule could interrupt them.
     ~Relay() override
     {
         for (const auto &[name, entry] : entries_)
@@ -37,7 +37,7 @@ public:
         const auto now = Steady::now();
         if (front_ || now - looked_ < PERIOD)
             return;
-        looked_ = now; // it takes long to look
+        looked_ = now; // the check of the server is slow
         if (client_->action_server_is_ready())
             open();
     }
@@ -49,7 +49,7 @@ protected:
             entry.is_held = true;
     }
 
-    // Sends the last goal again; earlier goals are over.
+    // If `resend` is true, sends the last goal again. Ends the other held goals.
     void let_go(bool resend) override
     {
         resent_ = 0;
@@ -84,12 +84,12 @@ private:
     static constexpr std::chrono::milliseconds PERIOD{100};
 
     struct Entry {
-        Handle here;                     // for the client
-        int number = 0;                  // in the order in which goals came
-        int attempt = 0;                 // how often it has been sent to the server
-        typename There::SharedPtr there; // at the server, while it is known there
-        bool is_away = false;            // sent to the server, which has not said how it ended
-        bool is_held = false;            // for the sake of a rule
+        Handle here;                     // the goal of the client
+        int number = 0;                  // in the order of arrival
+        int attempt = 0;                 // number of times that the relay sent it to the server
+        typename There::SharedPtr there; // the goal at the server, while the server knows it
+        bool is_away = false;            // sent to the server, without a result yet
+        bool is_held = false;            // by a rule
         bool is_cancelled = false;       // by the client
     };
 
@@ -109,7 +109,7 @@ private:
     {
         if (client_->action_server_is_ready())
             return GoalResponse::ACCEPT_AND_EXECUTE;
-        say::warning("a goal for " + this->server() + " is rejected: the server has gone");
+        say::warning("a goal for " + this->server() + " is rejected: the server has disappeared");
         return GoalResponse::REJECT;
     }
 
@@ -121,7 +121,7 @@ private:
         entry.number = ++count_;
         entry.is_held = is_held();
         if (is_held())
-            say::warning("a goal for " + this->server() + " waits: a rule keeps the server free");
+            say::warning("a goal for " + this->server() + " waits: a rule holds the server");
         else
             forward(name);
     }
@@ -133,7 +133,7 @@ private:
             return;
         found->second.is_cancelled = true;
         cancel_there(found->second);
-        if (!found->second.is_away) // only when this has returned it can be over
+        if (!found->second.is_away) // a goal can end only after this callback
             middleware().later(
                 [this, name] { end(name, Code::CANCELED, std::make_shared<Result>()); });
     }
@@ -144,7 +144,7 @@ private:
             client_->async_cancel_goal(entry.there);
     }
 
-    // Decides about a goal that had to wait.
+    // Sends or ends a goal that waited.
     void settle(const GoalName &name)
     {
         if (is_held() || entries_[name].is_away)
@@ -177,7 +177,8 @@ private:
         client_->async_send_goal(*entry.here->get_goal(), options);
     }
 
-    // The server that has gone may never have seen the goal; another one may be there.
+    // Sends the goal to another server if there is one. The old server may never have received the
+    // goal.
     void send_elsewhere(const GoalName &name)
     {
         const Entry &entry = entries_[name];
@@ -187,7 +188,8 @@ private:
             forward(name);
     }
 
-    // The goal has gone with its server, unless that is one that has not reported yet.
+    // Ends a goal whose server has disappeared. Cancels it too: its server may only not have
+    // reported yet.
     void forsake(const GoalName &name)
     {
         const Entry &entry = entries_[name];
@@ -195,7 +197,7 @@ private:
         on_result(name, entry.attempt, Code::ABORTED, std::make_shared<Result>());
     }
 
-    // The result of `attempt`, if it still matters.
+    // Handles the response to `attempt`. Cancels the goal if the attempt is out of date.
     void on_response(const GoalName &name, int attempt, const typename There::SharedPtr &there)
     {
         const auto found = entries_.find(name);
@@ -246,8 +248,8 @@ private:
     std::string front_name_;
     typename rclcpp_action::Client<Action>::SharedPtr client_;
     typename rclcpp_action::Server<Action>::SharedPtr front_;
-    std::map<GoalName, Entry> entries_; // goals that are not over
-    Steady::time_point looked_{};       // for the server
-    int count_ = 0;                     // of goals that have come
-    int resent_ = 0;                    // the goal that is to be sent again
+    std::map<GoalName, Entry> entries_; // running and waiting goals
+    Steady::time_point looked_{};       // last check of the server
+    int count_ = 0;                     // number of received goals
+    int resent_ = 0;                    // the number of the goal to send again
 };

@@ -1,5 +1,5 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// Sends a goal to an action server, in place of the pursued one.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Sends a goal to an action server, in place of its present goal.
 #pragma once
 
 #include <rclcpp_action/rclcpp_action.hpp>
@@ -17,7 +17,7 @@ public:
     using Goal = typename Action::Goal;
     using Report = std::function<void(bool success)>;
 
-    // With `resend` the goal that was interrupted is sent again when the rule is released.
+    // If `resend` is true, the interrupted goal is sent again when the rule is released.
     SendTask(std::shared_ptr<Goals> goals, Goal goal, bool resend, Report report)
         : goals_(std::move(goals)), goal_(std::move(goal)), resend_(resend),
           report_(std::move(report)), client_(rclcpp_action::create_client<Action>(
@@ -52,9 +52,9 @@ private:
             return send_when_free();
         if (handle_ && goals_->is_listed(handle_->get_goal_id()))
             return;
-        if (handle_) // a server that has not reported yet may have it
+        if (handle_) // a server that has not reported yet may have the goal
             client_->async_cancel_goal(handle_);
-        finish(run_, false, "the server has gone");
+        finish(run_, false, "the server has disappeared");
     }
 
     void send_when_free()
@@ -72,7 +72,7 @@ private:
             goals_->middleware().run([&] {
                 goals_->forget(result.goal_id);
                 finish(run, result.code == rclcpp_action::ResultCode::SUCCEEDED,
-                       "it did not succeed");
+                       "the goal did not succeed");
             });
         };
         client_->async_send_goal(goal_, options);
@@ -82,7 +82,7 @@ private:
     {
         goals_->end_sending(handle ? &handle->get_goal_id() : nullptr);
         if (!handle)
-            finish(run, false, "it was rejected");
+            finish(run, false, "the server rejected the goal");
         else if (run == run_ && is_awaited_)
             handle_ = handle;
         else
@@ -116,9 +116,9 @@ private:
     bool resend_;
     Report report_;
     typename rclcpp_action::Client<Action>::SharedPtr client_;
-    typename Handle::SharedPtr handle_; // of the goal that was sent and is not over
+    typename Handle::SharedPtr handle_; // the sent goal, until its end
     int run_ = 0;
     bool is_awaited_ = false;
     bool is_sent_ = false;
-    int losses_ = 0; // of the server, as far as they are known
+    int losses_ = 0; // last known goals_->losses()
 };

@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// Sets a parameter of a node.
+// Sets a parameter of another node.
 #pragma once
 
 #include <rcl_interfaces/msg/parameter_type.hpp>
@@ -67,7 +67,7 @@ private:
     {
         Value changed = present;
         if (!std::visit([&changed](const auto &given) { return assign(changed, given); }, value))
-            return refuse("the node has it with another type", then);
+            return refuse("the parameter has another type", then);
         if (!kept_)
             kept_ = present;
         set(changed, then);
@@ -91,7 +91,7 @@ private:
         });
     }
 
-    // Give the parameter another value; false if its type does not have this value.
+    // Sets the value of a parameter. Returns false if its type does not allow this value.
     static bool assign(Value &parameter, bool value)
     {
         parameter.bool_value = value;
@@ -117,7 +117,7 @@ private:
     std::string owner_;
     Client<GetParameters> get_;
     Client<SetParameters> set_;
-    std::optional<Value> kept_; // of before the first change
+    std::optional<Value> kept_; // the value before the first change
 };
 
 using SetTask = ChangeTask<Parameter>;

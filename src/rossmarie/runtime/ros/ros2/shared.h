@@ -1,6 +1,6 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// A state that several tasks change by service calls; it is restored when none of them needs it any
-// more.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// A state that several tasks change by service calls. When no task needs a change any more, the old
+// state is restored.
 #pragma once
 
 #include <chrono>
@@ -13,8 +13,8 @@
 
 class Task;
 
-// `Resource` has `apply(Change, Then)`, and `restore(Then)`, which restores the state before the
-// first change. Both call `Then` later with their success. They run one after the other.
+// `Resource` has `apply(Change, Then)` and `restore(Then)`. `restore` restores the state before the
+// first change. Both functions call `Then` later with their success. They run one after the other.
 template <class Resource> class Shared {
 public:
     using Then = std::function<void(bool success)>;
@@ -25,23 +25,24 @@ public:
     {
     }
 
-    // A task has it from now on.
+    // Gives the state to a task, and applies the change of the task.
     void take(const Task *task, typename Resource::Change change, Then then)
     {
         tasks_.insert(task);
         is_changed_ = true;
-        begin({[this, change](Then tell) { resource_.apply(change, tell); }, std::move(then)});
+        begin({[this, change](Then report) { resource_.apply(change, report); }, std::move(then)});
     }
 
-    // A task does not need it any more.
+    // Takes the state from a task.
     void release(const Task *task) { tasks_.erase(task); }
 
-    // Call it when all task commands of a call have been given, and regularly.
+    // Restores the state if no task has it. Call this function regularly, and after the last task
+    // command of a call.
     void tick()
     {
         if (is_changed_ && tasks_.empty()) {
             is_changed_ = false;
-            begin({[this](Then tell) { resource_.restore(tell); }, [](bool) {}});
+            begin({[this](Then report) { resource_.restore(report); }, [](bool) {}});
         }
         if (is_busy_ && Steady::now() - begun_ > PATIENCE)
             end(number_, false);
@@ -49,7 +50,8 @@ public:
 
 private:
     using Steady = std::chrono::steady_clock;
-    static constexpr std::chrono::seconds PATIENCE{10}; // with a server that has gone for good
+    static constexpr std::chrono::seconds PATIENCE{
+        10}; // maximum wait for a server that has disappeared
 
     struct Job {
         std::function<void(Then)> run;
@@ -75,7 +77,7 @@ private:
     void end(int number, bool success)
     {
         if (number != number_ || !is_busy_)
-            return; // it was given up
+            return; // the job has timed out
         const Then then = std::move(jobs_.front().then);
         jobs_.pop_front();
         next();
@@ -84,9 +86,9 @@ private:
 
     Middleware &middleware_;
     Resource resource_;
-    std::set<const Task *> tasks_; // that have it
-    std::deque<Job> jobs_;         // the first runs
-    int number_ = 0;               // of the job that runs
+    std::set<const Task *> tasks_; // the tasks that have the state
+    std::deque<Job> jobs_;         // the first job runs
+    int number_ = 0;               // the number of the running job
     Steady::time_point begun_{};
     bool is_busy_ = false;
     bool is_changed_ = false;

@@ -1,8 +1,8 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
 //
-// A subscription that no publisher starves: it asks for the reliability and the durability that all
-// publishers offer, unless a parameter (qos_overrides) asks for a reliability; then a publisher
-// that does not offer it is named.
+// A subscription that adapts to its publishers: it requests the reliability and the durability that
+// all publishers offer. If a parameter (qos_overrides) sets the reliability, the subscription
+// requests that reliability, and reports each publisher that does not offer it.
 #pragma once
 
 #include <rclcpp_lifecycle/lifecycle_node.hpp>
@@ -17,7 +17,7 @@ class AnySubscription {
 public:
     virtual ~AnySubscription() = default;
 
-    // Adapts to the present publishers. Returns the problem with them, if there is one.
+    // Adapts to the present publishers. Returns the problem with a publisher, or "".
     virtual std::string match() = 0;
     virtual const std::string &topic() const = 0;
 };
@@ -27,7 +27,7 @@ public:
     using Node = rclcpp_lifecycle::LifecycleNode;
     using Take = std::function<void(const Message &, const rclcpp::MessageInfo &)>;
 
-    // With `takes_kept` a message that a publisher keeps for late comers comes, too.
+    // If `takes_kept` is true, messages arrive that a publisher keeps for later subscribers.
     Subscription(Node &node, const std::string &topic, size_t depth, bool takes_kept, Take take)
         : node_(node), topic_(node.get_node_topics_interface()->resolve_topic_name(topic)),
           depth_(depth), takes_kept_(takes_kept), take_(std::move(take))
@@ -46,8 +46,7 @@ public:
             const auto found = rclcpp::qos_check_compatible(publisher.qos_profile(),
                                                             subscription_->get_actual_qos());
             if (found.compatibility == rclcpp::QoSCompatibility::Error)
-                return "what " + publisher.node_name() +
-                       " publishes does not come: " + found.reason;
+                return "no message arrives from " + publisher.node_name() + ": " + found.reason;
         }
         return "";
     }
@@ -57,7 +56,7 @@ public:
 private:
     using Publishers = std::vector<rclcpp::TopicEndpointInfo>;
 
-    // The settings that all of these offer.
+    // Returns the QoS that all these publishers offer.
     rclcpp::QoS offered_by_all(const Publishers &publishers) const
     {
         const auto all = [&publishers](auto is_so) {
@@ -78,7 +77,7 @@ private:
         return offered;
     }
 
-    // The settings that every publisher offers.
+    // Returns the QoS that every publisher offers.
     rclcpp::QoS unpretentious() const
     {
         return rclcpp::QoS(depth_).best_effort().durability_volatile();
@@ -107,6 +106,6 @@ private:
     size_t depth_;
     bool takes_kept_;
     Take take_;
-    bool is_declared_ = false; // the reliability, by a parameter
+    bool is_declared_ = false; // true: a parameter sets the reliability
     typename rclcpp::Subscription<Message>::SharedPtr subscription_;
 };

@@ -1,18 +1,18 @@
-// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
-// The reports of the node: verdicts, its state, and diagnostics.
+// Part of ROSSMARie, the same for all rules. Do not edit it: SHA256SUMS lists its hash.
+// Publishes verdicts, the state of the node, and diagnostics. Checks other nodes.
 #include "guard.h"
 
 #include <utility>
 
 #include "reports.h"
 
-static const double SLOW = 0.1; // a pause (s) from which on the node counts as too slow
+static const double SLOW = 0.1; // minimum pause (s) that diagnostics report
 
-// By the states of tasks in the C.
+// Indexed by the task states of the generated C.
 static const char *const STATES[] = {"idle", "running", "holding", "waiting",
                                      "done", "failed",  "overdue"};
 
-void Guard::tell(int64_t at_ns)
+void Guard::publish_changes(int64_t at_ns)
 {
     for (Verdict &verdict : std::exchange(new_verdicts_, {})) {
         verdict.overruled = overruled_;
@@ -75,7 +75,8 @@ void Guard::publish_diagnostics()
     DiagnosticArray array;
     array.header.stamp = Middleware::time(middleware_.now_ns());
     array.status = statuses();
-    const std::string node = middleware_.name().substr(1); // of several robots each has its own
+    const std::string node =
+        middleware_.name().substr(1); // the nodes of several robots have different full names
     for (DiagnosticStatus &each : array.status) {
         each.name = node + ": " + each.name;
         each.hardware_id = node;
@@ -93,12 +94,12 @@ std::vector<DiagnosticStatus> Guard::statuses() const
     add_rule_statuses(found);
     for (const auto &filter : performers_.filters)
         if (filter->listeners() == 0)
-            add(found, "listeners of " + filter->topic(), DiagnosticStatus::ERROR,
-                "nobody: the robot is not behind the filter");
+            add(found, "subscribers of " + filter->topic(), DiagnosticStatus::ERROR,
+                "none: the robot does not receive the filtered commands");
     for (const auto &filter : performers_.filters)
         if (filter->refused() > 0)
             add(found, "commands on " + filter->topic(), DiagnosticStatus::WARN,
-                std::to_string(filter->refused()) + " were not finite");
+                std::to_string(filter->refused()) + " commands were not finite");
     for (const auto &diagnosis : diagnoses_)
         found.push_back(diagnosis.second);
     return found;
@@ -108,19 +109,20 @@ void Guard::add_node_status(std::vector<DiagnosticStatus> &found) const
 {
     if (longest_pause_ > SLOW)
         add(found, "node", DiagnosticStatus::WARN,
-            "looked at nothing for " + std::to_string(longest_pause_) + " s");
+            "the node processed nothing for " + std::to_string(longest_pause_) + " s");
     else if (!latched_.is_kept())
-        add(found, "node", DiagnosticStatus::ERROR, "latched rules cannot be kept");
+        add(found, "node", DiagnosticStatus::ERROR, "the node cannot save the latched rules");
     else if (clock_.stands_still())
         add(found, "node", DiagnosticStatus::ERROR, "ROS time stands still; no command passes");
     else if (clock_.latest() == 0)
-        add(found, "node", DiagnosticStatus::WARN, "waits for simulated time; no command passes");
+        add(found, "node", DiagnosticStatus::WARN, "waiting for simulated time; no command passes");
     else if (!is_open_)
-        add(found, "node", DiagnosticStatus::WARN, "waits for inputs; no command passes");
+        add(found, "node", DiagnosticStatus::WARN, "waiting for inputs; no command passes");
     else if (is_in_grace_)
-        add(found, "node", DiagnosticStatus::WARN, "opened by the grace period");
+        add(found, "node", DiagnosticStatus::WARN,
+            "commands pass without all inputs: the grace period has ended");
     else
-        add(found, "node", DiagnosticStatus::OK, "runs");
+        add(found, "node", DiagnosticStatus::OK, "running");
 }
 
 void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
@@ -130,18 +132,18 @@ void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
         const bool is_fresh = state == core::FRESH;
         add(found, std::string("input ") + INPUTS[input].name,
             is_fresh ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
-            is_fresh ? "messages come" : reports::of_input(input, state));
+            is_fresh ? "messages arrive" : reports::of_input(input, state));
     }
     for (const auto &input : inputs_)
         if (input->refused() > 0)
             add(found, "messages on " + input->topic(), DiagnosticStatus::WARN,
-                std::to_string(input->refused()) + " were refused, the last because " +
-                    input->reason());
+                std::to_string(input->refused()) +
+                    " messages were refused; the last one: " + input->reason());
     for (const auto &problem : found_.problems)
         add(found, problem.first, DiagnosticStatus::ERROR, problem.second);
     for (const auto &[topic, by] : found_.bypassed)
         add(found, "commands on " + topic, DiagnosticStatus::ERROR,
-            by + " publishes it, too, past the filter; only 0 passes");
+            by + " also publishes this topic and bypasses the filter; only 0 passes");
 }
 
 void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
@@ -160,20 +162,20 @@ void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
         else if (task_states_[task] == core::TASK_OVERDUE)
             add(found, name, DiagnosticStatus::ERROR, "overruled for too long");
     }
-    for (const auto &[task, lacking] : lacking_)
-        add(found, "action " + reports::of_task(task), DiagnosticStatus::ERROR, lacking);
+    for (const auto &[task, missing] : missing_)
+        add(found, "action " + reports::of_task(task), DiagnosticStatus::ERROR, missing);
 }
 
-// Another node that commands the robot past the filter cannot be stopped: this node does not add
-// commands, sends 0 itself, and reports the other node.
+// This node cannot stop another node that bypasses the filter. It sends only 0, and reports the
+// other node.
 void Guard::take_findings(const Findings &found)
 {
     for (const auto &[topic, by] : found.bypassed)
         if (found_.bypassed.count(topic) == 0)
-            say::error(by + " publishes " + topic + " past the filter; only 0 passes");
+            say::error(by + " publishes " + topic + " and bypasses the filter; only 0 passes");
     for (const auto &[topic, by] : found_.bypassed)
         if (found.bypassed.count(topic) == 0)
-            say::information("nobody else publishes " + topic + " any more");
+            say::information("no other node publishes " + topic + " any more");
     const bool has_changed = found.bypassed != found_.bypassed;
     found_ = found;
     checked_ = Wall::now();
@@ -190,8 +192,8 @@ void Guard::take_findings(const Findings &found)
     }
 }
 
-// Checks, without waiting, whether the node's requirements are met: topics with the expected types,
-// services, action servers, controllers.
+// Checks the requirements on other nodes: topics with the expected types, services, action servers
+// and controllers. The function does not wait for the results.
 void Guard::check_others()
 {
     is_checking_ = true;
@@ -208,9 +210,9 @@ void Guard::check_others()
         needs.push_back({other.title, middleware_.resolved(other.name), "", other.is_service});
     middleware_.check(needs, commanded, [this](const Findings &found) { take_findings(found); });
     for (int task = 0; task < count(TASKS); task++)
-        performers_.tasks[task]->check([this, task](const std::string &lacking) {
-            lacking_.erase(task);
-            if (!lacking.empty())
-                lacking_[task] = lacking;
+        performers_.tasks[task]->check([this, task](const std::string &missing) {
+            missing_.erase(task);
+            if (!missing.empty())
+                missing_[task] = missing;
         });
 }
