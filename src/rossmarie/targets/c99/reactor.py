@@ -84,8 +84,8 @@ def _task_tables(found: reactions.Reactions) -> str:
     otherwise = [task.otherwise for task in found.tasks]
     return "\n".join(
         [
-            "/* Tasks, with the columns of `plan` in engine/plans.h; then the escalations that start",
-            " * after a failure of each task, if there are any.",
+            "/* Tasks, with the columns of `plan` in engine/plans.h; then the escalations that",
+            " * start after a failure of each task, if there are any.",
             " */",
             remarked_table("plan", "tasks", rows),
             *_escalation_table(otherwise),

@@ -24,8 +24,8 @@ typedef reacting_reactor reactor;
 
 #include "engine/plans.h"
 
-/* Tasks, with the columns of `plan` in engine/plans.h; then the escalations that start
- * after a failure of each task, if there are any.
+/* Tasks, with the columns of `plan` in engine/plans.h; then the escalations that
+ * start after a failure of each task, if there are any.
  */
 static const plan tasks[7] = {
     {0, INT64_C(0), HOLDING, false, false, NONE, NONE, NONE, NONE}, /* actions.ross:2 act: limit /cmd_vel */
