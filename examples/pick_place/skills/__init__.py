@@ -1,4 +1,4 @@
-"""Skills of a robot that picks things and places them."""
+"""Skills of a robot that picks and places objects."""
 
 from ezskiros.hosts.skiros2 import host
 

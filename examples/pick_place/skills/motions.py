@@ -40,10 +40,10 @@ class MoveitCartesianSpaceMotion(SkillDescription):
 
 
 class ApproachMovement(SkillDescription):
-    """Moves the gripper slowly until it touches a thing.
+    """Moves the gripper slowly until it touches an object.
 
     Args:
-        Target: the thing that the gripper touches.
+        Target: the object that the gripper touches.
         Speed: the speed, in m/s.
 
     """

@@ -10,11 +10,11 @@ from .world import skiros, sumo
 
 
 class WmSetRelation(SkillDescription):
-    """Sets the place of a thing.
+    """Sets the place of an individual.
 
     Args:
-        Src: the thing.
-        Dst: the place of the thing.
+        Src: the individual.
+        Dst: the place of the individual.
         Relation: `skiros.at`.
         RelationState: True. With False, the skill fails.
 
@@ -41,10 +41,10 @@ class wm_set_relation(WmSetRelation.SkillBase):
 
 
 class WmMoveObject(SkillDescription):
-    """Moves a thing from its container to another location.
+    """Moves an individual from its container to another location.
 
     Args:
-        TargetLocation: the location that contains the thing afterwards.
+        TargetLocation: the location that contains the individual afterwards.
 
     """
 
