@@ -72,7 +72,7 @@ class Proofs:
 def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
     """A finding for each refuted part, at its place in the rules, or at `file`."""
     for outcome in proofs.having(ProofVerdict.REFUTED):
-        first, *others = proofs.reasons(outcome) or ("what it has to show",)
+        first, *others = proofs.reasons(outcome) or ("its obligation",)
         finding = PartRefuted(part=outcome.check.about, sentence=first, check=outcome.check.name)
         places = (_place(proofs.machine, words) for words in (first, outcome.check.about))
         span = next((place for place in places if place is not None), file)
@@ -116,7 +116,7 @@ def write_proofs(proofs: Proofs, out: TextIO) -> None:
 
 def _table(proofs: Proofs, *, styled: bool) -> Table:
     table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
-    table.add_column("Of the generated C", overflow="fold", min_width=20)
+    table.add_column("Part of the generated C", overflow="fold", min_width=20)
     table.add_column("Proved", justify="right", no_wrap=True)
     table.add_column("Not proved", overflow="fold")
     groups: dict[str, list[ProofOutcome]] = {}
@@ -125,7 +125,7 @@ def _table(proofs: Proofs, *, styled: bool) -> Table:
     for name, outcomes in groups.items():
         table.add_row(*map(Text, (name, _counts(outcomes), _left(outcomes))))
     for name in proofs.unasked:
-        table.add_row(*map(Text, (name, "", "no query is asked about it")))
+        table.add_row(*map(Text, (name, "", "no query covers this part")))
     return table
 
 

@@ -25,19 +25,19 @@ ANY_REACTOR = """\
 _IN_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 
 SAME = """\
-/* The same number, or none in both. */
+/* Say whether both are the same number, or both are NaN. */
 static bool spec_same(double a, double b) { return (isnan(a) && isnan(b)) || a == b; }
 """
 
 CONTRACTS = """\
-/* Of this, its check has shown no more than: a distance of 0 or more, none while in force. */
+/* The checks of `moved` prove that its result is 0 or more, and 0 while the task is in force. */
 double __CPROVER_uninterpreted_distance(unsigned, double);
 
 double contract_moved(const reactor *r, unsigned task, double ramp, int64_t t_ns)
 {
     const double moved_by = __CPROVER_uninterpreted_distance(task, ramp);
-    __CPROVER_assert(task < TASKS, "what moves is a task");
-    __CPROVER_assert(t_ns > EARLIEST && t_ns < LATEST, "it moves at an instant in range");
+    __CPROVER_assert(task < TASKS, "the task exists");
+    __CPROVER_assert(t_ns > EARLIEST && t_ns < LATEST, "the instant is in range");
     __CPROVER_assume(moved_by >= 0.0 && (r->state[task] != HOLDING || moved_by == 0.0));
     return moved_by;
 }
@@ -73,7 +73,7 @@ class CommandChecks:
         about = "a number of a command is scaled, then bounded"
         yield WrittenCheck(Check("scaled", about, is_arithmetic=True), text + _IS_SCALED)
         for task, ramp in sorted(self._ramps()):
-            about = f"how far a limit has moved: {self._said(task)}"
+            about = f"the distance that a limit has moved: {self._said(task)}, ramp {ramp:g}"
             name = f"moved_{task}_{_word(ramp)}"
             yield WrittenCheck(Check(name, about), self._moved(task, ramp))
         for index, command in enumerate(self._found.commands):
@@ -124,8 +124,10 @@ class CommandChecks:
             ANY_REACTOR,
             _IN_RANGE,
             f"    const double moved_by = moved(r, {task}, {literal(ramp)}, t_ns);",
-            obligation("moved_by >= 0.0", "it moves apart"),
-            obligation(f"!{holds} || moved_by == 0.0", "what is in force has not moved"),
+            obligation("moved_by >= 0.0", "a bound moves by a distance of 0 or more"),
+            obligation(
+                f"!{holds} || moved_by == 0.0", "the bound of a task in force has not moved"
+            ),
         ]
         return "\n".join(lines)
 
@@ -145,17 +147,23 @@ class CommandChecks:
 
     def _field(self, command: int, field: int) -> Iterator[str]:
         b = f"b[{field}]"
-        yield obligation(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero is in bounds")
-        yield obligation(f"0.0 <= {b}.factor && {b}.factor <= 1.0", "a factor makes nothing larger")
+        yield obligation(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero lies within the bounds")
+        yield obligation(
+            f"0.0 <= {b}.factor && {b}.factor <= 1.0", "the factor lies between 0 and 1"
+        )
         for end in self._limits(command, field):
             kept = f"{literal(end.low)} <= {b}.low && {b}.high <= {literal(end.high)}"
-            yield obligation(f"!{in_force(end.task)} || ({kept})", "a limit in force is kept")
+            yield obligation(
+                f"!{in_force(end.task)} || ({kept})", "the bounds respect each limit in force"
+            )
         for task, scale in self._scales(command):
             kept = f"{b}.factor <= {literal(scale.factor)}"
-            yield obligation(f"!{in_force(task)} || {kept}", "a scale in force is kept")
+            yield obligation(
+                f"!{in_force(task)} || {kept}", "the factor respects each scale in force"
+            )
         if not any(self._limits(command, field)):
             free = f"{b}.low == -INFINITY && {b}.high == INFINITY"
-            yield obligation(free, "what nothing limits is unlimited")
+            yield obligation(free, "a field without a limit has no bounds")
 
     def _loops(self, command: int) -> Passes:
         """The numbers of passes: each loop runs over fields, limits or scales."""
@@ -174,7 +182,7 @@ class CommandChecks:
         lines = [ANY_REACTOR, shut, self._call(command)]
         for field in range(len(self._found.commands[command].fields)):
             zero = f"b[{field}].low == 0.0 && b[{field}].high == 0.0 && b[{field}].factor == 1.0"
-            lines.append(obligation(zero, "nothing passes (R12)"))
+            lines.append(obligation(zero, "the bounds let no command pass (R12)"))
         return "\n".join(lines)
 
     def _no_command(self) -> str:
@@ -205,12 +213,13 @@ _BOUNDED = """\
 """
 
 _STAYS = """\
-    __CPROVER_assert(isfinite(found), "what passes is finite");
-    __CPROVER_assert(b.low <= found && found <= b.high, "what passes is in its bounds");
-    __CPROVER_assert(isfinite(x) || found == 0.0, "what is not finite becomes 0");"""
+    __CPROVER_assert(isfinite(found), "the result is finite");
+    __CPROVER_assert(b.low <= found && found <= b.high, "the result lies within the bounds");
+    __CPROVER_assert(isfinite(x) || found == 0.0, "a number that is not finite becomes 0");"""
 
 _IS_SCALED = """\
     const double scaled = x * b.factor;
     const double raised = b.low > scaled ? b.low : scaled;
     const double expected = b.high < raised ? b.high : raised;
-    __CPROVER_assert(!isfinite(x) || spec_same(found, expected), "what passes is what R11 says");"""
+    __CPROVER_assert(!isfinite(x) || spec_same(found, expected),
+        "the result is the scaled, then bounded number (R11)");"""

@@ -15,20 +15,20 @@ int nondet_integer(void);
 double nondet_double(void);
 
 static int64_t asked_ns; /* the instant at which a function is called */
-static monitor base; /* what it began with, or what was last made of that */
+static monitor base; /* the monitor at the beginning, or after the last contract */
 
-/* What is reported, to whoever listens: of each rule the last event, and how many. */
+/* The events that the listener received: the last event of each rule, and their number. */
 static {name}_event reported[{rules}], jump;
 static unsigned reports[{rules}], jumps;
 
 static void observe(void *user, const {name}_event *event)
 {{
-    __CPROVER_assert(user == &base, "a listener is given back what it gave");
+    __CPROVER_assert(user == &base, "the listener receives its own `user` pointer");
     if (event->change == {name}_TIME_JUMP) {{
         jump = *event;
         jumps++;
     }} else {{
-        __CPROVER_assert(event->rule >= 0 && event->rule < {rules}, "what changes exists");
+        __CPROVER_assert(event->rule >= 0 && event->rule < {rules}, "the rule of an event exists");
         reported[event->rule] = *event;
         reports[event->rule]++;
     }}
@@ -47,7 +47,7 @@ static bool is_marked_up_to(const monitor *m, unsigned node)
     return found;
 }}
 
-/* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */
+/* Arbitrary bits in memory, within the limits of C: a bool is 0 or 1, and a callback is valid. */
 static monitor any(void)
 {{
     monitor m = nondet_monitor();
@@ -61,7 +61,7 @@ static monitor any(void)
 """
 
 CONTRACTS = """\
-/* A monitor of which nothing is known but whom it reports to. */
+/* Replace a monitor with an arbitrary monitor that has the same listener. */
 static void forget(monitor *m, const monitor *old)
 {{
     *m = any();
@@ -69,7 +69,7 @@ static void forget(monitor *m, const monitor *old)
     m->user = old->user;
 }}
 
-/* How many changes the parts of a function have told of. */
+/* The number of changes that the parts of a function have reported. */
 static int changes;
 
 static int any_count(int most)
@@ -80,7 +80,9 @@ static int any_count(int most)
     return count;
 }}
 
-/* Where there is a short path: the case in which it is taken, and the other in any case. */
+/* Contracts of the choice of a path. One assumes that the short path is allowed and takes it; the
+ * other always takes the long path.
+ */
 bool assume_calm(const monitor *m, int64_t t_ns)
 {{
     __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);
@@ -94,7 +96,7 @@ bool never_calm(const monitor *m, int64_t t_ns)
     return false;
 }}
 
-/* The long path begins here; it has checks of its own. */
+/* The long path begins here. It has its own checks. */
 int never_catch_up(monitor *m, int64_t t_ns)
 {{
     (void)m;
@@ -103,22 +105,22 @@ int never_catch_up(monitor *m, int64_t t_ns)
     return 0;
 }}
 
-/* What was marked when a function began, or when it last visited a node. */
+/* The marks when a function began, or after its last visit to a node. */
 static monitor due;
 
 static void must_be_due(const monitor *m, unsigned node)
 {{
     for (unsigned n = LEAVES; n != PROPOSITIONS + RULES; n++)
         __CPROVER_assert(is_marked(&due, n) == (n == node || is_marked(m, n)),
-            "what is marked is visited once, and nothing else");
+            "each marked node is visited exactly once, and no other node is visited");
 }}
 
 int contract_visit(monitor *m, unsigned node, int64_t t_ns)
 {{
-    __CPROVER_assert(t_ns == asked_ns, "it is evaluated at its instant");
+    __CPROVER_assert(t_ns == asked_ns, "the monitor evaluates the node at the requested instant");
 {pending}    must_be_due(m, node);
-    __CPROVER_assert(node >= LEAVES && node < PROPOSITIONS + RULES, "what is evaluated exists");
-    __CPROVER_assert(!is_marked_up_to(m, node), "what is evaluated is the first that is marked");
+    __CPROVER_assert(node >= LEAVES && node < PROPOSITIONS + RULES, "the evaluated node exists");
+    __CPROVER_assert(!is_marked_up_to(m, node), "the evaluated node is the first marked node");
     for (unsigned n = LEAVES; n != PROPOSITIONS + RULES; n++)
         if (n > node && nondet_number() % 2 != 0)
             mark(m, n);
@@ -126,7 +128,7 @@ int contract_visit(monitor *m, unsigned node, int64_t t_ns)
     return any_count(1);
 }}
 
-/* What is forgotten by expiring; what arrived at this very instant stays. */
+/* The inputs after a tick. An input that arrived at this very instant keeps its state. */
 static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
 {{
     for (unsigned i = 0; i != INPUTS; i++) {{
@@ -139,7 +141,7 @@ static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
     suppose_looked(m, t_ns);
 }}
 
-/* What a restart leaves behind: the same wherever it is called, so paths that meet again agree. */
+/* The monitor after a restart. Every call gives the same monitor, so that joined paths agree. */
 static monitor anew;
 
 void suppose_anew(const monitor *m, int64_t t_ns)
@@ -151,13 +153,14 @@ void suppose_anew(const monitor *m, int64_t t_ns)
 
 void contract_restart(monitor *m, int64_t t_ns)
 {{
-    __CPROVER_assert(!m->started || t_ns < m->now_ns, "time begins, or goes backwards");
-    __CPROVER_assert(t_ns == anew.now_ns, "it begins at this instant");
+    __CPROVER_assert(!m->started || t_ns < m->now_ns,
+        "the monitor has not started, or time goes backwards");
+    __CPROVER_assert(t_ns == anew.now_ns, "the monitor restarts at the requested instant");
     *m = anew;
 }}
 
-/* The earlier of two instants, as two that are chosen beforehand see it. To put many in order is
- * hard; which of them lie before one that is given is known of each.
+/* The earlier of two instants, compared only with two instants that are chosen beforehand. The
+ * order of many instants is hard for a solver; the order of each and a chosen one is easy.
  */
 static int64_t before_ns, after_ns;
 
@@ -178,12 +181,12 @@ int64_t any_timer(const monitor *m)
 int64_t never_timer(const monitor *m)
 {{
     (void)m;
-    __CPROVER_assert(false, "no timer is looked for");
+    __CPROVER_assert(false, "the function searches for no timer");
     __CPROVER_assume(false);
     return 0;
 }}
 
-/* An instant that no timer lies before; what is measured from it lies ahead. */
+/* An instant after the clock, with no timer before it. */
 int64_t contract_earliest_timer(const monitor *m)
 {{
     const int64_t wake_ns = nondet_instant();
@@ -193,10 +196,9 @@ int64_t contract_earliest_timer(const monitor *m)
     return wake_ns;
 }}
 
-/* A function that takes an instant is looked at in stages, each with no more than it rests on:
- * until timers are looked at, from there until propositions are evaluated or the next timer is set,
- and
- * after that.
+/* The checks of a function that takes an instant have three stages. Each stage has only the facts
+ * that it needs. The first stage ends when timers are handled. The second stage ends when
+ * propositions are evaluated or the next timer is set. The third stage is the rest.
  */
 static bool is_late = false;
 
@@ -227,7 +229,7 @@ void end_at_tick(monitor *m, int64_t t_ns)
 
 void tick_and_end(monitor *m, int64_t t_ns)
 {{
-    __CPROVER_assert(t_ns > m->now_ns, "time goes on");
+    __CPROVER_assert(t_ns > m->now_ns, "time goes forward");
     end_at_tick(m, t_ns);
 }}
 
@@ -250,7 +252,7 @@ void never_restart(monitor *m, int64_t t_ns)
 {{
     (void)m;
     (void)t_ns;
-    __CPROVER_assert(false, "time does not begin again");
+    __CPROVER_assert(false, "the monitor does not restart");
     __CPROVER_assume(false);
 }}
 
@@ -281,7 +283,7 @@ int end_at_evaluate(monitor *m, int64_t t_ns)
     return 0;
 }}
 
-/* Where it matters only that nothing changes any more. */
+/* The evaluation, for checks that need only one fact: nothing changes after it. */
 int evaluated_somehow(monitor *m, int64_t t_ns)
 {{
     const monitor old = *m;
@@ -292,7 +294,7 @@ int evaluated_somehow(monitor *m, int64_t t_ns)
     return any_count(RULES);
 }}
 
-/* The next pass begins with what this one leaves behind. */
+/* The next pass begins with the monitor that this pass leaves. */
 int64_t timer_of_a_pass(const monitor *m)
 {{
     if (is_late)
@@ -300,7 +302,7 @@ int64_t timer_of_a_pass(const monitor *m)
     return nondet_instant();
 }}
 
-/* What is counted, and nothing else. */
+/* Contracts for checks of the number of changes only. */
 int count_caught_up(monitor *m, int64_t t_ns)
 {{
     (void)m;

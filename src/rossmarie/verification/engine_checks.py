@@ -43,7 +43,7 @@ class EngineChecks:
         """All checks of evaluation, rules and the interface."""
         yield from self._visits()
         parts = (("visit", "contract_visit"),)
-        about = "everything that is marked is evaluated, in order, and that ends"
+        about = "all marked nodes are evaluated in order, and the evaluation ends"
         yield WrittenCheck(
             Check("evaluate", about, parts), f"{_EVALUATE}\n{self._frames.evaluated()}"
         )
@@ -58,19 +58,17 @@ class EngineChecks:
             yield WrittenCheck(Check(f"visit_{node}", about), self._visit(node))
         for index, rule in enumerate(self._machine.rules):
             node = self._layout.proposition_count + index
-            about = f"rule {rule.name} is judged"
+            about = f"rule {rule.name} is evaluated"
             yield WrittenCheck(Check(f"visit_{node}", about), self._visit(node))
 
     def _visit(self, node: int) -> str:
         rule = node - self._layout.proposition_count
         change = self._events.changed(rule) if rule >= 0 else "0"
         obligations = [
-            obligation(f"events == {change}", "a change of the rule, and nothing else, is counted"),
+            obligation(f"events == {change}", "only a change of the rule is counted"),
             *self._events.reported({rule}),
             "    must_be_looked(m, t_ns);",
-            obligation(
-                "!is_marked_up_to(m, node)", "what depends on a proposition stands behind it"
-            ),
+            obligation("!is_marked_up_to(m, node)", "the dependents of a node come after the node"),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
             *(self._before(k, node) for k in range(len(self._layout.held))),
             *(self._remembered(k, node) for k in range(len(self._layout.sinces))),
@@ -79,9 +77,7 @@ class EngineChecks:
         pending = ""
         if not self._layout.is_small:
             pending = "    m->pending = true;\n"
-            obligations.append(
-                obligation("m->pending", "it is left to `evaluate` to say that all is done")
-            )
+            obligations.append(obligation("m->pending", "only `evaluate` clears `pending`"))
         return f"""\
 {ANY}
     const unsigned node = {node};
@@ -106,7 +102,7 @@ class EngineChecks:
             )
         becomes = f"({condition} == TRUE || {condition} == STALE || ({was} && !({cleared})))"
         mine = node == self._layout.proposition_count + index
-        about = f"rule {rule.name} is active as S35 to S37 say"
+        about = f"rule {rule.name} is active according to S35 to S37"
         return obligation(f"{now} == {becomes if mine else was}", about)
 
     def _before(self, k: int, node: int) -> str:
@@ -118,7 +114,10 @@ class EngineChecks:
         was = f"old.held_before[{k}]"
         if node == self._layout.node_of_proposition[proposition]:
             was = f"({operand} != TRUE ? {operand} : {was})"
-        return obligation(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
+        return obligation(
+            f"m->held_before[{k}] == {was}",
+            f"`{declared.text}` keeps the value before it began (S33)",
+        )
 
     def _remembered(self, k: int, node: int) -> str:
         """S44: the value of a `since` at the last evaluation."""
@@ -127,7 +126,7 @@ class EngineChecks:
         if node == self._layout.node_of_proposition[proposition]:
             was = self._definitions.since_then(k, "old.")
         text = self._machine.propositions[proposition].text
-        return obligation(f"m->since_before[{k}] == {was}", f"what `{text}` was")
+        return obligation(f"m->since_before[{k}] == {was}", f"`{text}` remembers its value (S44)")
 
     # --- the interface -----------------------------------------------------------------------
 
@@ -139,35 +138,35 @@ class EngineChecks:
         )
         yield from stages("advance", "time passes", advance, self._parts)
         parts = ((f"{name}_advance", "contract_advance"),)
-        about = "an operator resets"
+        about = "an operator resets rules"
         call = f"    const int rule = nondet_integer();\n    const int events = {reset};"
         becomes = "({was} && {condition} != FALSE)"
         cleared = self._frames.latched("(rule < 0 || rule == {index})", becomes)
         lines = [f"{ANY}\n{RANGE}\n{call}", RESTS, "    const monitor old = base;", cleared]
         rules = range(len(self._machine.rules))
         count = " + ".join(["changes", *(f"(int){self._events.changed(rule)}" for rule in rules)])
-        lines.append(obligation(f"events == {count}", "what is cleared is counted"))
+        lines.append(obligation(f"events == {count}", "each cleared rule is counted"))
         lines += self._events.reported(set(rules))
         yield WrittenCheck(Check("reset", about, parts), "\n".join(lines))
-        refused = Check("reset_refused", "an instant out of range is refused by a reset", parts)
+        refused = Check("reset_refused", "a reset refuses an instant out of range", parts)
         yield WrittenCheck(
             refused, f"{ANY}\n    const int rule = nondet_integer();\n{REFUSED.format(call=reset)}"
         )
-        yield WrittenCheck(Check("init", "a monitor that has not started"), self._init())
-        yield WrittenCheck(Check("latch", "a rule is told to be latched"), self._latch())
+        yield WrittenCheck(Check("init", "a monitor is initialized"), self._init())
+        yield WrittenCheck(Check("latch", "a rule is latched before the start"), self._latch())
         about = "the changes are counted when time passes"
         yield WrittenCheck(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
         queries = f"""\
     const int64_t wake_ns = {name}_next_wake(m);
-    __CPROVER_assert(!m->started || wake_ns > m->now_ns, "what comes next lies ahead");
+    __CPROVER_assert(!m->started || wake_ns > m->now_ns, "the next wake lies after the clock");
     const int which = nondet_integer();
     (void){name}_is_active(m, which);
     (void){name}_input_state(m, which);
     (void){name}_has_all_inputs(m);
     __CPROVER_assert(!is_calm(m, t_ns) || (t_ns >= m->now_ns && t_ns < m->wake_ns),
-        "where the short path is taken, time goes forward and nothing is due");
+        "on the short path, time goes forward and no timer is due");
     must_be_same(m, &old);"""
-        about = "queries that change nothing"
+        about = "queries do not change the monitor"
         yield WrittenCheck(Check("queries", about), f"{begin(self._layout)}\n{queries}")
 
     def _init(self) -> str:
@@ -176,16 +175,19 @@ class EngineChecks:
 {ANY}
     (void)t_ns;
     const char *const fault = {name}_init(m, base.on_event, base.user);
-    __CPROVER_assert(!fault, "its arithmetic is that of IEEE 754");
-    __CPROVER_assert(m->on_event == base.on_event && m->user == base.user, "it has its listener");
-    __CPROVER_assert(!m->started && {name}_next_wake(m) == NEVER, "it waits for nothing");
+    __CPROVER_assert(!fault, "the arithmetic is IEEE 754");
+    __CPROVER_assert(m->on_event == base.on_event && m->user == base.user,
+        "the monitor has its listener");
+    __CPROVER_assert(!m->started && {name}_next_wake(m) == NEVER, "the monitor waits for no timer");
 {self._nothing_was()}    for (int rule = 0; rule != RULES; rule++)
         __CPROVER_assert(!{name}_is_active(m, rule), "no rule is active");"""
 
     def _nothing_was(self) -> str:
         """S44: each `since` is false before the first evaluation."""
         obligations = (
-            obligation(f"m->since_before[{k}] == FALSE", "nothing has held before the start")
+            obligation(
+                f"m->since_before[{k}] == FALSE", "each `since` is false before the start (S44)"
+            )
             for k in range(len(self._layout.sinces))
         )
         return "".join(f"{each}\n" for each in obligations)

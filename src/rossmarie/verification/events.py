@@ -29,7 +29,7 @@ class Events:
         return "\n".join(map(self._reported, range(len(self._rules))))
 
     def _reported(self, rule: int) -> str:
-        about = f"the report of rule {self._rules[rule].name}"
+        about = f"the report of rule {self._rules[rule].name} is right (S41)"
         changed, is_now = self.changed(rule), _bit("m->", rule)
         once = f"reports[{rule}] == ({changed} && m->on_event ? 1u : 0u)"
         lines = "\n".join(
@@ -39,7 +39,7 @@ class Events:
         return _REPORTED.format(
             rule=rule,
             name=self._layout.name,
-            once=obligation(once, f"a change of rule {self._rules[rule].name} is reported once"),
+            once=obligation(once, f"each change of rule {self._rules[rule].name} is reported once"),
             lines=lines,
             is_now=is_now,
             condition=condition,
@@ -69,8 +69,8 @@ class Events:
             if rule in rules:
                 yield f"    must_report_{rule}(m, old, t_ns);"
             else:
-                yield obligation(f"reports[{rule}] == 0", "nothing is reported about other rules")
-        yield obligation("jumps == 0", "time does not jump")
+                yield obligation(f"reports[{rule}] == 0", "no other rule is reported")
+        yield obligation("jumps == 0", "no time jump is reported")
 
 
 def _bit(monitor: str, rule: int) -> str:

@@ -57,7 +57,7 @@ class FrameChecks:
                 pair = f"m->{place}", f"other->{place}"
                 is_double = name in self._doubles
                 same = f"spec_same({pair[0]}, {pair[1]})" if is_double else " == ".join(pair)
-                lines.append(obligation(same, f"`{name}` is as it has to be"))
+                lines.append(obligation(same, f"`{name}` has its expected value"))
         body = "\n".join(lines)
         return f"static void must_be_same(const monitor *m, const monitor *other)\n{{\n{body}\n}}\n"
 
@@ -71,10 +71,12 @@ class FrameChecks:
             stamp = f"m->stamp_ns[{index}] == ({is_reported} ? asked_ns : old->stamp_ns[{index}])"
             if self._is_stamped(index):
                 lines.append(
-                    obligation(stamp, f"the stamp of {used.name} is that of its last message")
+                    obligation(stamp, f"the stamp of {used.name} is the stamp of its last message")
                 )
             state = f"m->state[{index}] == ({is_reported} ? FRESH : old->state[{index}])"
-            lines.append(obligation(state, f"{used.name} is fresh by a message, else as it was"))
+            lines.append(
+                obligation(state, f"a message makes {used.name} fresh, nothing else changes it")
+            )
         for index, value in enumerate(self._layout.values):
             reported = [f"is_reported[{channel}]" for channel in sorted(value.support.channels)]
             same = f"spec_same({self._seen(index, 'm->')}, {self._seen(index, 'old->')})"
@@ -208,7 +210,9 @@ class FrameChecks:
         for value, found in enumerate(self._layout.values):
             for used in sorted(found.support.inputs - found.support.needed):
                 if used in expired:
-                    about = f"`{remark_of(found)}` is forgotten with what stands beside elements"
+                    about = (
+                        f"`{remark_of(found)}` becomes unknown with a number beside elements (S74)"
+                    )
                     yield obligation(f"!({expired[used]}) || isnan(m->value[{value}])", about)
 
     def restarted(self) -> str:
@@ -302,7 +306,7 @@ class FrameChecks:
             if rule.release is None:
                 then = becomes.format(was=was, condition=f"m->truth_value[{node}]", index=index)
                 expected = f"({which.format(index=index)} ? {then} : {was})"
-            about = f"rule {rule.name} is active as S38 says"
+            about = f"rule {rule.name} is active according to S38"
             lines.append(obligation(f"{now} == {expected}", about))
         return "\n".join([*lines, self.kept(self._any("active"))])
 

@@ -56,7 +56,7 @@ class GuardChecks:
             about = f"a new `{remark}` inside its guard changes nothing"
             yield WrittenCheck(Check(f"inside_{number}", about), self._inside(number, guard))
         if self._layout.guards:
-            about = "a proposition has a value, and what depends on it is marked"
+            about = "a proposition gets a value, and its dependents are marked"
             yield WrittenCheck(Check("set_truth_value", about), self._check_set_proposition())
 
     def text(self) -> str:
@@ -93,7 +93,7 @@ class GuardChecks:
             for number, guard in enumerate(self._layout.guards)
         )
 
-    # --- what is kept ------------------------------------------------------------------------
+    # --- kept values -------------------------------------------------------------------------
 
     def _finite(self) -> Iterator[Sentence]:
         """Numbers that have no guard are kept as finite or unknown, except the numbers from
@@ -150,7 +150,7 @@ class GuardChecks:
             "a guard and its propositions fit a number", f"{place} < 0 ? {unknown} : {known}"
         )
 
-    # --- what changes ------------------------------------------------------------------------
+    # --- changes -----------------------------------------------------------------------------
 
     def _change(self, number: int, guard: WatchedGuard) -> str:
         """The contract of a test of a number that may have left its guard. The guard's propositions
@@ -267,8 +267,11 @@ class GuardChecks:
                 f"    suppose_kept_{number}(m, t_ns);",
                 f"    const double x = m->value[{guard.value}];",
                 f"    __CPROVER_assume(is_inside(m, {number}, x));",
-                obligation("isfinite(x)", "what is inside is a number"),
-                obligation(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
+                obligation("isfinite(x)", "a number inside its guard is finite"),
+                obligation(
+                    f"x > m->low[{number}] && x <= m->high[{number}]",
+                    "the number lies within the guard",
+                ),
                 f"    must_be_guard_{number}(m, t_ns);",
             ]
         )
@@ -288,7 +291,7 @@ void {name}(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 {{
     switch (node) {{
 {cases}    default:
-        __CPROVER_assert(false, "it is one of these propositions");
+        __CPROVER_assert(false, "the node is one of these propositions");
     }}
 }}
 """
@@ -306,34 +309,34 @@ static double number_of(const monitor *m, unsigned g)
 {{
     switch (g) {{
 {numbers}    default:
-        __CPROVER_assert(false, "there is such a guard");
+        __CPROVER_assert(false, "the guard exists");
         return NAN;
     }}
 }}
 
-/* The guard that was asked for last. */
+/* The guard of the last call of `is_inside`. */
 static unsigned asked = GUARDS;
 
-/* To look at a number covers both: it has left its guard, or not. So no two paths meet again. */
+/* `contract_look` covers both cases: a number has left its guard, or not. So no two paths join. */
 bool always_outside(const monitor *m, unsigned g, double x)
 {{
-    __CPROVER_assert(spec_same(x, number_of(m, g)), "a guard is asked for its number");
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "`is_inside` gets the number of its guard");
     asked = g;
     return false;
 }}
 
 void contract_look(monitor *m, unsigned g, double x, int64_t t_ns)
 {{
-    __CPROVER_assert(g == asked, "it is asked before whether a number has left its guard");
-    __CPROVER_assert(spec_same(x, number_of(m, g)), "a number crosses the limits of its guard");
+    __CPROVER_assert(g == asked, "the monitor calls `is_inside` for the guard before `cross`");
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "`cross` gets the number of its guard");
     asked = GUARDS;
     switch (g) {{
 {changes}    default:
-        __CPROVER_assert(false, "there is such a guard");
+        __CPROVER_assert(false, "the guard exists");
     }}
 }}
 
-/* Guards that are asked for on the short path, and the first whose number is outside. */
+/* The guards that the short path tests, and the first guard that its number has left. */
 static bool is_here[GUARDS];
 static unsigned first_left = GUARDS;
 static bool is_left = false;
@@ -345,11 +348,11 @@ bool inside_until_left(const monitor *m, unsigned g, double x)
         is_left = true;
         return always_outside(m, g, x);
     }}
-    __CPROVER_assert(spec_same(x, number_of(m, g)), "a guard is asked for its number");
-    __CPROVER_assert(g < GUARDS && is_here[g], "a guard is asked for that the message is about");
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "`is_inside` gets the number of its guard");
+    __CPROVER_assert(g < GUARDS && is_here[g], "the message can change the number of the guard");
     switch (g) {{
 {stays}    default:
-        __CPROVER_assert(false, "there is such a guard");
+        __CPROVER_assert(false, "the guard exists");
     }}
     __CPROVER_assume(x > m->low[g] && x <= m->high[g]);
     return true;

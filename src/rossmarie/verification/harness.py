@@ -40,7 +40,7 @@ _UNCHECKED = """\
 """
 
 _MODELS = """\
-/* What is said of the C library: any function of its arguments. */
+/* Models of the C library: each function is an arbitrary function of its arguments. */
 double __CPROVER_uninterpreted_sqrt(double);
 double __CPROVER_uninterpreted_middle(unsigned k, unsigned is_upper); /* of a window */
 double __CPROVER_uninterpreted_total(unsigned k);
@@ -125,7 +125,7 @@ class _Writer:
         """
         if self._layout.is_small:
             return ""
-        return obligation("m->pending", "where something is evaluated, something is pending") + "\n"
+        return obligation("m->pending", "`pending` is set while nodes are evaluated") + "\n"
 
     def _passes(self) -> int:
         """The most passes of any loop. Loops run over the parts of a machine, or over marked
@@ -169,13 +169,13 @@ class _Writer:
             self._layout.leaf_count, self._layout.proposition_count + len(self._machine.rules)
         )
         return [
-            *(Sentence("everything is evaluated", self._invariants.marked(n)) for n in marked),
-            Sentence("its clock is set", "m->now_ns == t_ns && m->wake_ns == t_ns"),
+            *(Sentence("each computed node is marked", self._invariants.marked(n)) for n in marked),
+            Sentence("the clock is set", "m->now_ns == t_ns && m->wake_ns == t_ns"),
             *(Sentence("no duration has begun", f"m->held_due_ns[{k}] == NEVER")
               for k in range(len(self._layout.held))),
             *(Sentence("no channel is quiet", f"!m->quiet[{c}]")
               for c in range(len(self._machine.channels))),
-            *(Sentence("ages are looked at", f"{self._definitions.proposition(age)} == UNSET")
+            *(Sentence("ages are not yet tested", f"{self._definitions.proposition(age)} == UNSET")
               for age in self._layout.ages),
         ]  # fmt: skip
 
@@ -188,5 +188,7 @@ def _reported(invariants: Invariants, layout: ProofLayout) -> list[Sentence]:
     for k, proposition in enumerate(layout.oscillations):
         reported = invariants.reported(k).replace("t_ns -", "m->now_ns -")
         marked = invariants.marked(layout.node_of_proposition[proposition])
-        found.append(Sentence("what was told of an oscillation", f"({marked} || {reported})"))
+        found.append(
+            Sentence("the reported value of an oscillation was right", f"({marked} || {reported})")
+        )
     return found

@@ -68,6 +68,9 @@ class Invariants:
         self._machine = layout.machine
         self._definitions = definitions
 
+    def _text(self, proposition: int) -> str:
+        return self._machine.propositions[proposition].text
+
     # --- marks -------------------------------------------------------------------------------
 
     def marked(self, node: int) -> str:
@@ -101,9 +104,11 @@ class Invariants:
 
     def clock(self) -> Iterator[Sentence]:
         """Instants lie in a range in which differences fit into 64 bits."""
-        yield Sentence("it has started", "m->started")
-        yield Sentence("its clock is in range", "m->now_ns > EARLIEST && m->now_ns < LATEST")
-        yield Sentence("its clock is not ahead", "m->now_ns <= t_ns && t_ns < LATEST")
+        yield Sentence("the monitor has started", "m->started")
+        yield Sentence("the clock is in range", "m->now_ns > EARLIEST && m->now_ns < LATEST")
+        yield Sentence(
+            "the clock is not ahead of the instant", "m->now_ns <= t_ns && t_ns < LATEST"
+        )
         for used in range(len(self._machine.inputs)):
             stamp = f"m->stamp_ns[{used}]"
             held = f"{stamp} >= {_OLDEST} && {stamp} <= t_ns"
@@ -111,9 +116,7 @@ class Invariants:
         for proposition, node in self._layout.node_of_proposition.items():
             since = f"m->since_ns[{node}]"
             held = f"m->truth_value[{node}] == UNSET || ({since} >= {_OLDEST} && {since} <= t_ns)"
-            yield Sentence(
-                f"`{self._machine.propositions[proposition].text}` is so since the past", held
-            )
+            yield Sentence(f"`{self._text(proposition)}` changed in the past", held)
         for k in range(len(self._layout.sampled)):
             for name in ("latest_ns", "before_ns"):
                 held = f"m->{name}[{k}] >= {_OLDEST} && m->{name}[{k}] < LATEST"
@@ -122,18 +125,18 @@ class Invariants:
     def inputs(self, slack: str) -> Iterator[Sentence]:
         """S9 and S10. `slack` is `<` if an input at its timeout has expired, else `<=`."""
         for index, used in enumerate(self._machine.inputs):
-            state, about = f"m->state[{index}]", f"the state of {used.name}"
+            state, about = f"m->state[{index}]", f"the state of {used.name} fits its timeout"
             in_time = f"t_ns - m->stamp_ns[{index}] {slack} INT64_C({used.timeout_ns})"
             fresh = f"({state} != FRESH || {in_time})"
             timed = f"{state} != EXPIRED" if used.timeout_ns is None else fresh
             yield Sentence(about, f"{state} <= EXPIRED && {timed}")
             held = f"!m->quiet[{used.channel}] || {state} == FRESH"
-            yield Sentence(f"a quiet channel means that {used.name} is fresh", held)
+            yield Sentence(f"{used.name} is fresh while its channel is quiet", held)
         for slot, declared in enumerate(self._machine.slots):
             value = f"m->value[{self._layout.places.value_of_slot[slot]}]"
             path = ".".join(map(str, declared.path))
             held = f"!isinf({value}) && (m->state[{declared.input}] == FRESH || isnan({value}))"
-            yield Sentence(f"`{path}` is a number or unknown, and forgotten with its input", held)
+            yield Sentence(f"`{path}` is finite or unknown, and unknown without its input", held)
         yield from self._computed()
 
     def _computed(self) -> Iterator[Sentence]:
@@ -145,7 +148,7 @@ class Invariants:
             used = sorted(value.support.needed)
             if value.slot is None and used:
                 fresh = " && ".join(f"m->state[{each}] == FRESH" for each in used)
-                about = f"`{remark_of(value)}` is forgotten with what it is computed from"
+                about = f"`{remark_of(value)}` is unknown if an input that it needs is not fresh"
                 yield Sentence(about, f"isnan(m->value[{index}]) || ({fresh})")
 
     def quiet(self) -> Iterator[Sentence]:
@@ -155,7 +158,7 @@ class Invariants:
             assert isinstance(node, ir.AgeReaches), "the layout lists ages"
             channel = self._machine.inputs[node.input].channel
             held = f"!m->quiet[{channel}] || {self._definitions.proposition(proposition)} == FALSE"
-            text = self._machine.propositions[proposition].text
+            text = self._text(proposition)
             yield Sentence(f"on a quiet channel `{text}` is false", held)
 
     def literals(self) -> Iterator[Sentence]:
@@ -185,7 +188,9 @@ class Invariants:
             f"{high} == limits[{place} + 1].at && {above} && {below})"
         )
         about = remark_of(self._layout.values[guard.value])
-        yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
+        yield Sentence(
+            f"the guard of `{about}` encloses its number", f"isnan({x}) ? {unknown} : {around}"
+        )
 
     def tests(self, guard: WatchedGuard) -> Iterator[Sentence]:
         """A guarded value may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
@@ -200,7 +205,7 @@ class Invariants:
                 meant = f"spec_proposition_{proposition}(m, t_ns)"
                 known = f"{x} == ({meant} == TRUE ? 1.0 : 0.0)"
                 holds = f"{meant} >= UNKNOWN ? isnan({x}) : {known}"
-            yield Sentence(f"`{self._machine.propositions[proposition].text}` as a number", holds)
+            yield Sentence(f"`{self._text(proposition)}` is kept as 0, 1 or unknown", holds)
 
     def is_test(self, proposition: int) -> bool:
         """Say whether the number behind a proposition can only be 0, 1 or unknown."""
@@ -213,7 +218,7 @@ class Invariants:
         return first, first + self._layout.guards[number].limit_count
 
     def _is_right(self, proposition: int) -> Sentence:
-        text = self._machine.propositions[proposition].text
+        text = self._text(proposition)
         value = self._definitions.proposition(proposition)
         is_right = f"{value} == spec_proposition_{proposition}(m, t_ns)"
         return Sentence(f"`{text}` has its defined value", is_right)
@@ -235,17 +240,17 @@ class Invariants:
             yield Sentence(sentence.about, held)
         for proposition in self._layout.held:
             before = f"m->held_before[{self._layout.held.index(proposition)}]"
-            text = self._machine.propositions[proposition].text
+            text = self._text(proposition)
             held = f"{before} == FALSE || {before} == UNKNOWN || {before} == STALE"
             if _is_true_initially(self._machine, proposition):
                 held = f"{before} <= STALE"
-            yield Sentence(f"`{text}` was not true before it began", held)
+            yield Sentence(f"the value of `{text}` before it began is possible", held)
         for k, proposition in enumerate(self._layout.sinces):
-            before, text = f"m->since_before[{k}]", self._machine.propositions[proposition].text
+            before, text = f"m->since_before[{k}]", self._text(proposition)
             marked = self.marked(self._layout.node_of_proposition[proposition])
             reported = f"{before} == {self._definitions.proposition(proposition)}"
-            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= STALE")
-            yield Sentence(f"`{text}` is remembered", f"{marked} || {reported}")
+            yield Sentence(f"`{text}` keeps a truth value", f"{before} <= STALE")
+            yield Sentence(f"`{text}` keeps its value (S44)", f"{marked} || {reported}")
 
     def _timer(self, proposition: int) -> Iterator[str]:
         """S33: the due instant of a duration is its end, or NEVER if the duration has not begun.
@@ -277,7 +282,9 @@ class Invariants:
                 cleared = f"({condition} != FALSE || {release} != TRUE || !({active}))"
                 holds = f"({holds} && {cleared})"
             unless = self.marked(self._layout.proposition_count + index)
-            yield Sentence(f"rule {rule.name} is active iff it has to be", f"{unless} || {holds}")
+            yield Sentence(
+                f"rule {rule.name} is active according to S35 to S38", f"{unless} || {holds}"
+            )
 
     def timers(self, least: str) -> Iterator[Sentence]:
         """No timer lies before an instant (S15)."""
@@ -291,14 +298,12 @@ class Invariants:
             assert isinstance(node, ir.AgeReaches), "the layout lists ages"
             due = f"m->stamp_ns[{node.input}] + INT64_C({node.age_ns})"
             held = f"{self._definitions.proposition(proposition)} != FALSE || {due} >= {least}"
-            yield Sentence(f"`{self._machine.propositions[proposition].text}` lies ahead", held)
+            yield Sentence(f"`{self._text(proposition)}` becomes true later", held)
         for k, proposition in enumerate(self._layout.held):
             ended = f"{self._definitions.proposition(proposition)} == TRUE"
             marked = self.marked(self._layout.node_of_proposition[proposition])
             held = f"{marked} || {ended} || m->held_due_ns[{k}] >= {least}"
-            yield Sentence(
-                f"the end of `{self._machine.propositions[proposition].text}` lies ahead", held
-            )
+            yield Sentence(f"the end of `{self._text(proposition)}` lies ahead", held)
         yield from self._recent_timers(least)
 
     # --- turning points and edges ------------------------------------------------------------
@@ -307,7 +312,7 @@ class Invariants:
         """S32, S48: the stored turning points and edges are consistent."""
         for k, proposition in enumerate(self._layout.recent):
             count, first = recent(self._layout, k).count, first_recent(self._layout, k)
-            about = f"what is kept of `{self._machine.propositions[proposition].text}`"
+            about = f"the instants kept for `{self._text(proposition)}` fit"
             sane = f"m->recent_count[{k}] <= {count} && m->recent_next[{k}] < {count}"
             yield Sentence(about, sane)
             for place in range(first, first + count):
@@ -318,18 +323,18 @@ class Invariants:
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
         for k in range(len(self._layout.oscillations)):
             heading = f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
-            yield Sentence("a number goes up or down, or nothing is known of it", heading)
+            yield Sentence("the direction of a number is up, down or unknown", heading)
 
     def swinging(self) -> Iterator[Sentence]:
         """The seen state of each oscillation is up to date. Its proposition agrees, or it is
         marked.
         """
         for k, proposition in enumerate(self._layout.oscillations):
-            text = self._machine.propositions[proposition].text
+            text = self._text(proposition)
             seen = f"m->swinging[{k}] == {self.seen(k)}"
-            yield Sentence(f"what is seen of `{text}`", seen)
+            yield Sentence(f"the seen value of `{text}` is up to date", seen)
             waited = f"m->swinging[{k}] != TRUE || {window_end(self._layout, k)} >= m->wake_ns"
-            yield Sentence(f"the end of the window of `{text}` is waited for", waited)
+            yield Sentence(f"the monitor wakes before the window of `{text}` ends", waited)
             marked = self.marked(self._layout.node_of_proposition[proposition])
             yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.reported(k)}")
 
@@ -360,7 +365,7 @@ class Invariants:
             true = f"({value} != TRUE || {window_end(self._layout, k)} >= {least})"
             after = f"{end} + INT64_C({window_ns})"
             gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
-            about = f"the window of `{self._machine.propositions[proposition].text}` ends ahead"
+            about = f"the window of `{self._text(proposition)}` ends later"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
 
     def guards(self) -> dict[str, WatchedGuard]:
@@ -373,8 +378,8 @@ class Invariants:
         """All sentences, grouped by the name of their predicate."""
         return {
             "clock": list(self.clock()),
-            "marks": [Sentence("what is marked can be evaluated", self.marks_are_in_range())],
-            "unmarked": [Sentence("nothing is left to evaluate", self.nothing_marked())],
+            "marks": [Sentence("each marked node can be evaluated", self.marks_are_in_range())],
+            "unmarked": [Sentence("no node is marked", self.nothing_marked())],
             "in_time": list(self.inputs("<")),
             "just_in_time": list(self.inputs("<=")),
             "quiet": list(self.quiet()),
@@ -387,7 +392,7 @@ class Invariants:
             "rules": list(self.rules()),
             "ahead": list(self.timers("t_ns")),
             "woken": [
-                Sentence("nothing beyond the range passes for calm", "m->wake_ns <= LATEST"),
+                Sentence("the next wake lies in range", "m->wake_ns <= LATEST"),
                 *self.timers("m->wake_ns"),
             ],
         }

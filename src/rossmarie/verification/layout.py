@@ -206,7 +206,7 @@ class _Sorted:
         _must(all(len(each) == 1 for each in found.values()), "two numbers have the same place")
         return tuple(found[place][0] for place in range(len(remarks)))
 
-    # --- what has to have a place ------------------------------------------------------------
+    # --- parts that need a place -------------------------------------------------------------
 
     def _check(self, moving: list[int]) -> None:
         """Raise `MisplacedError` if a part is missing, or if two parts share a place."""
@@ -217,7 +217,7 @@ class _Sorted:
         leaves = [leaf for guard in places.guards for leaf in guard.leaves]
         _same(leaves, self._of(ir.Compare, ir.Between, ir.Flag, ir.Quantified), "leaves of guards")
         _same(places.held, self._of(ir.Held), "durations")
-        _same(places.sinces, self._of(ir.Since), "propositions that remember what they were")
+        _same(places.sinces, self._of(ir.Since), "propositions that remember their value")
         _same(places.oscillations, moving, "oscillations")
         _same(places.recurring, self._of(ir.Recurs), "counts of edges")
         last, windows = self._remembered()

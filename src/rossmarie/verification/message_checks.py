@@ -90,7 +90,7 @@ class MessageChecks:
     def written(self) -> Iterator[WrittenCheck]:
         """All checks of messages."""
         for function, count in self._opaque:
-            about = f"{function.value} is unknown of what is not known"
+            about = f"{function.value} is unknown if an operand is unknown"
             check = Check(opaque.name(function, count), about, self._same)
             yield WrittenCheck(check, opaque.kept(function, count))
         yield from self._subfunctions.written()
@@ -109,7 +109,7 @@ class MessageChecks:
                 *((("prepare", "prepared"),) if self._beside.signals else ()),
                 ("compute", "computed"),
             )
-            about = f"a message on {topic} is handed on as it is"
+            about = f"a message on {topic} is passed on unchanged"
             handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
             yield WrittenCheck(handed, self._handed(channel, lines, call))
             guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
@@ -117,7 +117,7 @@ class MessageChecks:
             yield from self._paths(f"update_{name}", about, lines, call, received, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.places.channel_names):
-            about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
+            about = f"the numbers of messages on {self._machine.channels[channel].topic} and more"
             parts = tuple(
                 (part, "change_nothing" if part in ("catch_up", "evaluate") else contract)
                 for part, contract in self._nothing_else
@@ -236,7 +236,7 @@ class MessageChecks:
                 parameters.append(f"{kind}{word}")
                 given.append(f"static {kind}{kept};")
                 same = f"spec_same({word}, {kept})" if kind == "double " else f"{word} == {kept}"
-                obligations.append(obligation(same, f"{word} is handed on"))
+                obligations.append(obligation(same, f"{word} is passed on unchanged"))
         return RECEIVED.format(
             name=name,
             channel=channel,
@@ -267,7 +267,7 @@ class MessageChecks:
                 kept = f"given_{channel}_{number}{'' if word == field.name else '_count'}"
                 parameters.append(parameter)
                 obligations.append(
-                    obligation(f"{word} == {kept}", f"{word} is handed on to be asked")
+                    obligation(f"{word} == {kept}", f"{word} is passed on to `fold`")
                 )
         return ASKED.format(
             name=self._layout.places.channel_names[channel],

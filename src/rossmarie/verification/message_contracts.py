@@ -9,8 +9,8 @@ static unsigned received_{channel};
 void received_{name}({parameters})
 {{
     (void)m;
-    __CPROVER_assert(t_ns == asked_ns, "it is handed on at its instant");
-    __CPROVER_assert(stage == NOT_STORED, "it is handed on before anything is computed");
+    __CPROVER_assert(t_ns == asked_ns, "the message is passed on at its instant");
+    __CPROVER_assert(stage == NOT_STORED, "the message is stored before any computation");
 {obligations}
     stage = STORED;
     received_{channel}++;
@@ -23,7 +23,7 @@ static unsigned folded_{channel};
 void folded_{name}({parameters})
 {{
     (void)m;
-    __CPROVER_assert(stage == {before}, "what stands beside elements is there before");
+    __CPROVER_assert(stage == {before}, "the numbers beside elements are ready before the results");
 {obligations}
     stage = ASKED;
     folded_{channel}++;
@@ -46,7 +46,7 @@ void prepared(monitor *m, const bool arrived[])
 {
     (void)m;
     (void)arrived;
-    __CPROVER_assert(stage == STORED, "what stands beside elements is made of what is stored");
+    __CPROVER_assert(stage == STORED, "the numbers beside elements come from stored numbers");
     stage = PREPARED;
 }
 """
@@ -64,7 +64,7 @@ void ignore_compute(monitor *m, const bool arrived[], int64_t t_ns)
 void computed(monitor *m, const bool arrived[], int64_t t_ns)
 {
     __CPROVER_assert(stage != NOT_STORED && stage != COMPUTED,
-        "it is computed from what a message brought");
+        "the computation follows a stored message, and only once");
     stage = COMPUTED;
     ignore_compute(m, arrived, t_ns);
 }
@@ -77,10 +77,10 @@ HANDED = """\
     received_{channel} = 0;
     const int events = {call};
     __CPROVER_assert(received_{channel} == (events < 0 ? 0u : 1u),
-        "what is not refused is handed on once");
+        "an accepted message is passed on once, a refused one never");
     __CPROVER_assert(stage == (events < 0 ? NOT_STORED : COMPUTED),
-        "what is handed on is computed with");"""
+        "an accepted message is computed, a refused one is not stored");"""
 
 ASKED_ONCE = """\
     __CPROVER_assert(folded_{channel} == (events < 0 ? 0u : 1u),
-        "what is not refused is asked once");"""
+        "an accepted message is folded once, a refused one never");"""

@@ -60,7 +60,7 @@ class MessageNumbers:
             kept = f"spec_finite(m->value[{self._layout.places.value_of_slot[field.slot]}])"
             meant = f"spec_finite({converted(name, slot.scale, slot.offset)})"
             path = ".".join(map(str, slot.path))
-            yield obligation(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
+            yield obligation(f"spec_same({kept}, {meant})", f"{path} is kept in SI units")
 
     def _folded(self, array: int, arguments: str) -> Iterator[str]:
         """S23 to S25, S53; `array` may be the first column of a list."""
@@ -125,7 +125,7 @@ class MessageNumbers:
                     f"spec_same(m->latest[{k}], {self._definitions.number(signal)}) && "
                     f"spec_same(m->before[{k}], {kept}[{k}] : old.latest[{k}])"
                 )
-                yield obligation(taken, f"the samples of `{text}`")
+                yield obligation(taken, f"the samples of `{text}` are kept (S18)")
                 instant = f"m->before_ns[{k}] == ({kept}_ns[{k}] : old.latest_ns[{k}])"
-                about = f"the instant of the sample of `{text}` before"
+                about = f"the instant of the sample of `{text}` before is kept (S18)"
                 yield obligation(f"isnan(m->before[{k}]) || {instant}", about)

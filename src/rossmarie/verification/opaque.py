@@ -27,7 +27,7 @@ from rossmarie.verification.layout import ProofLayout
 from rossmarie.verification.places import function_of, function_of_samples, function_of_subfunction
 from rossmarie.verification.supports import samplings
 
-_NOTHING = "nothing is known of what is not"
+_NOTHING = "the result is unknown if an operand is unknown"
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[AnyFunction, int], ...]:
@@ -79,7 +79,7 @@ def kept(function: AnyFunction, count: int) -> str:
     return "\n".join(f"    {line}" for line in lines)
 
 
-# --- what functions apply --------------------------------------------------------------------
+# --- subfunctions ----------------------------------------------------------------------------
 
 
 class Subfunctions:
@@ -111,13 +111,13 @@ class Subfunctions:
             name, about = function_of_subfunction(each), each.phrase.format(*each.parameters)
             operands = ", ".join(each.parameters)
             found, meant = f"{name}({operands})", f"{name_of_subfunction(each)}({operands})"
-            formula = _asked(each.parameters, f"spec_same({found}, {meant})", "it is as defined")
-            yield WrittenCheck(
-                Check(name, f"{about}, as it is defined", is_arithmetic=True), formula
+            formula = _asked(
+                each.parameters, f"spec_same({found}, {meant})", "the result is as defined"
             )
+            yield WrittenCheck(Check(name, f"{about}: the formula", is_arithmetic=True), formula)
             is_reported = f"({_known(each.parameters)}) || isnan({found})"
             unknown = _asked(each.parameters, is_reported, _NOTHING)
-            yield WrittenCheck(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
+            yield WrittenCheck(Check(f"{name}_unknown", f"{about}: unknown operands"), unknown)
 
 
 def _asked(names: Sequence[str], holds: str, about: str) -> str:

@@ -102,19 +102,19 @@ class PoseChecks:
         )
 
     def _fits(self) -> Iterator[Sentence]:
-        yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
+        yield Sentence("the clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
         for each in self._memories:
             kept, most = f"r->poses_kept[{each.index}]", each.memory.most
-            yield Sentence("a memory keeps no more poses than it may (R16)", f"{kept} <= {most}")
+            yield Sentence("a memory keeps at most its limit of poses (R16)", f"{kept} <= {most}")
             oldest = f"r->poses_oldest[{each.index}]"
-            yield Sentence("the oldest pose is one of the memory", f"{oldest} < {most}")
+            yield Sentence("the oldest pose lies in the memory", f"{oldest} < {most}")
             recorded = f"r->pose_recorded_ns[{each.index}]"
-            yield Sentence("what was recorded was so in the past", _is_past(recorded))
-            yield Sentence("it is known since when there are poses",
+            yield Sentence("the newest pose was recorded in the past", _is_past(recorded))
+            yield Sentence("a memory with poses has the newest instant",
                            f"{kept} == 0 || {recorded} != NEVER")  # fmt: skip
         for index in range(len(self._retraces)):
             sent = f"r->pose_sent_ns[{index}]"
-            yield Sentence("what was sent was so in the past", _is_past(sent))
+            yield Sentence("the last pose was sent in the past", _is_past(sent))
 
     # --- the checks --------------------------------------------------------------------------
 
@@ -131,14 +131,14 @@ class PoseChecks:
             about = f"memory {each.index} records poses"
             yield self._check(f"record_{each.index}", about, self._record(each), _IS_NEW)
         lines = [_ANY_POSES, _RECORDS, "    must_be_poses(r);", _unchanged(*_RECORDED)]
-        about = "a look changes only what it records"
+        about = "recording changes only the recorded poses"
         yield self._check("look", about, "\n".join(lines), _IS_NEW)
-        yield self._check("due", "when a task sends its next pose", self._due())
-        yield self._check("wake", "when the reactor looks for the next pose", self._wake())
+        yield self._check("due", "the instant of the next pose of a task", self._due())
+        yield self._check("wake", "the instant of the next pose of the reactor", self._wake())
         about = "tasks send the newest poses"
         yield self._check("send", about, self._send(), _NOTE)
         lines = [_ANY_POSES, "    pose_send(&s);\n    must_be_poses(r);", _unchanged(*_SENT)]
-        about = "sending changes only what is sent"
+        about = "sending changes only the sent poses"
         yield self._check("sent", about, "\n".join(lines), _NOTE)
         yield self._check("begin", "a task that starts sends at once", self._begin())
         yield self._check("set_back", "poses keep their age", self._set_back())
@@ -181,7 +181,7 @@ class PoseChecks:
         apart = literal(each.memory.apart)
         far = f"{square} >= {apart} * {apart}"
         late = f"age_ns >= INT64_C({each.memory.apart_ns})"
-        about = "a pose is apart from the one before it in space and time (R16)"
+        about = "a pose is apart from the pose before it in space and time (R16)"
         return "\n".join(
             [
                 f"    const double pose[] = {{{any_pose}}}, last[] = {{{any_pose}}};",
@@ -200,14 +200,14 @@ class PoseChecks:
         lines.append(f"    is_new[{index}] = nondet_bool();")
         lines.append(f"    const bool found = is_new_pose(r, {index}, pose);")
         meant = f"r->poses_kept[{index}] == 0 || is_new[{index}]"
-        about = "a pose is new if it is the first, or apart from the last one (R16)"
+        about = "a pose is new if it is the first pose, or apart from the newest (R16)"
         lines.append(obligation(f"found == ({meant})", about))
         lines.append(f"    if (r->poses_kept[{index}] == 0)\n        return;")
         same = [_same(f"compared[{n}]", f"r->poses[newest + {n}]") for n in each.numbers]
-        about = "it is compared with the newest pose (R16)"
+        about = "a pose is compared with the newest pose (R16)"
         lines.append(obligation(" && ".join(["compared_to == pose", *same]), about))
         age = f"r->now_ns - r->pose_recorded_ns[{index}]"
-        lines.append(obligation(f"compared_ns == {age}", "it is known how old that is (R16)"))
+        lines.append(obligation(f"compared_ns == {age}", "the age of the newest pose counts (R16)"))
         return "\n".join(lines)
 
     def _record(self, each: _Memory) -> str:
@@ -222,19 +222,19 @@ class PoseChecks:
             f"    const bool is_used = {used}, is_known = {known};",
             f"    const bool is_recorded = !is_used && is_known && is_new[{index}];",
             f"    const bool is_full = old.poses_kept[{index}] == {most};",
-            obligation(f"r->poses_known[{index}] == is_known", "a pose is known if finite (R16)"),
+            obligation(f"r->poses_known[{index}] == is_known", "a finite pose is known (R16)"),
             obligation(
                 f"r->poses_kept[{index}] == old.poses_kept[{index}] + (is_recorded && !is_full)",
-                "a new pose is kept, also instead of the oldest (R16)",
+                "a new pose is kept; in a full memory it replaces the oldest (R16)",
             ),
         ]
         since = f"is_recorded ? old.now_ns : old.pose_recorded_ns[{index}]"
         lines.append(
-            obligation(f"r->pose_recorded_ns[{index}] == ({since})", "it is known since when (R16)")
+            obligation(f"r->pose_recorded_ns[{index}] == ({since})", "its instant is kept (R16)")
         )
         oldest = f"(old.poses_oldest[{index}] + (is_recorded && is_full)) % {most}u"
         lines.append(
-            obligation(f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room (R16)")
+            obligation(f"r->poses_oldest[{index}] == {oldest}", "the oldest is dropped (R16)")
         )
         newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
         lines.append(f"    const unsigned newest = {newest};")
@@ -245,7 +245,7 @@ class PoseChecks:
         lines.append(f"    __CPROVER_assume(i >= {each.first}u && i < {each.end}u);")
         inside = f"is_recorded && i >= newest && i < newest + {len(reading)}"
         same = _same("r->poses[i]", "old.poses[i]")
-        lines.append(obligation(f"({inside}) || {same}", "other poses stay as they were (R16)"))
+        lines.append(obligation(f"({inside}) || {same}", "other poses are unchanged (R16)"))
         return "\n".join(lines)
 
     def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
@@ -264,21 +264,21 @@ class PoseChecks:
         lines = [_ANY_POSES]
         for index in range(len(self._retraces)):
             same = f"pose_due(r, {index}) == {self._due_of(index, 'r->')}"
-            lines.append(obligation(same, "a task that holds sends in each period (R17)"))
+            lines.append(obligation(same, "a task that holds sends one pose a period (R17)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 
     def _wake(self) -> str:
         lines = [_ANY_POSES, "    const int64_t given_ns = nondet_instant();"]
         lines.append("    const int64_t wake_ns = pose_wake(r, given_ns);")
-        lines.append(obligation("wake_ns <= given_ns", "nothing else is missed (R13)"))
+        lines.append(obligation("wake_ns <= given_ns", "no other wake is missed (R13)"))
         ends = ["wake_ns == given_ns"]
         for index in range(len(self._retraces)):
             due = self._due_of(index, "r->")
             missed = f"{due} > r->now_ns && {due} < wake_ns"
             lines.append(obligation(f"!({missed})", "no pose is missed (R13)"))
             ends.append(f"(wake_ns == {due} && {due} > r->now_ns)")
-        lines.append(obligation(" || ".join(ends), "something is due then (R13)"))
+        lines.append(obligation(" || ".join(ends), "something is due at the wake (R13)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 
@@ -293,20 +293,20 @@ class PoseChecks:
             lines.append(f"        const unsigned newest = {memory.pose('old.', kept)};")
             for n in memory.numbers:
                 same = _same(f"r->poses_sent[{index}][{n}]", f"old.poses[newest + {n}]")
-                lines.append(obligation(same, "the newest pose goes first (R17)"))
+                lines.append(obligation(same, "the newest pose is sent first (R17)"))
             since = f"r->pose_sent_ns[{index}]"
-            lines.append(obligation(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
-            lines.append(obligation(f"reported.count[{task}] == 1", "the task sends it (R17)"))
+            lines.append(obligation(f"{since} == old.now_ns", "its instant is kept (R17)"))
+            lines.append(obligation(f"reported.count[{task}] == 1", "the pose is sent (R17)"))
             lines.append("    } else {")
             for number in memory.numbers:
                 sent, was = (f"{each}poses_sent[{index}][{number}]" for each in ("r->", "old."))
-                lines.append(obligation(_same(sent, was), "the sent pose is still reported"))
-            lines.append(obligation(f"{since} == old.pose_sent_ns[{index}]", "none was sent (R17)"))
-            lines.append(obligation(f"reported.count[{task}] == 0", "it sends in time (R17)"))
+                lines.append(obligation(_same(sent, was), "the sent pose is unchanged"))
+            lines.append(obligation(f"{since} == old.pose_sent_ns[{index}]", "none is sent (R17)"))
+            lines.append(obligation(f"reported.count[{task}] == 0", "no pose is early (R17)"))
             lines.append("    }")
         for memory in self._memories:
             same = f"r->poses_kept[{memory.index}] == kept_{memory.index}"
-            lines.append(obligation(same, "what is sent is kept no more (R17)"))
+            lines.append(obligation(same, "a sent pose leaves the memory (R17)"))
         return "\n".join(lines)
 
     def _begin(self) -> str:
@@ -315,7 +315,7 @@ class PoseChecks:
         for index, (task, _) in enumerate(self._retraces):
             meant = f"task == {task} ? NEVER : old.pose_sent_ns[{index}]"
             same = f"r->pose_sent_ns[{index}] == ({meant})"
-            lines.append(obligation(same, "it has sent nothing since it started (R17)"))
+            lines.append(obligation(same, "a starting task has sent no pose (R17)"))
         lines.append(_unchanged("pose_sent_ns"))
         return "\n".join(lines)
 
@@ -327,14 +327,14 @@ class PoseChecks:
             age = f"old.now_ns - old.{member}"
             kept = f"r->{member} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
             never = f"old.{member} == NEVER ? r->{member} == NEVER : {kept}"
-            lines.append(obligation(never, "ages stay (R14)"))
+            lines.append(obligation(never, "ages are unchanged (R14)"))
         lines.append(_unchanged(*_TIMES))
         lines.append("    s.now_ns = t_ns;\n    must_be_poses(r);")
         return "\n".join(lines)
 
     def _forget(self) -> str:
         lines = ["    static reactor s;\n    const reactor *const r = &s;\n    pose_forget(&s);"]
-        lines += [obligation(f"r->{each} == NEVER", "nothing was sent or recorded (R16)")
+        lines += [obligation(f"r->{each} == NEVER", "no pose was sent or recorded (R16)")
                   for each in self._instants()]  # fmt: skip
         lines += [obligation(f"r->poses_kept[{each.index}] == 0", "a memory begins empty (R16)")
                   for each in self._memories]  # fmt: skip
@@ -355,9 +355,9 @@ class PoseChecks:
             numbers = self._memories[effect.memory].numbers
             reported = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
             holds = " && ".join([f"count == {len(numbers)}", *reported])
-            lines.append(obligation(f"task != {task} || ({holds})", "it was sent last (R17)"))
+            lines.append(obligation(f"task != {task} || ({holds})", "the sent pose is given (R17)"))
             none.append(f"task == {task}")
-        lines.append(obligation(" || ".join([*none, "count == 0"]), "others send none (R17)"))
+        lines.append(obligation(" || ".join([*none, "count == 0"]), "other tasks have none (R17)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 

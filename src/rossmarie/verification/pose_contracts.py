@@ -47,7 +47,7 @@ static void any_readings(void)
 double {name}_reading(const {name}_monitor *m, int reading)
 {{
     (void)m;
-    __CPROVER_assert(reading >= 0 && reading < {readings}, "what is asked about is a reading");
+    __CPROVER_assert(reading >= 0 && reading < {readings}, "the reading exists");
     return read[reading];
 }}
 
@@ -92,13 +92,13 @@ void ignore_pose_set_back(reactor *r, int64_t t_ns)
 
 void ignore_pose_forget(reactor *r) {{ (void)r; }}
 
-/* For `decide`. */
+/* The contract of `decide`. */
 void note_sent(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {{
     (void)r;
-    __CPROVER_assert(task < TASKS, "task commands are about tasks");
+    __CPROVER_assert(task < TASKS, "the task of a task command exists");
     __CPROVER_assert(command == {name}_RETRACE && by_rule == -1,
-        "it is the task command to send a pose");
+        "the task command sends a pose");
     reported.count[task]++;
 }}
 """

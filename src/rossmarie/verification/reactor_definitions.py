@@ -58,7 +58,7 @@ def stages(found: reactions.Reactions) -> str:
 
 
 _OVERRULER = """\
-/* R2: the rule that has what a task needs, -1 if that is its own, or none. */
+/* R2: the rule that owns the resource of a task; -1 if it is the task's own rule, or none. */
 static int spec_overruler(const reactor *r, unsigned task)
 {{
     (void)r;
@@ -70,7 +70,7 @@ static int spec_overruler(const reactor *r, unsigned task)
 _STAGES = """\
 static const unsigned spec_stages[RULES] = {{{counts}}};
 
-/* R5. */
+/* R5: say whether a rule can go on to its next stage. */
 static bool spec_is_over(const reactor *r, unsigned rule)
 {{
 {cases}

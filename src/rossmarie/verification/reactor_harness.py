@@ -77,30 +77,30 @@ class _Writer:
     def _calls(self) -> Iterator[WrittenCheck]:
         """The checks of functions that only set or report a value."""
         for name, about, lines in (
-            ("init", "a reactor begins", _INIT),
+            ("init", "a reactor is initialized", _INIT),
             ("open", "a reactor is opened", _OPEN),
-            ("task_state", "where a task stands", _TASK_STATE),
+            ("task_state", "the state of a task is reported", _TASK_STATE),
         ):
             yield WrittenCheck(Check(name, about), lines.format(name=self._name))
-        yield WrittenCheck(Check("next_wake", "when the reactor looks next"), self._next_wake())
+        yield WrittenCheck(Check("next_wake", "the next wake of the reactor"), self._next_wake())
 
     def _next_wake(self) -> str:
         lines = [ANY_REACTOR, f"    const int64_t wake_ns = {self._name}_reactor_next_wake(r);"]
-        lines.append(obligation("wake_ns > r->now_ns", "it is after the last look (R13)"))
+        lines.append(obligation("wake_ns > r->now_ns", "the next wake lies after the clock (R13)"))
         ends = ["wake_ns == NEVER"]
         for index, task in enumerate(self._found.tasks):
             if timeout := reactions.timeout_ns(task.effect):
                 due = f"r->since_ns[{index}] + INT64_C({timeout})"
                 is_open = f"(r->state[{index}] == RUNNING || r->state[{index}] == WAITING)"
                 missed = f"{is_open} && {due} > r->now_ns && wake_ns > {due}"
-                lines.append(obligation(f"!({missed})", "no end is missed (R13)"))
+                lines.append(obligation(f"!({missed})", "the end of no task is missed (R13)"))
                 ends.append(f"({is_open} && wake_ns == {due})")
-        lines.append(obligation(" || ".join(ends), "something ends then (R13)"))
+        lines.append(obligation(" || ".join(ends), "a task ends at the next wake (R13)"))
         return "\n".join(lines)
 
     def _parts(self) -> Iterator[WrittenCheck]:
         yield WrittenCheck(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
-        about = "which rules are engaged before their tasks start"
+        about = "the engaged rules before their tasks start"
         yield WrittenCheck(Check("engaged", about, _ENGAGING), self._engaged())
 
     def _engaged(self) -> str:
@@ -109,7 +109,7 @@ class _Writer:
         for rule, plan in enumerate(self._found.plans):
             goes_on = " && ".join([_is_on(rule), *(f"!({_is_on(other)})" for other in plan.unless)])
             engaged = f"r->engaged[{rule}] == (is_looked ? {goes_on} : old.engaged[{rule}])"
-            about = "a rule is engaged if it is active, not exempted and does not give way (R1)"
+            about = "a rule is engaged if it is active, not exempted and not suspended (R1)"
             lines.append(obligation(engaged, about))
         return "\n".join(lines)
 
@@ -128,14 +128,14 @@ class _Writer:
         for task in range(len(self._found.tasks)):
             since, before = f"r->since_ns[{task}]", f"old.since_ns[{task}]"
             forward = f"r->now_ns < old.now_ns || {since} == {before}"
-            lines.append(obligation(forward, "time goes on"))
+            lines.append(obligation(forward, "instants are kept if time goes forward"))
             never = f"({before} == NEVER) == ({since} == NEVER)"
-            lines.append(obligation(never, "what has begun stays so"))
+            lines.append(obligation(never, "no task begins, and begun tasks stay begun"))
             age = f"old.now_ns - {before}"
             kept = f"{since} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
             lines.append(
                 obligation(
-                    f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages stay (R14)"
+                    f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages are kept (R14)"
                 )
             )
         lines += [obligation(each.holds, each.about) for each in self._invariants.clock()]
@@ -165,19 +165,19 @@ static unsigned char exempted[RULES];
 bool {name}_is_active(const {name}_monitor *m, int rule)
 {{
     (void)m;
-    __CPROVER_assert(rule >= 0 && rule < RULES, "what is asked about is a rule");
+    __CPROVER_assert(rule >= 0 && rule < RULES, "the rule exists");
     return active[rule];
 }}
 
 static void perform(void *user, int task, enum {name}_task_command command, int by_rule)
 {{
     (void)user;
-    __CPROVER_assert(task >= 0 && task < TASKS, "task commands are about tasks");
-    __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "a rule overrules");
+    __CPROVER_assert(task >= 0 && task < TASKS, "the task of a task command exists");
+    __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "the overruling rule exists");
     (void)command;
 }}
 
-/* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */
+/* Arbitrary bits in memory, within the limits of C: a bool is 0 or 1, and a callback is valid. */
 static reactor any_reactor(void)
 {{
     reactor r = nondet_reactor();
@@ -191,7 +191,7 @@ static reactor any_reactor(void)
     return r;
 }}
 
-/* Byte by byte: of any byte it is the same. */
+/* Compare two reactors at an arbitrary byte. So the result holds for each byte. */
 static bool is_same(const reactor *a, const reactor *b)
 {{
     const unsigned byte = nondet_number();
@@ -215,7 +215,7 @@ static bool watched[{watches}];
 enum {name}_truth_value {name}_watch(const {name}_monitor *m, int watch)
 {{
     (void)m;
-    __CPROVER_assert(watch >= 0 && watch < {watches}, "what is asked about is a confirmation");
+    __CPROVER_assert(watch >= 0 && watch < {watches}, "the confirmation exists");
     return watched[watch] ? {name}_TRUE : {name}_UNKNOWN;
 }}
 """
@@ -255,15 +255,15 @@ _INIT = """\
     reactor s = any();
     const reactor *const r = &s;
     const char *const fault = {name}_reactor_init(&s, perform, NULL);
-    __CPROVER_assert(!fault, "its arithmetic is that of IEEE 754");
-    __CPROVER_assert(!r->opened, "it is not open (R12)");
+    __CPROVER_assert(!fault, "the arithmetic is IEEE 754");
+    __CPROVER_assert(!r->opened, "the reactor is not open (R12)");
     must_fit(r);"""
 
 _OPEN = f"""\
 {ANY_REACTOR}
     (void)t_ns;
     {{name}}_reactor_open(&s);
-    __CPROVER_assert(r->opened, "it is open");
+    __CPROVER_assert(r->opened, "the reactor is open");
     must_fit(r);"""
 
 _TASK_STATE = f"""\
@@ -272,16 +272,17 @@ _TASK_STATE = f"""\
     const int task = nondet_integer();
     const int state = {{name}}_task_state(r, task);
     if (task < 0 || task >= TASKS)
-        __CPROVER_assert(state == IDLE, "what does not exist does nothing");
+        __CPROVER_assert(state == IDLE, "a task that does not exist is idle");
     else
-        __CPROVER_assert(state == r->state[task], "it is reported as it is");"""
+        __CPROVER_assert(state == r->state[task], "the state of the task is reported");"""
 
 _SET_CLOCK = """\
     const reactor old = s;
     const bool is_set = set_clock(&s, t_ns);
-    __CPROVER_assert(is_set == (t_ns > EARLIEST && t_ns < LATEST), "it is refused if out of range");
-    __CPROVER_assert(r->now_ns == (is_set ? t_ns : old.now_ns), "it is set, or as it was");
-    __CPROVER_assert(is_set || is_same(r, &old), "what is refused changes nothing");
+    __CPROVER_assert(is_set == (t_ns > EARLIEST && t_ns < LATEST),
+        "an instant out of range is refused");
+    __CPROVER_assert(r->now_ns == (is_set ? t_ns : old.now_ns), "the clock is set, or unchanged");
+    __CPROVER_assert(is_set || is_same(r, &old), "a refused instant changes nothing");
     if (!is_set)
         return;
     reactor expected = old;

@@ -74,7 +74,7 @@ class ReactorInvariants:
         """The sentences that hold between two calls only."""
         return [
             Sentence(
-                "no task command is left to be given", "r->decided == 0 && r->failed_count == 0"
+                "no task command and no failure is left", "r->decided == 0 && r->failed_count == 0"
             ),
             *self.owned(),
             *self.in_time(),
@@ -82,11 +82,11 @@ class ReactorInvariants:
 
     def clock(self) -> Iterator[Sentence]:
         """The sentences about instants."""
-        yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
+        yield Sentence("the clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
         for task in range(len(self._found.tasks)):
             since = f"r->since_ns[{task}]"
             past = f"({since} >= EARLIEST - LONGEST && {since} <= r->now_ns)"
-            yield Sentence("what has begun began in the past", f"{since} == NEVER || {past}")
+            yield Sentence("a begun task began in the past", f"{since} == NEVER || {past}")
 
     def owned(self) -> Iterator[Sentence]:
         """R7, R8: the owners of the resources of tasks that are in force or wait."""
@@ -95,12 +95,12 @@ class ReactorInvariants:
                 continue
             free = f"spec_overruler(r, {task}) < 0"
             yield Sentence(
-                "what is in force has what it needs (R8)",
+                "no other rule owns the resource of a task in force (R8)",
                 f"!{in_force(task)} || {free}",
             )
             if reactions.waits(declared.effect):
                 yield Sentence(
-                    "what waits waits for another rule (R8)",
+                    "a waiting task waits for another rule (R8)",
                     f"!{lacks(task)} || !({free})",
                 )
 
@@ -110,7 +110,7 @@ class ReactorInvariants:
             if timeout := reactions.timeout_ns(declared.effect):
                 in_time = f"r->since_ns[{task}] > r->now_ns - INT64_C({timeout})"
                 runs = f"r->state[{task}] == RUNNING"
-                yield Sentence("what runs has time left", f"!({runs}) || {in_time}")
+                yield Sentence("a running task has time left", f"!({runs}) || {in_time}")
 
     def started(self) -> Iterator[Sentence]:
         """A rule remembers the tasks that it has started: each only once, and only its own."""
@@ -121,27 +121,27 @@ class ReactorInvariants:
         tasks, first = self._found.plans[rule].tasks, self.first_started(rule)
         count = f"r->started_count[{rule}]"
         yield from self.noted_once(rule)
-        yield Sentence("a rule that is not engaged has started nothing",
+        yield Sentence("a rule that is not engaged has started no task",
                        f"r->engaged[{rule}] || {count} == 0")  # fmt: skip
         for place in range(len(tasks)):
             own = " || ".join(
                 f"(r->started[{first + place}] == {task} && r->state[{task}] != IDLE)"
                 for task in tasks
             )
-            yield Sentence("a rule has started its own tasks", f"{place} >= {count} || {own}")
+            yield Sentence("a rule has started only its own tasks", f"{place} >= {count} || {own}")
         for task in tasks:
             yield Sentence(
-                "what is in force has started", f"!{in_force(task)} || {self.is_noted(task)}"
+                "a task in force has started", f"!{in_force(task)} || {self.is_noted(task)}"
             )
 
     def noted_once(self, rule: int) -> Iterator[Sentence]:
         """The list of a rule's started tasks contains each task once."""
         first, count = self.first_started(rule), f"r->started_count[{rule}]"
         most = len(self._found.plans[rule].tasks)
-        yield Sentence("no more tasks have started than there are", f"{count} <= {most}")
+        yield Sentence("the number of started tasks is in range", f"{count} <= {most}")
         for one, other in combinations(range(most), 2):
             differ = f"r->started[{first + one}] != r->started[{first + other}]"
-            yield Sentence("a task that started is noted once", f"{other} >= {count} || {differ}")
+            yield Sentence("a started task is recorded once", f"{other} >= {count} || {differ}")
 
     def _stages(self, rule: int) -> Iterator[Sentence]:
         stages = self._found.plans[rule].stages
@@ -149,7 +149,7 @@ class ReactorInvariants:
         for place, stage in enumerate(stages):
             for task in stage:
                 waits = f"r->stage[{rule}] >= {place} || r->state[{task}] == IDLE"
-                yield Sentence("a stage waits for the one before", waits)
+                yield Sentence("a stage waits for the stage before it", waits)
 
     def _task(self, task: int) -> Iterator[Sentence]:
         declared, state = self._found.tasks[task], f"r->state[{task}]"
@@ -162,11 +162,11 @@ class ReactorInvariants:
         possible += ["OVERDUE"] if overruled.may_be_overdue(declared) else []
         possible += ["RUNNING"] if reactions.timeout_ns(effect) else []
         fits = " || ".join(f"{state} == {each}" for each in possible)
-        yield Sentence("a task is in a state that its effect has", fits)
-        yield Sentence("a rule that is not engaged has no task",
+        yield Sentence("a task is in a state that its effect permits", fits)
+        yield Sentence("a rule that is not engaged has only idle tasks",
                        f"r->engaged[{self._rules[task]}] || {state} == IDLE")  # fmt: skip
         open_or_waits = f"({in_force(task)} || {state} == WAITING)"
-        yield Sentence("what is in force or waits has begun so",
+        yield Sentence("a task that is in force or waits has begun",
                        f"!{open_or_waits} || r->since_ns[{task}] != NEVER")  # fmt: skip
 
     def _escalations(self, task: int) -> Iterator[Sentence]:
@@ -176,10 +176,10 @@ class ReactorInvariants:
             is_known = f"({has_failed(task)} && !{self.is_listed(task)})"
             begun = f"(r->state[{other}] != IDLE)"
             if overruled.may_be_overdue(declared):
-                yield Sentence("what follows a failure starts then (R6)",
+                yield Sentence("an escalation starts after the failure (R6)",
                                f"!{is_known} || {begun}")  # fmt: skip
-                yield Sentence("what follows a task does not begin before it (R6)",
+                yield Sentence("an escalation does not start before its task (R6)",
                                f"!{begun} || r->state[{task}] != IDLE")  # fmt: skip
             else:
-                yield Sentence("what follows a failure waits for it, and starts then (R6)",
+                yield Sentence("an escalation starts exactly after the failure (R6)",
                                f"{is_known} == {begun}")  # fmt: skip

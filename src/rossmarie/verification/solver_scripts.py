@@ -4,16 +4,16 @@ system's.
 
 _CADICAL = """\
 #!/bin/sh
-# Most obligations hold, so it is told to expect that nothing contradicts them: several times as
-# fast.
+# Most obligations hold, so their formulas are unsatisfiable. The option `--unsat` makes such
+# proofs several times as fast.
 PATH=${PATH#*:}
 exec cadical --unsat "$@"
 """
 
 _Z3 = r"""#!/bin/sh
-# By its own choice z3 puts equations into each other first, which for many obligations has no end.
+# By default, z3 first substitutes equations into each other. For many obligations this never ends.
 PATH=${PATH#*:}
-for file; do :; done # the last of the arguments
+for file; do :; done # the last argument
 name='float_bv[.]floatbv_[^ ]+'
 number='[(]_ BitVec [0-9]+[)]'
 operand="[(]op[0-9]+ ($number)[)]"
@@ -21,14 +21,15 @@ if ! grep -Eq "^[(]define-fun $name" "$file"; then
     exec z3 tactic.default_tactic=smt "$@"
 fi
 
-# Where numbers are bits, CBMC defines what becomes of the bits. Two sums of the same operands are
-# the same without that: each operation is any function instead. What holds of any functions holds
-# of these; what does not hold of them may hold all the same.
+# If numbers are bits, CBMC defines the bits of each result. A proof that two sums of the same
+# operands are equal does not need these definitions, so each operation becomes an arbitrary
+# function. An obligation that holds for arbitrary functions holds for the operations. An obligation
+# that fails for arbitrary functions may still hold for the operations.
 sed -E -i "s/^([(]define-fun ($name) [(]($operand $operand $operand)[)] ($number)) .*/"\
 "(declare-fun any_\2 (\3) \7)\n\1 (any_\2 op0 op1 op2))/" "$file"
 
-# Of differences it is known by which the generated C sees whether a number is finite: what is not
-# known stays so, x - 0 is x, x - x is 0 where x is finite.
+# The generated C uses differences to test whether a number is finite. Differences therefore keep
+# three facts: an unknown operand gives an unknown result, x - 0 is x, x - x is 0 for a finite x.
 NAN='(_ bv9218868437227405313 64)'
 is_large() { echo "(= ((_ extract 62 52) $1) (_ bv2047 11))"; }
 is_nan() { echo "(and $(is_large "$1") (not (= ((_ extract 51 0) $1) (_ bv0 52))))"; }

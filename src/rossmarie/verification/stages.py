@@ -53,7 +53,7 @@ AS_IT_WAS = "    must_be_same(m, &base);"
 REFUSED = """\
     __CPROVER_assume(t_ns <= EARLIEST || t_ns >= LATEST);
     const monitor old = s;
-    __CPROVER_assert({call} < 0, "what is out of range is refused");
+    __CPROVER_assert({call} < 0, "an instant out of range is refused");
     must_be_same(m, &old);"""
 """The outcome of a call at an instant out of range."""
 
@@ -69,7 +69,7 @@ def stages(
     """
     body = f"{ANY}\n{lines}\n{RANGE}\n    (void){call};"
     replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
-    check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
+    check = Check(f"{name}_before", f"{about}, until timers are handled", (*parts, *replaced))
     yield WrittenCheck(check, body)
     replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
     yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
@@ -113,6 +113,6 @@ def counts(call: str) -> str:
     const int events = {call};
     const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
     __CPROVER_assert(events == (is_in_range ? changes : -1),
-        "changes are counted, and what is out of range is refused");
+        "changes are counted, and an instant out of range is refused");
     if (!is_in_range)
         must_be_same(m, &old);"""

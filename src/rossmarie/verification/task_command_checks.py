@@ -60,7 +60,7 @@ class TaskCommandChecks:
         self._task_commands = TaskCommandInvariants(found)
         self._invariants = ReactorInvariants(found)
 
-    # --- what checks refer to ----------------------------------------------------------------
+    # --- predicates and contracts ------------------------------------------------------------
 
     def text(self) -> str:
         """The predicates and contracts that the checks use."""
@@ -87,7 +87,7 @@ class TaskCommandChecks:
                 *_both("stage_started", f"{_BEFORE}, unsigned rule", task_commands.stage_started()),
                 *_both("startable", f"{_REACTOR}, unsigned rule", task_commands.startable()),
                 *_both("releasable", f"{_REACTOR}, unsigned rule", task_commands.releasable()),
-                *_both("untold", _REACTOR, task_commands.untold()),
+                *_both("unreported", _REACTOR, task_commands.unreported()),
                 *_both("unbegun", f"{_REACTOR}, unsigned rule", task_commands.unbegun()),
                 *_both("in_time", _REACTOR, self._invariants.in_time()),
                 *_both("ended", "const reactor *r, const reactor *old", task_commands.ended()),
@@ -102,34 +102,36 @@ class TaskCommandChecks:
         """All checks of task commands."""
         about = "a task command is kept until the end of a call"
         yield self._check("decide", about, (), self._decide())
-        about = "task commands are given once each, as they were decided on"
+        about = "each task command is given once, as decided"
         yield self._check("give_task_commands", about, (), _GIVE)
         for rule in range(len(self._found.plans)):
             yield self._release(rule)
             for stage in range(len(self._found.plans[rule].stages) + 1):
                 yield self._start(rule, stage)
-        yield self._check("stage_over", "whether a stage is over", (), _STAGE_OVER)
-        about = "a task that starts is noted"
+        yield self._check("stage_over", "the end of a stage", (), _STAGE_OVER)
+        about = "a task that starts is recorded"
         yield self._check("append_started", about, (), _APPEND)
-        about = "what follows from failures"
+        about = "escalations follow failures"
         yield self._check("escalate", about, (_DECIDE, _NOTE), self._escalate())
-        about = "resources change hands"
+        about = "resources are passed on"
         yield self._check("pass_on", about, (_DECIDE, _NOTE, _ESCALATE), _PASS_ON)
         yield from self._settle()
         yield from self._react()
-        about = "what became of a task is reported"
+        about = "the result of a task is reported"
         settle = ("settle", "end_at_judging")
         yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
 
     def _settle(self) -> Iterator[WrittenCheck]:
         body = f"{_SETTLE}\n    settle(&s, NULL);"
         ends = (_DECIDE, ("escalate", "end_at_escalate"))
-        yield self._check("settle_ends", "tasks end, until others follow", ends, body)
+        yield self._check("settle_ends", "tasks end, until escalations start", ends, body)
         for rule, name in enumerate(self._names):
-            about = f"the next stage of rule {name} follows"
+            about = f"the next stage of rule {name} starts"
             looked = f"    looked_at = {rule};\n{body}"
             yield self._check(f"settle_{rule}", about, _STEP, looked)
-        yield self._check("settle_passes", "no more stages follow than there are", _PASSES, body)
+        yield self._check(
+            "settle_passes", "the number of started stages is in range", _PASSES, body
+        )
 
     def _react(self) -> Iterator[WrittenCheck]:
         about = "rules that are no longer engaged are released"
@@ -169,22 +171,22 @@ class TaskCommandChecks:
     def _release(self, rule: int) -> WrittenCheck:
         about = f"rule {self._names[rule]} is released"
         lines = [_WITHIN, _RELEASABLE.format(rule=rule), _RELEASED.format(rule=rule)]
-        about = "its tasks are forgotten, those of others go on (R9)"
+        its_tasks = "the tasks of the rule become idle, other tasks go on (R9)"
         tasks = range(len(self._found.tasks))
         lines += [
-            obligation(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK
+            obligation(text.format(index=each), its_tasks) for each in tasks for text in _ALIKE_TASK
         ]
-        about = "it is not engaged, others are as they were (R9)"
+        its_rule = "the rule is not engaged, other rules are unchanged (R9)"
         rules = range(len(self._found.plans))
         lines += [
-            obligation(text.format(index=each), about) for each in rules for text in _ALIKE_RULE
+            obligation(text.format(index=each), its_rule) for each in rules for text in _ALIKE_RULE
         ]
         return self._check(f"release_{rule}", about, (_DECIDE,), "\n".join(lines))
 
     def _start(self, rule: int, stage: int) -> WrittenCheck:
         about = f"stage {stage + 1} of rule {self._names[rule]} starts"
         if stage == len(self._found.plans[rule].stages):
-            about = f"nothing follows the last stage of rule {self._names[rule]}"
+            about = f"no stage follows the last stage of rule {self._names[rule]}"
         plan = self._found.plans[rule]
         lines = [_AT_STAGE.format(rule=rule, stage=stage)]
         lines.append("    suppose_startable(r, rule);\n    suppose_owned(r);")
@@ -193,8 +195,8 @@ class TaskCommandChecks:
         for task in plan.stages[stage] if stage < len(plan.stages) else ():
             free = f"spec_overruler(r, {task}) < 0"
             starts = f"({free}) == (reported.last[{task}] == START)"
-            lines.append(obligation(starts, "what has what it needs starts (R3, R7)"))
-            lines.append(obligation(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
+            lines.append(obligation(starts, "a task starts if its resource is free (R3, R7)"))
+            lines.append(obligation(f"r->state[{task}] != IDLE", "no task is skipped (R3, R7)"))
         parts = (_DECIDE, _NOTE, _ESCALATE)
         return self._check(f"start_{rule}_{stage}", about, parts, "\n".join(lines))
 
@@ -240,10 +242,10 @@ _CALL = """\
     {call};
     must_be_within(r);
     must_be_kept(r, &old, &was);
-    __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
+    __CPROVER_assert(r->failed_count == 0, "all escalations have started (R6)");
     __CPROVER_assert(r->now_ns == old.now_ns && r->opened == old.opened, "no time passes");
     __CPROVER_assert(r->perform == old.perform && r->user == old.user,
-        "task commands go where they went");"""
+        "the receiver of task commands is unchanged");"""
 
 _STARTED = """\
     must_be_owned(r);
@@ -254,7 +256,7 @@ _STAGE_OVER = f"""\
     const unsigned rule = nondet_number();
     __CPROVER_assume(rule < RULES);
     __CPROVER_assert(is_stage_over(r, rule) == spec_is_over(r, rule),
-        "a stage is over if all of it has begun and nothing of it runs (R5)");"""
+        "a stage is over if all its tasks have begun and none runs (R5)");"""
 
 _APPEND = """\
     reactor s = any();
@@ -275,7 +277,7 @@ _ESCALATED = """\
 
 _PASS_ON = f"""\
 {_WITHIN}
-    suppose_untold(r);
+    suppose_unreported(r);
     __CPROVER_assume(r->failed_count == 0);
 {_CALL.format(call="pass_resources_on(&s)")}
     must_be_owned(r);
@@ -296,7 +298,7 @@ _REACT = """\
     before = s;
     {name}_react(&s, NULL, nondet_bool() ? exempted : NULL, t_ns);
     __CPROVER_assert(t_ns <= EARLIEST || t_ns >= LATEST,
-        "only what is out of range is refused (R1)");
+        "a call is refused only at an instant out of range (R1)");
     must_fit(r);"""
 
 _REACTS = """\
@@ -318,11 +320,11 @@ _REPORT = """\
     before = s;
     {name}_report(&s, NULL, t_ns, reported_of, is_success);
     __CPROVER_assert(reported_of < 0 || reported_of >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
-        "only what does not exist or is out of range is refused");
+        "a report is refused only if its task or instant is out of range");
     must_fit(r);"""
 
 _RELEASABLE = """\
-    suppose_untold(r);
+    suppose_unreported(r);
     suppose_releasable(r, {rule});"""
 
 _RELEASED = """\
@@ -359,14 +361,14 @@ _DECIDED = """\
     __CPROVER_assume(r->decided == {counted} && other < r->decided);
     const reactor old = s;
     decide(&s, task, command, by_rule);
-    __CPROVER_assert(r->decided == old.decided + 1, "it is one more");
+    __CPROVER_assert(r->decided == old.decided + 1, "the list has one more decision");
     const {name}_decision *made = &r->decisions[old.decided];
     __CPROVER_assert(made->task == task && made->command == command && made->by_rule == by_rule,
-        "it is kept as it was decided on");
+        "the decision is kept unchanged");
     __CPROVER_assert(r->decisions[other].task == old.decisions[other].task
         && r->decisions[other].command == old.decisions[other].command
         && r->decisions[other].by_rule == old.decisions[other].by_rule,
-        "those before are kept");
+        "earlier decisions are kept");
     reactor expected = old;
     expected.decided = r->decided;
     expected.decisions[old.decided] = *made;
@@ -381,7 +383,7 @@ _GIVE = """\
     const unsigned decided = r->decided;
     performed = 0;
     give_task_commands(r);
-    __CPROVER_assert(performed == decided, "each is given");
-    __CPROVER_assert(r->decided == 0, "none is left");
+    __CPROVER_assert(performed == decided, "each task command is given");
+    __CPROVER_assert(r->decided == 0, "no task command is left");
     expected.decided = 0;
     __CPROVER_assert(is_same(r, &expected), "nothing else changes");"""

@@ -11,7 +11,7 @@ enum {{
     NO_TASK_COMMAND = 99
 }};
 
-/* What a call has decided on so far, and what was in force when it began. */
+/* The task commands of a call so far, and the tasks in force when the call began. */
 typedef struct {{
     unsigned char count[TASKS];
     int last[TASKS];
@@ -32,7 +32,7 @@ static task_commands any_task_commands(void)
     return found;
 }}
 
-/* A call begins: nothing has been decided on. */
+/* Begin a call that has not decided on any task command. */
 static void begin_call(const reactor *r)
 {{
     for (unsigned i = 0; i != TASKS; i++) {{
@@ -43,33 +43,33 @@ static void begin_call(const reactor *r)
     }}
 }}
 
-/* For `decide`. */
+/* The contract of `decide`. */
 void note_decided(reactor *r, unsigned task, unsigned command, int32_t by_rule)
 {{
-    __CPROVER_assert(task < TASKS, "task commands are about tasks");
+    __CPROVER_assert(task < TASKS, "the task of a task command exists");
     __CPROVER_assert(reported.count[task] < 2, "no task gets more than two task commands");
     if (command == OVERRULED) {{
         __CPROVER_assert(by_rule >= 0 && by_rule == spec_overruler(r, task),
-            "the rule that overrules has what is needed (R7, R8)");
+            "the overruling rule owns the resource (R7, R8)");
     }} else {{
-        __CPROVER_assert(by_rule == -1, "nobody overrules");
+        __CPROVER_assert(by_rule == -1, "no rule overrules the task");
     }}
     if (command == START)
-        __CPROVER_assert(spec_overruler(r, task) < 0, "what starts has what it needs (R7)");
+        __CPROVER_assert(spec_overruler(r, task) < 0, "a starting task has its resource (R7)");
     if (command == STOP) {{
         __CPROVER_assert(r->state[task] == RUNNING || r->state[task] == HOLDING,
-            "only what is in force is stopped (R9)");
+            "only a task in force is stopped (R9)");
     }}
     if (command == GIVEN_UP)
         __CPROVER_assert(r->state[task] == FAILED || r->state[task] == OVERDUE,
-            "what is given up has failed (R6, R15)");
+            "a task that is given up has failed (R6, R15)");
     reported.count[task]++;
     reported.last[task] = (int)command;
 }}
 """
 
 CONTRACTS = """\
-/* Any memory and any task commands, but for what a part of a call leaves alone. */
+/* Arbitrary memory and task commands, except for members that no part of a call changes. */
 static void anything(reactor *r)
 {{
     const reactor old = *r;
@@ -100,7 +100,7 @@ bool contract_set_clock(reactor *r, int64_t t_ns)
     return true;
 }}
 
-/* What releases begin with; each leaves it as it is. */
+/* The clock is set before the releases. Each release keeps the obligation true. */
 bool set_clock_within(reactor *r, int64_t t_ns)
 {{
     const bool is_set = contract_set_clock(r, t_ns);
@@ -116,7 +116,7 @@ static void stop(reactor *r, unsigned task)
     r->since_ns[task] = r->now_ns;
 }}
 
-/* R9, task by task. */
+/* R9: release a rule, task by task. */
 static void spec_release(reactor *r, unsigned rule)
 {{
 {releases}
@@ -126,12 +126,12 @@ static void spec_release(reactor *r, unsigned rule)
 
 void contract_release(reactor *r, unsigned rule)
 {{
-    must_be_untold(r);
+    must_be_unreported(r);
     must_be_releasable(r, rule);
     spec_release(r, rule);
 }}
 
-/* What another memory has noted as started. */
+/* Copy the lists of started tasks from another memory. */
 static void copy_started(reactor *r, const reactor *other)
 {{
     for (unsigned i = 0; i != RULES; i++)
@@ -144,7 +144,7 @@ void contract_append_started(reactor *r, unsigned task)
 {{
     const reactor old = *r;
     const reactor other = nondet_reactor();
-    __CPROVER_assert(task < TASKS, "what starts is a task");
+    __CPROVER_assert(task < TASKS, "the task exists");
     must_be_started(r);
     must_be_notable(r, task);
     copy_started(r, &other);
@@ -164,7 +164,7 @@ void contract_escalate(reactor *r)
     __CPROVER_assume(r->failed_count == 0);
 }}
 
-/* Any memory that a call can have before the stages of rules start. */
+/* An arbitrary memory of a call before the stages of rules start. */
 static void anything_started(reactor *r)
 {{
     const reactor old = *r;
@@ -181,13 +181,13 @@ static void must_be_ready(const reactor *r, unsigned rule)
     must_be_within(r);
     must_be_owned(r);
     must_be_startable(r, rule);
-    __CPROVER_assert(r->failed_count == 0, "nothing has failed yet");
+    __CPROVER_assert(r->failed_count == 0, "no failure is listed yet");
 }}
 
-/* The reactor when the call, or a part of it, began; and the rule that a check is about. */
+/* The reactor when the call, or a part of it, began; and the rule of the check. */
 static reactor before;
 static unsigned looked_at;
-static bool is_awaited; /* whether that rule has to start */
+static bool is_awaited; /* true if that rule has to start */
 
 static bool is_fresh(const reactor *r, unsigned rule)
 {{
@@ -199,8 +199,8 @@ static bool is_fresh(const reactor *r, unsigned rule)
 void end_at_pass_on(reactor *r)
 {{
     must_be_within(r);
-    must_be_untold(r);
-    __CPROVER_assert(r->failed_count == 0, "nothing has failed yet");
+    must_be_unreported(r);
+    __CPROVER_assert(r->failed_count == 0, "no failure is listed yet");
     for (unsigned rule = 0; rule != RULES; rule++) {{
         if (is_fresh(r, rule)) {{
             __CPROVER_assert(r->stage[rule] == 0, "a rule begins with its first stage (R3)");
@@ -219,13 +219,13 @@ void any_pass_on(reactor *r)
     }}
 }}
 
-/* What others start leaves a rule alone. */
+/* The starts of other rules do not change the rule. */
 void start_looked_at(reactor *r, unsigned rule)
 {{
     if (rule != looked_at)
         return;
     must_be_ready(r, rule);
-    __CPROVER_assert(is_fresh(r, rule), "what has just been engaged starts (R3)");
+    __CPROVER_assert(is_fresh(r, rule), "only a newly engaged rule starts (R3)");
     __CPROVER_assume(false);
 }}
 
@@ -235,7 +235,7 @@ void end_at_settle(reactor *r, const {name}_monitor *m)
     must_be_within(r);
     must_be_listed(r);
     must_be_owned(r);
-    __CPROVER_assert(!is_awaited || !is_fresh(r, looked_at), "what is engaged has started (R3)");
+    __CPROVER_assert(!is_awaited || !is_fresh(r, looked_at), "each engaged rule has started (R3)");
     __CPROVER_assume(false);
 }}
 
@@ -249,9 +249,9 @@ void end_at_judging(reactor *r, const {name}_monitor *m)
     for (int i = 0; i != TASKS; i++) {{
         const bool runs = i == reported_of && before.state[i] == RUNNING;
         const unsigned state = runs && !is_success ? FAILED : before.state[i];
-        __CPROVER_assert(r->state[i] == state, "a reported failure is one, others go on (R6)");
+        __CPROVER_assert(r->state[i] == state, "a reported failure counts, others go on (R6)");
         __CPROVER_assert(r->reported[i] == (before.reported[i] || (runs && is_success)),
-            "a reported success is kept until ends are judged (R4)");
+            "a reported success is kept until the ends are evaluated (R4)");
     }}
     end_at_settle(r, m);
 }}
@@ -268,7 +268,7 @@ void end_at_escalate(reactor *r)
     __CPROVER_assume(false);
 }}
 
-/* What ran out of time has ended before, and what begins has time left. */
+/* A task at its timeout has ended before. A task that begins has time left. */
 void any_escalate(reactor *r)
 {{
     anything_started(r);
@@ -297,7 +297,7 @@ void end_at_give_task_commands(reactor *r)
     must_be_owned(r);
     must_be_in_time(r);
     __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
-    __CPROVER_assert(!spec_is_over(r, looked_at), "a stage that is over is left (R5)");
+    __CPROVER_assert(!spec_is_over(r, looked_at), "a rule leaves a stage that is over (R5)");
     __CPROVER_assume(false);
 }}
 
@@ -312,9 +312,9 @@ static void perform_next(void *user, int task, enum {name}_task_command command,
 {{
     (void)user;
     const {name}_decision *const made = &performing.decisions[performed];
-    __CPROVER_assert(performed < performing.decided, "no more are given than there are");
+    __CPROVER_assert(performed < performing.decided, "no task command is made up");
     __CPROVER_assert(task == made->task && (unsigned)command == made->command
-        && by_rule == made->by_rule, "it is given as it was decided on");
+        && by_rule == made->by_rule, "the task command is given as decided");
     performed++;
 }}
 """

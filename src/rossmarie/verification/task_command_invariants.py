@@ -32,7 +32,7 @@ class TaskCommandInvariants:
         self._invariants = invariants
         self._follows = {each for task in found.tasks for each in task.otherwise}
 
-    # --- what holds within a call ------------------------------------------------------------
+    # --- sentences within a call -------------------------------------------------------------
 
     def reported(self) -> Iterator[Sentence]:
         """The decisions so far agree with the states of the tasks."""
@@ -75,45 +75,47 @@ class TaskCommandInvariants:
                        f"!{in_force(task)} || {last} == START || {kept}")  # fmt: skip
         fine = [f"!reported.was_in_force[{task}]", in_force(task), f"{last} != NO_TASK_COMMAND"]
         fine += [f"r->state[{task}] == DONE", self._is_listed(task)]
-        yield Sentence("what is no longer in force was told so, or is done", " || ".join(fine))
+        yield Sentence(
+            "a task leaves force by a task command, as done, or as failed", " || ".join(fine)
+        )
         fine = [f"!reported.was_holding[{task}]", f"r->state[{task}] == HOLDING"]
         fine.append(f"{last} != NO_TASK_COMMAND")
-        yield Sentence("what holds does not end without a task command", " || ".join(fine))
+        yield Sentence("a task that holds does not end without a task command", " || ".join(fine))
 
     def listed(self) -> Iterator[Sentence]:
         """The failures whose escalations have not started yet."""
         most = len(self._can_fail)
-        yield Sentence("no more tasks fail than can", f"r->failed_count <= {most}")
+        yield Sentence("the number of failures is in range", f"r->failed_count <= {most}")
         for place in range(most):
             failed = " || ".join(
                 f"(r->failed[{place}] == {task} && {has_failed(task)})" for task in self._can_fail
             )
-            yield Sentence("what is listed has failed", f"{place} >= r->failed_count || {failed}")
+            yield Sentence("each listed task has failed", f"{place} >= r->failed_count || {failed}")
         for task in self._can_fail:
             if overruled.may_be_overdue(self._found.tasks[task]):
                 waits = f"{self._is_listed(task)} && r->state[{task}] == OVERDUE"
-                yield Sentence("what has failed while it waits waits for another rule",
+                yield Sentence("an overdue task waits for another rule",
                                f"!({waits}) || spec_overruler(r, {task}) >= 0")  # fmt: skip
         for one, other in combinations(range(most), 2):
             differ = f"r->failed[{one}] != r->failed[{other}]"
-            yield Sentence("no failure counts twice", f"{other} >= r->failed_count || {differ}")
+            yield Sentence("no failure is listed twice", f"{other} >= r->failed_count || {differ}")
 
-    # --- what parts of a call leave as it was ------------------------------------------------
+    # --- unchanged parts of a call -----------------------------------------------------------
 
     def kept(self) -> Iterator[Sentence]:
         """The sentences that are true after each part that follows the releases."""
         for rule in range(len(self._found.plans)):
             same = f"r->engaged[{rule}] == old->engaged[{rule}]"
-            yield Sentence("which rules are engaged is known",
+            yield Sentence("engaged rules and stages are unchanged",
                            f"{same} && r->stage[{rule}] == old->stage[{rule}]")  # fmt: skip
         for task in self._tasks:
             same = f"old->state[{task}] == RUNNING && {_same(task)}"
             begins = f"r->since_ns[{task}] == r->now_ns && !r->reported[{task}]"
-            yield Sentence("what runs has run before, or begins now",
+            yield Sentence("a running task ran before, or begins now",
                            f"r->state[{task}] != RUNNING || ({same}) || ({begins})")  # fmt: skip
             for other in self._found.tasks[task].otherwise:
                 begins = f"old->state[{other}] == IDLE && r->state[{other}] != IDLE"
-                yield Sentence("what begins behind a task begins as that has failed (R6)",
+                yield Sentence("an escalation starts only after the failure (R6)",
                                f"!({begins}) || {has_failed(task)}")  # fmt: skip
 
     def notable(self) -> Iterator[Sentence]:
@@ -129,18 +131,18 @@ class TaskCommandInvariants:
             places = range(first, first + len(tasks))
             members = [count, *(f"started[{place}]" for place in places)]
             same = " && ".join(f"r->{each} == old->{each}" for each in members)
-            yield Sentence("other rules have started what they had", f"{own} || ({same})")
+            yield Sentence("the started tasks of other rules are unchanged", f"{own} || ({same})")
             yield from self._invariants.noted_once(rule)
             for place in places:
                 is_last = f"r->{count} == {place - first + 1}"
-                yield Sentence("what starts is the last that has started",
+                yield Sentence("the new task is the last started task",
                                f"!({own} && {is_last}) || r->started[{place}] == task")  # fmt: skip
                 is_own = " || ".join(f"r->started[{place}] == {each}" for each in tasks)
-                yield Sentence("a rule has started its own tasks",
+                yield Sentence("a rule has started only its own tasks",
                                f"{place - first} >= r->{count} || {is_own}")  # fmt: skip
             for each in tasks:
                 now, before = (self._invariants.is_noted(each, m) for m in ("r", "old"))
-                yield Sentence("what has started is still noted, and nothing else",
+                yield Sentence("only the new task is added to the started tasks",
                                f"{now} == ({before} || task == {each})")  # fmt: skip
 
     def _own(self) -> Iterator[tuple[int, str]]:
@@ -159,14 +161,14 @@ class TaskCommandInvariants:
                            f"{may_begin} || ({_same(task)})")  # fmt: skip
             was_listed = self._is_listed(task).replace("r->", "old->")
             yield Sentence("a task that has not failed gets no task command",
-                           f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
+                           f"{may_begin} || {was_listed} || ({_unreported(task)})")  # fmt: skip
             if task in self._can_fail:
                 yield Sentence("the last task command of a failed task is the failure (R6)",
                                f"!{was_listed} || reported.last[{task}] == GIVEN_UP")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"
                 fits = f"(!{in_force(task)} || {free}) && (!{lacks(task)} || !({free}))"
-                yield Sentence("what follows has what it needs, or waits for it (R7)",
+                yield Sentence("an escalation has its resource, or waits for it (R7)",
                                f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
 
     def passed_on(self) -> Iterator[Sentence]:
@@ -174,10 +176,10 @@ class TaskCommandInvariants:
         for plan in self._found.plans:
             idle = " && ".join(f"old->state[{task}] == IDLE" for task in plan.tasks)
             for task in plan.tasks:
-                yield Sentence("what has not begun does not begin so",
+                yield Sentence("no rule starts by passing resources on",
                                f"!({idle}) || r->state[{task}] == IDLE")  # fmt: skip
 
-    def untold(self) -> Iterator[Sentence]:
+    def unreported(self) -> Iterator[Sentence]:
         """The sentences before resources are passed on."""
         for task in self._tasks:
             engaged = f"r->engaged[{self._rules[task]}]"
@@ -186,14 +188,14 @@ class TaskCommandInvariants:
     def unbegun(self) -> Iterator[Sentence]:
         """The sentences before `rule` starts."""
         for task in self._tasks:
-            yield Sentence("a rule that starts begins anew (R3)",
+            yield Sentence("the tasks of a starting rule are idle (R3)",
                            f"rule != {self._rules[task]} || r->state[{task}] == IDLE")  # fmt: skip
 
     def stage_started(self) -> Iterator[Sentence]:
         """The sentences that are true after a stage of `rule` starts: only its tasks change."""
         for task in self._tasks:
             begins = f"(rule == {self._rules[task]} && old->state[{task}] == IDLE)"
-            same = f"{_same(task)} && {_untold(task)}"
+            same = f"{_same(task)} && {_unreported(task)}"
             yield Sentence("other tasks stay as they are", f"{begins} || ({same})")
 
     def startable(self) -> Iterator[Sentence]:
@@ -209,17 +211,17 @@ class TaskCommandInvariants:
 
     def releasable(self) -> Iterator[Sentence]:
         """The sentences before `rule` is released."""
-        yield Sentence("nothing has failed yet", "r->failed_count == 0")
+        yield Sentence("no failure is listed yet", "r->failed_count == 0")
         for rule, plan in enumerate(self._found.plans):
             yield Sentence("an engaged rule is released",
                            f"rule != {rule} || r->engaged[{rule}]")  # fmt: skip
             for task in plan.tasks:
                 forced = f"reported.was_in_force[{task}] == {in_force(task)}"
                 held = f"reported.was_holding[{task}] == (r->state[{task}] == HOLDING)"
-                yield Sentence("its tasks are as they were before the call",
+                yield Sentence("the tasks of the rule are as before the call",
                                f"rule != {rule} || ({forced} && {held})")  # fmt: skip
 
-    # --- what a call has to reach ------------------------------------------------------------
+    # --- results of a call -------------------------------------------------------------------
 
     def ended(self) -> Iterator[Sentence]:
         """R4, R15: the sentences after tasks have ended."""
@@ -239,9 +241,9 @@ class TaskCommandInvariants:
         is_over = f"old->now_ns >= {due}"
         yield Sentence("success in time ends a task (R4)",
                        f"{idle} || !{succeeds} || {state} == {end}")  # fmt: skip
-        yield Sentence("a task fails when its time is up (R4)",
+        yield Sentence("a task fails at its timeout (R4)",
                        f"{idle} || {succeeds} || !({is_over}) || {state} == FAILED")  # fmt: skip
-        yield Sentence("until then it runs (R4)",
+        yield Sentence("otherwise the task goes on running (R4)",
                        f"{idle} || {succeeds} || {is_over} || {state} == RUNNING")  # fmt: skip
 
     def _waited(self, task: int, timeout: int | None) -> Iterator[Sentence]:
@@ -249,11 +251,11 @@ class TaskCommandInvariants:
         state, due = f"r->state[{task}]", f"(old->since_ns[{task}] + INT64_C({timeout}))"
         fails = f"(old->now_ns >= {due} && !{self._answered(task)})" if timeout else "false"
         waits = f"(old->state[{task}] == WAITING)"
-        yield Sentence("what waits in vain fails (R15)",
+        yield Sentence("a task that waits until its timeout fails (R15)",
                        f"!({waits} && {fails}) || {state} == OVERDUE")  # fmt: skip
-        yield Sentence("until then it waits (R15)",
+        yield Sentence("otherwise the task goes on waiting (R15)",
                        f"!{waits} || {fails} || {state} == WAITING")  # fmt: skip
-        yield Sentence("what has failed so stays so (R15)",
+        yield Sentence("an overdue task stays overdue (R15)",
                        f"old->state[{task}] != OVERDUE || {state} == OVERDUE")  # fmt: skip
 
     def _answered(self, task: int) -> str:
@@ -279,7 +281,7 @@ def _same(task: int) -> str:
     return " && ".join(f"r->{part} == old->{part}" for part in parts)
 
 
-def _untold(task: int) -> str:
+def _unreported(task: int) -> str:
     return " && ".join(
         f"reported.{each}[{task}] == was->{each}[{task}]" for each in ("count", "last")
     )

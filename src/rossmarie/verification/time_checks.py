@@ -27,9 +27,9 @@ class TimeChecks:
 
     def written(self) -> Iterator[WrittenCheck]:
         """All checks of time."""
-        tick = Check("tick", "timers are looked at", self._parts)
+        tick = Check("tick", "timers are handled", self._parts)
         yield WrittenCheck(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
-        restart = Check("restart", "time begins, or begins again", self._parts)
+        restart = Check("restart", "a monitor starts or restarts", self._parts)
         yield WrittenCheck(restart, self._restart())
         yield from self._earliest()
         yield from self._catch_up()
@@ -54,12 +54,12 @@ class TimeChecks:
 
     def _earliest(self) -> Iterator[WrittenCheck]:
         yield WrittenCheck(Check("earlier", "the earlier of two instants"), _EARLIER)
-        check = Check("waiting", "what is right stays so until a timer is due")
+        check = Check("waiting", "values stay right until a timer is due")
         yield WrittenCheck(check, f"{ANY}\n{WAITS}\n{_WAITING}")
         check = Check("resting", "no timer is due while a monitor is at rest")
         yield WrittenCheck(check, f"{ANY}\n{_RESTING}")
         parts: Parts = (("earlier", "contract_earlier"),)
-        check = Check("earliest_timer", "no timer lies before the earliest", parts)
+        check = Check("earliest_timer", "no timer lies before the earliest timer", parts)
         yield WrittenCheck(check, f"{ANY}\n{_EARLIEST_TIMER}")
         check = Check("set_wake", "the instant of the next timer is set", (_EARLIEST,))
         yield WrittenCheck(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
@@ -72,11 +72,11 @@ class TimeChecks:
         forward: Parts = (_EARLIEST, ("restart", "never_restart"))
         timer = ("earliest_timer", "any_timer")
         for name, about, passes, parts, body in (
-            ("anew", "time begins, or begins again", 1, _ANEW, f"{ANY}\n{_CATCH_UP_ANEW}"),
-            ("ends", "none is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
-            ("tick", "one of them", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
-            ("ticked", "propositions are evaluated then", 1, (timer, *_TICKED), _CATCHES_UP),
-            ("pass", "one after the other", 2, _PASS, f"{ANY}\n{_CATCH_UP_PASS}"),
+            ("anew", "a monitor starts or restarts", 1, _ANEW, f"{ANY}\n{_CATCH_UP_ANEW}"),
+            ("ends", "no due timer is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
+            ("tick", "the first due timer", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
+            ("ticked", "propositions are evaluated", 1, (timer, *_TICKED), _CATCHES_UP),
+            ("pass", "each in its turn", 2, _PASS, f"{ANY}\n{_CATCH_UP_PASS}"),
         ):
             said = f"timers that are due before an instant run: {about}"
             loops = (("catch_up.0", passes),)
@@ -93,8 +93,10 @@ _TICK = """\
 _EARLIER = """\
     const int64_t a = nondet_instant(), b = nondet_instant(), t_ns = nondet_instant();
     const int64_t found_ns = earlier(a, b);
-    __CPROVER_assert((found_ns < t_ns) == (a < t_ns || b < t_ns), "it is not later than either");
-    __CPROVER_assert((found_ns > t_ns) == (a > t_ns && b > t_ns), "it is not before both");"""
+    __CPROVER_assert((found_ns < t_ns) == (a < t_ns || b < t_ns),
+        "the result is not later than either");
+    __CPROVER_assert((found_ns > t_ns) == (a > t_ns && b > t_ns),
+        "the result is not before both");"""
 
 _RESTING = """\
     __CPROVER_assume(t_ns == m->now_ns);
@@ -113,7 +115,7 @@ _EARLIEST_TIMER = """\
     before_ns = nondet_instant();
     after_ns = m->now_ns;
     const int64_t wake_ns = earliest_timer(m);
-    __CPROVER_assert(wake_ns > m->now_ns, "it lies ahead");
+    __CPROVER_assert(wake_ns > m->now_ns, "the earliest timer lies after the clock");
     __CPROVER_assume(wake_ns >= before_ns);
     must_be_ahead(m, before_ns);"""
 
@@ -130,13 +132,13 @@ _CATCH_UP_ANEW = """\
     suppose_anew(m, t_ns);
     const monitor old = s;
     const int events = catch_up(m, t_ns);
-    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
+    __CPROVER_assert(m->now_ns <= t_ns, "the clock does not pass the instant");
     must_be_unlooked(m, t_ns);
     must_be_same(m, &anew);
-    __CPROVER_assert(events == (old.started ? 1 : 0), "a jump in time is counted");
-    __CPROVER_assert(jumps == (old.started && m->on_event ? 1 : 0), "a jump is reported once");
+    __CPROVER_assert(events == (old.started ? 1 : 0), "a time jump is counted");
+    __CPROVER_assert(jumps == (old.started && m->on_event ? 1 : 0), "a time jump is reported once");
     __CPROVER_assert(!jumps || (jump.at_ns == t_ns && jump.from_ns == old.now_ns),
-        "what is reported of a jump");"""
+        "the report of a time jump has both instants");"""
 
 _NOTHING = (("restart", "never_restart"), ("earliest_timer", "never_timer"))
 _ANEW = (("restart", "contract_restart"), ("tick", "never_tick"))
@@ -156,8 +158,8 @@ _CATCHES_UP = f"""\
 
 _CATCH_UP_ENDS = f"""\
 {_CATCHES_UP}
-    __CPROVER_assert(events == 0, "nothing changes");
-    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
+    __CPROVER_assert(events == 0, "no change is counted");
+    __CPROVER_assert(m->now_ns <= t_ns, "the clock does not pass the instant");
     must_be_unlooked(m, t_ns);
 {AS_IT_WAS}"""
 
@@ -166,5 +168,5 @@ _CATCH_UP_PASS = f"""\
     const int events = catch_up(m, t_ns);
     __CPROVER_assume(is_late);
     __CPROVER_assert(events == changes, "changes are counted");
-    __CPROVER_assert(m->now_ns < t_ns, "the clock is not ahead");
+    __CPROVER_assert(m->now_ns < t_ns, "the clock does not pass the instant");
 {AS_IT_WAS}"""

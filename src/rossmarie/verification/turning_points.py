@@ -41,7 +41,9 @@ def followed(layout: ProofLayout, definitions: Definitions, channel: int) -> Ite
 def _followed(layout: ProofLayout, definitions: Definitions, k: int) -> Iterator[str]:
     """The obligations about the k-th oscillation."""
     node, first = oscillation(layout, k), first_recent(layout, k)
-    about = f"the turning points of `{layout.machine.propositions[layout.oscillations[k]].text}`"
+    about = (
+        f"the turning points of `{layout.machine.propositions[layout.oscillations[k]].text}` fit"
+    )
     extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.recent_count[{k}]"
     following = f"old.recent_next[{k}]"
     places = range(first, first + node.count)

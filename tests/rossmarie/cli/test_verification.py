@@ -79,9 +79,9 @@ def test_what_is_proved_is_said(rules: Path, prove_by: Any, bless: bool) -> None
 
 
 REFUTED = (
-    ("visit_3", "rule fast is active as S35 to S37 say"),
-    ("update_speed_late_between", "its clock is in range"),
-    ("update_speed_late_between", "its clock is not ahead"),
+    ("visit_3", "rule fast is active according to S35 to S37"),
+    ("update_speed_late_between", "the clock is in range"),
+    ("update_speed_late_between", "the clock is not ahead of the instant"),
     ("tick", "no rule changes"),
 )
 UNDECIDED = (("numbers_speed", "no answer within 120 s: receive_speed.overflow.1"),)
@@ -107,7 +107,7 @@ def test_a_prover_that_fails_at_a_query_leaves_it_undecided(rules: Path, prove_b
     prove_by(StandIn(fails="tick"))
     code, printed = verify(rules)
     assert code == 1
-    assert "undecided: timers are looked at: the prover fails: unknown option" in printed
+    assert "undecided: timers are handled: the prover fails: unknown option" in printed
 
 
 def test_a_process_that_the_system_ends_leaves_it_undecided(rules: Path, prove_by: Any) -> None:
@@ -218,7 +218,7 @@ def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) ->
     code, printed = verify(rules, "--out", "missing/v.json")
     assert code == 2
     assert "cannot write missing/v.json: no such file or directory" in printed
-    assert "Of the generated C" not in printed
+    assert "Part of the generated C" not in printed
     Path("folder").mkdir()
     code, printed = verify(rules, "--out", "folder")
     assert code == 2
@@ -261,7 +261,7 @@ def test_what_is_open_is_open_in_the_safety_file(rules: Path, prove_by: Any) -> 
     prove_by(StandIn(refuted=(("tick", "no rule changes"),), undecided=UNDECIDED))
     assert verify(rules, "--out", "v.json")[0] == 1
     printed = CliRunner().invoke(app, ["report", "fast.ross", "--verification", "v.json"]).output
-    assert "not done: The verification report has 1 refuted: timers are looked at." in printed
+    assert "not done: The verification report has 1 refuted: timers are handled." in printed
     assert "1 undecided: the numbers of a message on /speed." in printed
     assert "1 not proved: rule fast in runs of any length." in printed
 

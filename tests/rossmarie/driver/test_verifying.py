@@ -28,12 +28,12 @@ def prover() -> Prover:
 
 @pytest.fixture(scope="module")
 def judged(tmp_path_factory: pytest.TempPathFactory) -> VerificationQueries:
-    """The query of how a rule is judged."""
+    """The query of how a rule is evaluated."""
     path = tmp_path_factory.mktemp("rules") / "fast.ross"
     path.write_text(RULES)
     found = queries_of(path)
     program = found.programs[0]
-    checks = [check for check in program.checks if check.about == "rule fast is judged"]
+    checks = [check for check in program.checks if check.about == "rule fast is evaluated"]
     return replace(found, programs=(replace(program, checks=tuple(checks)),))
 
 
@@ -63,6 +63,9 @@ def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(
     wrong = changed(judged, "condition == STALE", "condition == UNKNOWN")
     proofs = prove(wrong, prover, seconds=SECONDS)
     assert not proofs.is_inductive
-    sentences = ("rule fast is active as S35 to S37 say", "the report of rule fast")
+    sentences = (
+        "rule fast is active according to S35 to S37",
+        "the report of rule fast is right (S41)",
+    )
     possible = {(f"does not hold: {sentence}", "fast") for sentence in sentences}
     assert possible.intersection(shown(proofs, wrong))

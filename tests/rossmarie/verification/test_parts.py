@@ -125,12 +125,12 @@ def test_what_looks_back_is_what_it_means(
     ("change", "part", "expected"),
     [
         (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
-         "restart", "`held_before` is as it has to be"),
+         "restart", "`held_before` has its expected value"),
         (("either(m->truth_value[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
-         "what `ready since reported` was"),
+         "`ready since reported` remembers its value (S44)"),
         (("        m->held_due_ns[k] = NEVER;\n",
           "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
-         "restart", "`since_before` is as it has to be"),
+         "restart", "`since_before` has its expected value"),
     ],
 )  # fmt: skip
 def test_a_fault_about_what_looks_back_is_refuted(
@@ -143,7 +143,7 @@ def test_a_fault_about_the_instant_of_the_sample_before_is_refuted(
     prover: Prover, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     change = ("        m->before_ns[k] = m->latest_ns[k];\n", "")
-    expected = {"the instant of the sample of `turning` before"}
+    expected = {"the instant of the sample of `turning` before is kept (S18)"}
     machine = compiled(PREVIOUS, tmp_path_factory)
     assert outcomes(prover, machine, change, "numbers_spin") == expected
 
@@ -158,7 +158,7 @@ def test_marks_of_more_than_64_nodes(
     assert outcomes(prover, machine, NO_CHANGE, "visit_70") == set()
     judged = "    if (node >= PROPOSITIONS)\n        return judge"
     change = (judged, f"    m->pending = false;\n{judged}")
-    wrong = {"it is left to `evaluate` to say that all is done", "what is marked can be evaluated"}
+    wrong = {"only `evaluate` clears `pending`", "each marked node can be evaluated"}
     assert outcomes(prover, machine, change, "visit_70") == wrong
 
 
@@ -203,46 +203,46 @@ def test_a_constant_that_means_something_else_is_refused(
 
 QUICK_FAULTS = (
     (("{ return a < b ? a : b; }", "{ return a < b ? b : a; }"), "earlier",
-     "it is not later than either"),
+     "the result is not later than either"),
     (("    set_wake(m);\n    return before",
       "    set_wake(m);\n    m->now_ns--;\n    return before"),
      "update_tilt_late_after", "the clock is set"),
     (("        m->active[rule / 8] = ", "        (void)"), "latch",
-     "rule gone is active as S38 says"),
+     "rule gone is active according to S38"),
     (("        events += visit(m, node, t_ns);", "        ;"), "evaluate",
-     "what is marked is visited once, and nothing else"),
-    ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
+     "each marked node is visited exactly once, and no other node is visited"),
+    ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "the number lies within the guard"),
 )  # fmt: skip
 FAULTS = (
     (("m->held_due_ns[k] > m->now_ns &&", "m->held_due_ns[k] > m->now_ns + 1 &&"),
      "earliest_timer", "for 2 sec` lies ahead"),
     (("    m->stamp_ns[INPUT_TILT] = t_ns;\n", ""), "numbers_tilt",
-     "`stamp_ns` is as it has to be"),
+     "`stamp_ns` has its expected value"),
     (("            look(m, channel, t_ns);", "            ;"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
     (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` has its defined value"),
-    (("condition == STALE", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+    (("condition == STALE", "condition == UNKNOWN"), "visit", "is active according to S35 to S37"),
     (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
      "has its defined value"),
     (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` has its defined value"),
     (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` has its defined value"),
     (("m->value[stale_values[i]] = NAN;", "m->value[stale_values[input]] = NAN;"), "tick",
-     "`abs(tilt)` is forgotten with what it is computed from"),
+     "`abs(tilt)` is unknown if an input that it needs is not fresh"),
     (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
-     "nothing beyond the range passes for calm"),
+     "the next wake lies in range"),
     (("    set_wake(m);\n    return before", "    m->wake_ns++;\n    return before"),
-     "step_late_after", "`wake_ns` is as it has to be"),
+     "step_late_after", "`wake_ns` has its expected value"),
     (("        return -1;\n    if (!m->started", "        return 0;\n    if (!m->started"),
-     "catch_up_refused", "what is out of range is refused"),
+     "catch_up_refused", "an instant out of range is refused"),
     (("if (t_ns <= EARLIEST || t_ns >= LATEST)\n", "if (t_ns <= EARLIEST)\n"),
-     "catch_up_refused", "no timer is looked for"),
+     "catch_up_refused", "the function searches for no timer"),
     (("        tick(m, wake_ns);\n", "        tick(m, wake_ns);\n        m->stamp_ns[0]++;\n"),
      "catch_up_ticked", "the stamp of tilt is in the past"),
     (("evaluate(m, wake_ns);\n", "evaluate(m, wake_ns);\n        m->now_ns--;\n"),
-     "catch_up_pass", "`now_ns` is as it has to be"),
+     "catch_up_pass", "`now_ns` has its expected value"),
     (("(advance)(m, t_ns);\n    if (events < 0)\n        return events;",
       "(advance)(m, t_ns);\n    if (events < 0)\n        return 0;"), "reset_refused",
-     "what is out of range is refused"),
+     "an instant out of range is refused"),
     (("    if (is_pending(m))\n        events += evaluate(m, t_ns);\n    m->now_ns = t_ns;\n"
       "    set_wake(m);\n",
       "    const bool idle = !is_pending(m);\n    if (!idle)\n        evaluate(m, t_ns);"
@@ -250,37 +250,37 @@ FAULTS = (
      "advance_after", "the clock is set"),
     (("    int events = 0;\n    m->now_ns = t_ns;\n",
       "    int events = 0;\n    m->now_ns = t_ns;\n    m->stamp_ns[0]--;\n"), "evaluate",
-     "`stamp_ns` is as it has to be"),
+     "`stamp_ns` has its expected value"),
     (("        m->state[i] = FRESH;\n", ""), "update_tilt_late_before",
-     "tilt is fresh by a message, else as it was"),
+     "a message makes tilt fresh, nothing else changes it"),
     (("    tick(m, t_ns);\n    return events;",
       "    tick(m, t_ns);\n    m->value[VALUE_SPEED] = 0.0;\n    return events;"),
      "update_tilt_late_between", "no other message changes `speed`"),
     (("    m->state[input] = EXPIRED;\n", "    m->state[input] = NEVER_RECEIVED;\n"), "tick",
-     "`state` is as it has to be"),
+     "`state` has its expected value"),
     (("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns / 2"), "restart",
-     "`stamp_ns` is as it has to be"),
+     "`stamp_ns` has its expected value"),
     (("            m->truth_value[rule_condition[i]] == FALSE)\n", "            true)\n"), "reset",
-     "rule gone is active as S38 says"),
+     "rule gone is active according to S38"),
     (("        events += visit(", "        (void)visit("), "evaluate", "changes are counted"),
     (("        events += evaluate(m, wake_ns);", "        (void)evaluate(m, wake_ns);"),
      "catch_up_pass", "changes are counted"),
     (("            report_jump(m, t_ns);", "            (void)report_jump;"),
-     "catch_up_anew", "a jump is reported once"),
+     "catch_up_anew", "a time jump is reported once"),
     (("    event.from_ns = m->now_ns;", "    event.from_ns = t_ns;"), "catch_up_anew",
-     "what is reported of a jump"),
+     "the report of a time jump has both instants"),
     (("        report(m, rule, change, t_ns);", "        (void)report;"), "visit",
-     "a change of rule tilted is reported once"),
+     "each change of rule tilted is reported once"),
     (("= m->since_ns[terms[i]];", "= m->since_ns[terms[n]];"), "visit",
      "the report of rule gone"),
     (("m->value[shown_values[i]]", "m->value[shown_values[n]]"), "visit",
      "the report of rule gone"),
     (("    m->on_event(m->user, &event);\n}\n\nstatic int change_rule",
       "    m->on_event(m, &event);\n}\n\nstatic int change_rule"), "visit",
-     "a listener is given back what it gave"),
+     "the listener receives its own `user` pointer"),
     (("(CLEARED), t_ns);\n    return events;", "(ACTIVATED), t_ns);\n    return events;"),
      "reset", "the report of rule gone"),
-    (("    m->on_event = on_event;\n", ""), "init", "it has its listener"),
+    (("    m->on_event = on_event;\n", ""), "init", "the monitor has its listener"),
     (("        const unsigned g = watching[i];\n",
       "        const unsigned g = GUARD_SPEED;\n"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
@@ -317,26 +317,27 @@ def test_what_counts_and_elements_are_what_they_mean(
     ("change", "part", "expected"),
     [
         (("    if (value == TRUE)\n        wake_by(m, recent_end(m, k));\n", ""),
-         "tick", "is waited for"),
+         "tick", "the monitor wakes before the window of"),
         (("    receive_imu(m, t_ns, orientation_x, orientation_y,",
           "    receive_imu(m, t_ns, orientation_y, orientation_x,"), "handed_imu",
-         "orientation_x is handed on"),
+         "orientation_x is passed on unchanged"),
         (("return take_scan(m, t_ns, ranges,", "return take_scan(m, t_ns, ranges + 1,"),
-         "handed_scan", "ranges is handed on"),
+         "handed_scan", "ranges is passed on unchanged"),
         (("    receive_spin(m, t_ns, data);\n    compute", "    compute"), "handed_spin",
-         "what is not refused is handed on once"),
+         "an accepted message is passed on once, a refused one never"),
         (("x > extreme + swing", "x >= extreme + swing"), "numbers_spin", "the turning points of"),
         (("    m->recent_next[k] = ", "    (void)"), "numbers_spin", "the turning points of"),
-        (("    m->recent_next[k] = ", "    (void)"), "visit_7", "`recent_next` is as it has to be"),
+        (("    m->recent_next[k] = ", "    (void)"), "visit_7",
+         "`recent_next` has its expected value"),
         (("operand == TRUE && before == FALSE", "operand == TRUE && before != TRUE"), "visit_7",
-         "is as it has to be"),
+         "has its expected value"),
         (("    m->edge_before[k] = operand;", ""), "visit_7", "has its defined value"),
         (("        m->edge_before[k] = m->started ? UNKNOWN : FALSE;", "        ;"), "restart",
-         "`edge_before` is as it has to be"),
+         "`edge_before` has its expected value"),
         (("recent_due(m, k) <= t_ns", "recent_due(m, k) < t_ns"), "tick",
          "edges of turning > 1 within 2 sec) > 1` has its defined value"),
         (("        forget_turns(m, k);\n        return", "        return"), "tick",
-         "`recent_count` is as it has to be"),
+         "`recent_count` has its expected value"),
         (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
          "`any(ranges < 0.5 m)` has its defined value"),
         (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_2",
@@ -357,7 +358,7 @@ def test_arc_sines_are_the_formulas_of_the_core(prover: Prover, counting: ir.Mac
 @pytest.mark.deep
 def test_an_arc_sine_of_what_is_unknown_is_refuted(prover: Prover, counting: ir.Machine) -> None:
     change = ("return size < 0.5 ?", "return isnan(x) ? 0.0 : size < 0.5 ?")
-    expected = {"nothing is known of what is not"}
+    expected = {"the result is unknown if an operand is unknown"}
     assert outcomes(prover, counting, change, "arcsine_unknown") == expected
 
 

@@ -38,18 +38,23 @@ def test_memories_of_poses_are_what_they_mean(
 
 
 QUICK_FAULTS = (
-    ("r->poses_kept[k] == 0 || !r->poses_known[k]", "r->poses_kept[k] == 0", "due", "sends in"),
+    (
+        "r->poses_kept[k] == 0 || !r->poses_known[k]",
+        "r->poses_kept[k] == 0",
+        "due",
+        "one pose a period",
+    ),
 )
 FAULTS = (
-    ("z * z >= memories", "z * z > memories", "apart", "apart from the one before"),
-    ("y * y + z * z", "y * y", "apart", "apart from the one before"),
-    ("r->poses_kept[k] - 1u);\n", "0);\n", "new", "it is compared with the newest pose"),
-    ("pose, last, r->now_ns - ", "pose, last, ", "new", "it is known how old that is"),
+    ("z * z >= memories", "z * z > memories", "apart", "apart from the pose before"),
+    ("y * y + z * z", "y * y", "apart", "apart from the pose before"),
+    ("r->poses_kept[k] - 1u);\n", "0);\n", "new", "a pose is compared with the newest pose"),
+    ("pose, last, r->now_ns - ", "pose, last, ", "new", "the age of the newest pose counts"),
     ("if (is_used || ", "if (", "record", "a new pose is kept"),
     ("if (r->poses_kept[k] == memories[k].most)", "if (false)", "record", "a new pose is kept"),
-    ("(r->poses_oldest[k] + 1u)", "(r->poses_oldest[k] + 2u)", "record", "the oldest makes room"),
+    ("(r->poses_oldest[k] + 1u)", "(r->poses_oldest[k] + 2u)", "record", "the oldest is dropped"),
     ("r->poses[place + i] = pose[i];", "r->poses[place] = pose[i];", "record", "is the newest"),
-    ("r->pose_recorded_ns[k] = r->now_ns;", "", "record", "it is known since when"),
+    ("r->pose_recorded_ns[k] = r->now_ns;", "", "record", "its instant is kept"),
     ("r->poses_known[k] = is_known_pose(k, pose);", "r->poses_known[k] = true;", "record", "known"),
     (
         "        r->poses_kept[k]++;\n",
@@ -58,13 +63,13 @@ FAULTS = (
         "nothing else changes",
     ),
     ("pose_due(r, i) < wake_ns", "true", "wake", "no pose is missed (R13)"),
-    ("r->poses[place + n];", "r->poses[place];", "send", "the newest pose goes first"),
-    ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "it is known when it was sent"),
-    ("decide(r, retraces[i].task, NAMED(RETRACE), -1);", "", "send", "the task is told to send"),
-    ("if (retraces[i].task == task)", "if (true)", "begin", "it has sent nothing since"),
-    ("age_ns = now_ns - since_ns;", "age_ns = t_ns - since_ns;", "set_back", "ages stay"),
+    ("r->poses[place + n];", "r->poses[place];", "send", "the newest pose is sent first"),
+    ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "its instant is kept"),
+    ("decide(r, retraces[i].task, NAMED(RETRACE), -1);", "", "send", "the pose is sent"),
+    ("if (retraces[i].task == task)", "if (true)", "begin", "a starting task has sent"),
+    ("age_ns = now_ns - since_ns;", "age_ns = t_ns - since_ns;", "set_back", "ages are unchanged"),
     ("r->pose_sent_ns[i] = NEVER;\n    for", "r->pose_sent_ns[i] = 0;\n    for", "forget", "sent"),
-    ("(int)retraces[i].task == task", "true", "retraced", "others send none"),
+    ("(int)retraces[i].task == task", "true", "retraced", "other tasks have none"),
 )
 
 

@@ -40,4 +40,4 @@ def verification_results(proofs: Proofs) -> Iterator[AnsweredQuery]:
             detail="; ".join((f"check_{outcome.check.name}", *proofs.reasons(outcome))),
         )
     for name in proofs.unasked:
-        yield AnsweredQuery(name=name, status=_NOT_PROVED, detail="no query is asked about it")
+        yield AnsweredQuery(name=name, status=_NOT_PROVED, detail="no query covers this part")
