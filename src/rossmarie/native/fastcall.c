@@ -32,7 +32,7 @@ static PyObject *fastcall(PyObject *self, PyObject *const *arguments, Py_ssize_t
     long long t_ns;
     int events;
     if (count != to->fields + 1)
-        return PyErr_Format(PyExc_TypeError, "wanted an instant and %d number(s)", to->fields);
+        return PyErr_Format(PyExc_TypeError, "expected an instant and %d number(s)", to->fields);
     t_ns = PyLong_AsLongLong(arguments[0]);
     if (t_ns == -1 && PyErr_Occurred())
         return NULL;
@@ -49,7 +49,7 @@ static PyObject *fastcall(PyObject *self, PyObject *const *arguments, Py_ssize_t
 
 static PyMethodDef definition = {
     "update", (PyCFunction)(void (*)(void))fastcall, METH_FASTCALL,
-    "One message: (at_ns, *numbers) -> number of new events, or -1 if the instant is out of range."};
+    "Process a message: (at_ns, *numbers) -> number of events, or -1 if at_ns is out of range."};
 
 static void forget(PyObject *capsule)
 {
@@ -107,7 +107,8 @@ static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t
     Py_buffer room = {0};
     size_t start, stop, done;
     if (count != 3)
-        return PyErr_Format(PyExc_TypeError, "wanted start, stop and room for active bits");
+        return PyErr_Format(PyExc_TypeError,
+                            "expected start, stop, and a buffer for active bits or None");
     start = PyLong_AsSize_t(arguments[0]);
     stop = PyLong_AsSize_t(arguments[1]);
     if (PyErr_Occurred())
@@ -127,7 +128,7 @@ static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t
 
 static PyMethodDef rows_definition = {
     "rows", (PyCFunction)(void (*)(void))fastrows, METH_FASTCALL,
-    "Some rows: (start, stop, room for active bits or None) -> the bytes of their events."};
+    "Process rows: (start, stop, buffer for active bits or None) -> events as bytes."};
 
 static void forget_rows(PyObject *capsule)
 {

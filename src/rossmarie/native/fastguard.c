@@ -95,7 +95,7 @@ static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t
     int said = -1;
     long long t_ns;
     if (count != 3)
-        return PyErr_Format(PyExc_TypeError, "wanted an instant, an observation and an action");
+        return PyErr_Format(PyExc_TypeError, "expected an instant, an observation and an action");
     t_ns = PyLong_AsLongLong(arguments[0]);
     if (t_ns == -1 && PyErr_Occurred()) {
         if (!PyErr_ExceptionMatches(PyExc_OverflowError))
@@ -167,7 +167,7 @@ static const double *elements_of(PyObject *array, Py_buffer *view, double **room
             return numbers;
         }
     }
-    PyErr_SetString(PyExc_TypeError, "an array is of one dimension, and holds floats");
+    PyErr_SetString(PyExc_TypeError, "an array must have one dimension and contain floats");
     return NULL;
 }
 
@@ -213,7 +213,7 @@ static PyObject *fastwatch(PyObject *self, PyObject *const *arguments, Py_ssize_
     long long t_ns;
     int news;
     if (count != 1 + by->fields + by->array_count)
-        return PyErr_Format(PyExc_TypeError, "wanted an instant, %d number(s) and %d array(s)",
+        return PyErr_Format(PyExc_TypeError, "expected an instant, %d number(s) and %d array(s)",
                             by->fields, by->array_count);
     t_ns = PyLong_AsLongLong(arguments[0]);
     if (t_ns == -1 && PyErr_Occurred())
@@ -241,8 +241,8 @@ static PyObject *fastwatch(PyObject *self, PyObject *const *arguments, Py_ssize_
 
 static PyMethodDef watch_definition = {"watch", (PyCFunction)(void (*)(void))fastwatch,
                                        METH_FASTCALL,
-                                       "One message: (at_ns, *numbers, *arrays) -> when time is "
-                                       "wanted next, or None if there is news."};
+                                       "Process a message: (at_ns, *numbers, *arrays) -> the next "
+                                       "wake in ns, or None after a new event."};
 
 static void free_watcher(watcher *by)
 {
@@ -308,7 +308,7 @@ PyObject *guard_python_watch(void *machine, const int *shape, PyObject *owner)
 
 static PyMethodDef step_definition = {
     "step", (PyCFunction)(void (*)(void))faststep, METH_FASTCALL,
-    "A step: (at_ns, observation, action) -> what is known then, or None if they do not fit."};
+    "Do a step: (at_ns, observation, action) -> its facts, or None if they do not fit."};
 
 static void forget_stepper(PyObject *capsule)
 {

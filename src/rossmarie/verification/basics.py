@@ -30,9 +30,9 @@ CONSTANTS = """\
 _Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
 _Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
 _Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");
-_Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "they fit the header");
-_Static_assert(UNKNOWN == {name}_UNKNOWN && STALE == {name}_STALE, "they fit the header");
-_Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "it fits the header");
-_Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "they fit the header");
+_Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "truth values of the header");
+_Static_assert(UNKNOWN == {name}_UNKNOWN && STALE == {name}_STALE, "truth values of the header");
+_Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "state of the header");
+_Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of the header");
 """
 """The numbers that the C names. CBMC rejects a program in which one of these is wrong."""

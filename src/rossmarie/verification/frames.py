@@ -75,7 +75,7 @@ class FrameChecks:
                 )
             state = f"m->state[{index}] == ({is_reported} ? FRESH : old->state[{index}])"
             lines.append(
-                obligation(state, f"a message makes {used.name} fresh, nothing else changes it")
+                obligation(state, f"a message makes {used.name} fresh; nothing else changes it")
             )
         for index, value in enumerate(self._layout.values):
             reported = [f"is_reported[{channel}]" for channel in sorted(value.support.channels)]

@@ -230,7 +230,7 @@ class PoseChecks:
         ]
         since = f"is_recorded ? old.now_ns : old.pose_recorded_ns[{index}]"
         lines.append(
-            obligation(f"r->pose_recorded_ns[{index}] == ({since})", "its instant is kept (R16)")
+            obligation(f"r->pose_recorded_ns[{index}] == ({since})", "the instant is kept (R16)")
         )
         oldest = f"(old.poses_oldest[{index}] + (is_recorded && is_full)) % {most}u"
         lines.append(
@@ -295,7 +295,7 @@ class PoseChecks:
                 same = _same(f"r->poses_sent[{index}][{n}]", f"old.poses[newest + {n}]")
                 lines.append(obligation(same, "the newest pose is sent first (R17)"))
             since = f"r->pose_sent_ns[{index}]"
-            lines.append(obligation(f"{since} == old.now_ns", "its instant is kept (R17)"))
+            lines.append(obligation(f"{since} == old.now_ns", "the instant is kept (R17)"))
             lines.append(obligation(f"reported.count[{task}] == 1", "the pose is sent (R17)"))
             lines.append("    } else {")
             for number in memory.numbers:

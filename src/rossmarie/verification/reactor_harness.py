@@ -173,7 +173,7 @@ static void perform(void *user, int task, enum {name}_task_command command, int 
 {{
     (void)user;
     __CPROVER_assert(task >= 0 && task < TASKS, "the task of a task command exists");
-    __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "the overruling rule exists");
+    __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "`by_rule` is a rule or -1");
     (void)command;
 }}
 

@@ -181,5 +181,5 @@ class ReactorInvariants:
                 yield Sentence("an escalation does not start before its task (R6)",
                                f"!{begun} || r->state[{task}] != IDLE")  # fmt: skip
             else:
-                yield Sentence("an escalation starts exactly after the failure (R6)",
+                yield Sentence("an escalation starts after the failure, and only then (R6)",
                                f"{is_known} == {begun}")  # fmt: skip

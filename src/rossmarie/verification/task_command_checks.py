@@ -195,7 +195,9 @@ class TaskCommandChecks:
         for task in plan.stages[stage] if stage < len(plan.stages) else ():
             free = f"spec_overruler(r, {task}) < 0"
             starts = f"({free}) == (reported.last[{task}] == START)"
-            lines.append(obligation(starts, "a task starts if its resource is free (R3, R7)"))
+            lines.append(
+                obligation(starts, "a task starts exactly if its resource is free (R3, R7)")
+            )
             lines.append(obligation(f"r->state[{task}] != IDLE", "no task is skipped (R3, R7)"))
         parts = (_DECIDE, _NOTE, _ESCALATE)
         return self._check(f"start_{rule}_{stage}", about, parts, "\n".join(lines))

@@ -296,7 +296,7 @@ void end_at_give_task_commands(reactor *r)
     must_be_within(r);
     must_be_owned(r);
     must_be_in_time(r);
-    __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
+    __CPROVER_assert(r->failed_count == 0, "all escalations have started (R6)");
     __CPROVER_assert(!spec_is_over(r, looked_at), "a rule leaves a stage that is over (R5)");
     __CPROVER_assume(false);
 }}
@@ -312,7 +312,7 @@ static void perform_next(void *user, int task, enum {name}_task_command command,
 {{
     (void)user;
     const {name}_decision *const made = &performing.decisions[performed];
-    __CPROVER_assert(performed < performing.decided, "no task command is made up");
+    __CPROVER_assert(performed < performing.decided, "each given task command was decided");
     __CPROVER_assert(task == made->task && (unsigned)command == made->command
         && by_rule == made->by_rule, "the task command is given as decided");
     performed++;

@@ -76,7 +76,7 @@ class TimeChecks:
             ("ends", "no due timer is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
             ("tick", "the first due timer", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
             ("ticked", "propositions are evaluated", 1, (timer, *_TICKED), _CATCHES_UP),
-            ("pass", "each in its turn", 2, _PASS, f"{ANY}\n{_CATCH_UP_PASS}"),
+            ("pass", "each timer in its turn", 2, _PASS, f"{ANY}\n{_CATCH_UP_PASS}"),
         ):
             said = f"timers that are due before an instant run: {about}"
             loops = (("catch_up.0", passes),)

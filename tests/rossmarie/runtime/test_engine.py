@@ -41,7 +41,7 @@ def test_two_of_them_in_one_file_are_refused(part: str, tmp_path: Path) -> None:
     write(generate(CASES["reacting"]()), tmp_path)
     both = tmp_path / "both.c"
     both.write_text(f'#include "reacting_{part}.c"\n' * 2, encoding="utf-8")
-    with pytest.raises(AssertionError, match=f"the engine of one {part} only"):
+    with pytest.raises(AssertionError, match=f"the engine of only one {part}"):
         run(["gcc", "-std=c99", "-fsyntax-only", both])
 
 

@@ -252,7 +252,7 @@ FAULTS = (
       "    int events = 0;\n    m->now_ns = t_ns;\n    m->stamp_ns[0]--;\n"), "evaluate",
      "`stamp_ns` has its expected value"),
     (("        m->state[i] = FRESH;\n", ""), "update_tilt_late_before",
-     "a message makes tilt fresh, nothing else changes it"),
+     "a message makes tilt fresh; nothing else changes it"),
     (("    tick(m, t_ns);\n    return events;",
       "    tick(m, t_ns);\n    m->value[VALUE_SPEED] = 0.0;\n    return events;"),
      "update_tilt_late_between", "no other message changes `speed`"),

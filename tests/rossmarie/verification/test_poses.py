@@ -54,7 +54,7 @@ FAULTS = (
     ("if (r->poses_kept[k] == memories[k].most)", "if (false)", "record", "a new pose is kept"),
     ("(r->poses_oldest[k] + 1u)", "(r->poses_oldest[k] + 2u)", "record", "the oldest is dropped"),
     ("r->poses[place + i] = pose[i];", "r->poses[place] = pose[i];", "record", "is the newest"),
-    ("r->pose_recorded_ns[k] = r->now_ns;", "", "record", "its instant is kept"),
+    ("r->pose_recorded_ns[k] = r->now_ns;", "", "record", "the instant is kept"),
     ("r->poses_known[k] = is_known_pose(k, pose);", "r->poses_known[k] = true;", "record", "known"),
     (
         "        r->poses_kept[k]++;\n",
@@ -64,7 +64,7 @@ FAULTS = (
     ),
     ("pose_due(r, i) < wake_ns", "true", "wake", "no pose is missed (R13)"),
     ("r->poses[place + n];", "r->poses[place];", "send", "the newest pose is sent first"),
-    ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "its instant is kept"),
+    ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "the instant is kept"),
     ("decide(r, retraces[i].task, NAMED(RETRACE), -1);", "", "send", "the pose is sent"),
     ("if (retraces[i].task == task)", "if (true)", "begin", "a starting task has sent"),
     ("age_ns = now_ns - since_ns;", "age_ns = t_ns - since_ns;", "set_back", "ages are unchanged"),

@@ -15,7 +15,7 @@
  * Numbers such as S30 in comments refer to the rules of the semantics of ROSSMARie.
  */
 #ifdef ROSSMARIE_MONITOR
-#error "a file includes the engine of one monitor only"
+#error "include the engine of only one monitor in a file"
 #endif
 #define ROSSMARIE_MONITOR
 

@@ -5,7 +5,7 @@
  * in the types of plans.h. Numbers such as R2 refer to the rules of the semantics of reactions.
  */
 #ifdef ROSSMARIE_REACTOR
-#error "a file includes the engine of one reactor only"
+#error "include the engine of only one reactor in a file"
 #endif
 #define ROSSMARIE_REACTOR
 
