@@ -372,7 +372,7 @@ def _same(one: str, other: str) -> str:
 
 
 def _unchanged(*members: str) -> str:
-    """Obligations that every byte outside of these members is as it was."""
+    """Obligations that every byte outside of these members is unchanged."""
     places = [f"(byte >= offsetof(reactor, {m}) && byte < offsetof(reactor, {m}) + sizeof s.{m})"
               for m in members]  # fmt: skip
     bytes_of = "((const unsigned char *){})[byte]"
