@@ -93,8 +93,8 @@ static PyObject *new_events(host *h, size_t before)
 {
     const size_t size = host_event_size();
     const char *log = (const char *)h->events;
-    PyObject *found = PyBytes_FromStringAndSize(
-        h->count == before ? NULL : log + before * size, (Py_ssize_t)((h->count - before) * size));
+    PyObject *found = PyBytes_FromStringAndSize(h->count == before ? NULL : log + before * size,
+                                                (Py_ssize_t)((h->count - before) * size));
     h->count = before;
     return found;
 }
