@@ -16,7 +16,7 @@ from rossmarie.driver.verifying import VerificationQueries, prove
 from rossmarie.report.proofs import Proofs
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
-from rossmarie.verification.harness import Harness, harness
+from rossmarie.verification.harness import Harness, covered, harness
 from rossmarie.verification.prover import (
     ProofOutcome,
     ProofVerdict,
@@ -60,7 +60,7 @@ def asked(
     """The outcomes of the checks of a monitor whose names begin so, after a change of its C."""
     program = harness(machine)
     with prover.workshop() as folder:
-        files = c99.generate(machine)
+        files = covered(c99.generate(machine))
         write_texts(folder, files if change == NO_CHANGE else damaged(files, "monitor", *change))
         prover.compile(folder, program)
         for check in program.checks:

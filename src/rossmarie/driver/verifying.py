@@ -14,13 +14,13 @@ from rossmarie.driver.build import generate, write_generated
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.sources import hashed_sources
 from rossmarie.driver.workers import answers
-from rossmarie.report.proofs import Proofs, has_windows
+from rossmarie.report.proofs import Proofs, parts_without_queries
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.evidence import Hashed
 from rossmarie.report.safety.proved import bound_of, verification_results
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
-from rossmarie.verification.harness import Harness, harness
+from rossmarie.verification.harness import Harness, covered, harness
 from rossmarie.verification.prover import PROGRAMS, ProofOutcome, ProofVerdict, Prover, ProverError
 from rossmarie.verification.reactor_harness import reactor_harness
 
@@ -59,7 +59,7 @@ def queries_of(
         replace(program, text=f"{origin} */\n{program.text}")
         for program in _programs(compiled.machine)
     )
-    return VerificationQueries(compiled, files, programs)
+    return VerificationQueries(compiled, covered(files), programs)
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
@@ -109,8 +109,7 @@ def _unasked(queries: VerificationQueries) -> Iterator[str]:
         asked = any(f'"{name}"' in program.text for program in queries.programs)
         if name.endswith(".c") and not asked:
             yield name
-    if has_windows(queries.compiled.machine):
-        yield "samples of windows"
+    yield from parts_without_queries(queries.compiled.machine)
 
 
 def _outcome(

@@ -53,7 +53,7 @@ class Proofs:
         step may have left, so all steps have to be proved.
         """
         is_proved = all(outcome.verdict is ProofVerdict.PROVED for outcome in self.outcomes)
-        return is_proved and not has_windows(self.machine)
+        return is_proved and not parts_without_queries(self.machine)
 
     @property
     def is_complete(self) -> bool:
@@ -97,10 +97,20 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
     return None
 
 
-def has_windows(machine: ir.Machine) -> bool:
-    """Say whether samples in windows are sorted or added. No query covers these operations."""
+def parts_without_queries(machine: ir.Machine) -> tuple[str, ...]:
+    """The operations of the generated C that no query covers."""
     nodes = (signal.node for signal in machine.signals)
-    return any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes)
+    parts = (
+        (
+            "samples of windows",
+            any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes),
+        ),
+        (
+            "messages at the instant at which a number beside elements expires",
+            bool(ir.beside(machine)),
+        ),
+    )
+    return tuple(part for part, is_present in parts if is_present)
 
 
 # --- the table -------------------------------------------------------------------------------

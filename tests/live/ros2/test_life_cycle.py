@@ -63,7 +63,7 @@ def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
 def test_parameters_are_fixed_while_it_runs(ros2: Ros2, robot: Robot, start: Start) -> None:
     start(patience=5)
     robot.passes(1.0)
-    assert "clean it up first" in ros2.command("param", "set", NODE, "patience", "100.0")
+    assert "clean up the node first" in ros2.command("param", "set", NODE, "patience", "100.0")
 
 
 def test_parameters_can_be_set_after_a_cleanup(ros2: Ros2, robot: Robot, start: Start) -> None:
@@ -71,7 +71,7 @@ def test_parameters_can_be_set_after_a_cleanup(ros2: Ros2, robot: Robot, start: 
     until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it says why")
     assert "Set parameter successful" in ros2.command("param", "set", NODE, "patience", "50.0")
     assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
-    assert "clean it up first" in ros2.command("param", "set", NODE, "patience", "60.0")
+    assert "clean up the node first" in ros2.command("param", "set", NODE, "patience", "60.0")
     assert "successful" in ros2.command("lifecycle", "set", NODE, "cleanup")
     assert "Set parameter successful" in ros2.command("param", "set", NODE, "patience", "60.0")
     assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from dslkit.source import Span
+from rossmarie.driver.build import generate
 from rossmarie.driver.verifying import VerificationQueries, prove, queries_of
-from rossmarie.report.proofs import Proofs, refutations
+from rossmarie.report.proofs import Proofs, parts_without_queries, refutations
 from rossmarie.verification.prover import Prover
 from support.damage import damaged
 from support.provers import real_prover
@@ -18,6 +20,13 @@ RULES = """\
 action stop;
 input speed = topic /speed : std_msgs/Float64 .data;
 rule fast: if speed > 3 then { stop; } latched until reset;
+"""
+
+BESIDE = """\
+action stop;
+input gap = topic /gap : std_msgs/Float64 .data in m timeout 0.2 sec;
+input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.2 sec;
+rule near: if any(ranges < gap) then { stop; };
 """
 
 
@@ -47,6 +56,16 @@ def shown(proofs: Proofs, queries: VerificationQueries) -> list[tuple[str, str]]
     nowhere = Span(queries.compiled.sources[-1], 0, 0)
     found = refutations(proofs, nowhere)
     return [(each.primary.text, each.primary.span.text) for each in found]
+
+
+def test_a_number_beside_elements_has_a_part_without_queries(tmp_path: Path) -> None:
+    path = tmp_path / "near.ross"
+    path.write_text(BESIDE)
+    found = queries_of(path)
+    assert "define BESIDE 1" in "".join(generate(found.compiled.machine, "c99").values())
+    assert "define BESIDE 1" not in "".join(found.files.values())
+    (part,) = parts_without_queries(found.compiled.machine)
+    assert part == "messages at the instant at which a number beside elements expires"
 
 
 def test_what_is_right_is_proved(prover: Prover, judged: VerificationQueries) -> None:

@@ -68,6 +68,7 @@ def _sizes(layout: CLayout) -> dict[str, int]:
         "WINDOWS": len(layout.windows),
         "MOST_SAMPLES": MOST_SAMPLES if layout.windows else 0,
         "LISTS": len(machine.lists),
+        "BESIDE": len(ir.beside(machine)),
         "READINGS": len(machine.readings),
         "WATCHES": len(machine.watches),
     }

@@ -51,6 +51,9 @@
 #ifndef LISTS
 #define LISTS 0
 #endif
+#ifndef BESIDE
+#define BESIDE 0
+#endif
 #ifndef READINGS
 #define READINGS 0
 #endif

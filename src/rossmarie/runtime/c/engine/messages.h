@@ -106,6 +106,10 @@ RARE int settle(monitor *m, const bool arrived[], int64_t t_ns, int before)
         if (arrived[channel])
             look(m, channel, t_ns);
 #endif
+#if GUARDS && BESIDE
+    if (before != CALM)
+        review(m, t_ns);
+#endif
     (void)arrived;
     events = evaluate(m, t_ns);
     if (before == CALM)

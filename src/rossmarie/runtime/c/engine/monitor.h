@@ -64,6 +64,9 @@ int NAMED(advance)(monitor *m, int64_t t_ns)
     if (events < 0)
         return events;
     tick(m, t_ns);
+#if GUARDS && BESIDE
+    review(m, t_ns);
+#endif
     if (is_pending(m))
         events += evaluate(m, t_ns);
     m->now_ns = t_ns;
