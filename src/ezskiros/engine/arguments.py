@@ -73,7 +73,9 @@ def _individual(parameter: Parameter, name: str, world: World) -> WorldIndividua
         raise WrongArgumentError(f"`{parameter.name}`: {problem}")
     if found:
         classes = ", ".join(map(world.spelled, world.classes(found[0])))
-        problem = f"{world.spelled(found[0])} has the class {classes}, but must be {wanted(parameter)}"
+        problem = (
+            f"{world.spelled(found[0])} has the class {classes}, but must be {wanted(parameter)}"
+        )
     else:
         problem = f"there is no {name!r} in the world"
     raise WrongArgumentError(f"`{parameter.name}`: {problem}; {_those(parameter, world)}")

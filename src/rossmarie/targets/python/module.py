@@ -33,12 +33,12 @@ _ON_DEMAND = (
 """The optional parts. Each precedes the parts that call it."""
 
 _HEAD = '''\
-"""A safety monitor: plain Python 3.10 or later, which needs nothing to be installed.
+"""A safety monitor in plain Python 3.10 or later. The monitor needs no other package.
 
-`start()` gives a monitor that has seen nothing; call it from one thread at a time. Instants are
-integers in nanoseconds on one clock, between EARLIEST and LATEST. Numbers are Python's own, in the
-units of the messages; NaN is unknown. What takes an instant returns how many events it added, or
--1, and does nothing, if the instant is out of range.
+`start()` returns a new monitor. Call the monitor from one thread at a time. Instants are integers
+in nanoseconds on one clock, between EARLIEST and LATEST. Numbers are Python's own, in the units of
+the messages; NaN is unknown. A function that takes an instant returns the number of events that it
+added. If the instant is out of range, the function returns -1 and does nothing else.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ NEVER = 2**63 - 1
 
 _TIME = '''\
     def catch_up(at_ns):
-        """Timers due before an instant come first; an earlier instant is a jump."""
+        """Run the timers that are due before an instant. Restart at an earlier instant."""
         nonlocal wake
         index(at_ns)
         if not EARLIEST < at_ns < LATEST:
@@ -136,39 +136,41 @@ def _descriptions(machine: ir.Machine) -> Iterator[str]:
         yield f"{INDENT}),"
     yield ")"
     if machine.texts:
-        yield "# A text arrives as its index here, or as -1."
+        yield "# Pass a text as its index in this tuple, or as -1 if the tuple lacks the text."
         yield f"TEXTS = {names.strings(machine.texts)}"
     yield ""
 
 
 _DOOR = '''\
 class Monitor(NamedTuple):
-    """A monitor that runs. A message on one topic brings the scalars, then the arrays, that are
-    listed with its function. `update` takes such lists for several topics at one instant, by the
-    index of the topic. A reset is of the rule with this index, or of all rules.
+    """The functions of a running monitor.
+
+    The comment above each topic's function lists its arguments: the instant, the scalars, then
+    the arrays. `update` takes messages on several topics at one instant, each by the index of its
+    topic. `reset` resets the rule with the given index or, without an index, all rules.
     """
 '''
 
 _WATCHES = """\
-    watches: Callable[[], tuple[int, ...]]  # what confirms that tasks have succeeded
+    watches: Callable[[], tuple[int, ...]]  # the conditions that confirm tasks
 """
 
 _MARGINS = """\
-    margins: Callable[[], tuple[float, ...]]  # how far rules are from their limits, in SI units
+    margins: Callable[[], tuple[float, ...]]  # distances of rules to their limits, in SI units
 """
 
 _READINGS = """\
-    readings: Callable[[], tuple[float, ...]]  # what memories of poses ask; NaN is unknown
+    readings: Callable[[], tuple[float, ...]]  # numbers for the memories of poses; NaN is unknown
 """
 
 _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
-    advance: Callable[[int], int]  # time passes without a message
-    reset: Callable[..., int]  # at_ns, and an index or nothing
-    latch: Callable[[int], None]  # before all else: a latched rule is active, as it was once
-    next_wake: Callable[[], int | None]  # when `advance` is wanted if no message comes before
-    active: Callable[[], tuple[bool, ...]]  # the rules
-    take_events: Callable[[], list[Verdict | TimeJump]]  # since the last time
+    advance: Callable[[int], int]  # lets time pass without a message
+    reset: Callable[..., int]  # at_ns, optionally the index of a rule
+    latch: Callable[[int], None]  # call first: restores an active latched rule
+    next_wake: Callable[[], int | None]  # call `advance` then, without earlier messages
+    active: Callable[[], tuple[bool, ...]]  # for each rule: True if it is active
+    take_events: Callable[[], list[Verdict | TimeJump]]  # the events since the previous call
 
 """
 
@@ -186,7 +188,7 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
         described = ", ".join([f"{topic}: at_ns", *paths])
         yield f"{INDENT}# {comments.after_hash(described)}"
         if any(array.list is not None for array in arrays):
-            yield f"{INDENT}# Behind []: columns of a list, of one length; None if it is not known."
+            yield f"{INDENT}# Names with []: columns of a list, all of one length; None if unknown."
         yield f"{INDENT}{update_name}: Callable[..., int]"
     asked = (_WATCHES if machine.watches else "") + (_READINGS if machine.readings else "")
     yield asked + (_MARGINS if ir.margins_of(machine) else "") + _MEMBERS
@@ -205,7 +207,7 @@ def _start(layout: PythonLayout) -> Iterator[str]:
     machine = layout.machine
     yield from _monitor(machine)
     yield "def start():"
-    yield f'{INDENT}"""A monitor that has seen nothing."""'
+    yield f'{INDENT}"""Return a new monitor, which has received no message."""'
     yield f"{INDENT}events = []"
     yield from (f"{INDENT}{name} = {value}" for name, value in state.variables(layout))
     yield ""

@@ -15,11 +15,13 @@ INF = math.inf
 
 
 class Verdict(NamedTuple):
-    """A rule changed: 0 cleared, 1 activated, 2 activated for lack of an input with a timeout.
+    """A change of a rule. `change` is 0 (cleared), 1 (activated), or 2 (activated because an input
+    with a timeout is missing).
 
-    `truth_values[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 stale) and
-    `since_ns[i]` since when, `values[i]` is `RULES[rule].signals[i]` in SI units (NaN is unknown),
-    `inputs[i]` the state of `RULES[rule].inputs[i]` (0 never received, 1 fresh, 2 expired).
+    - `truth_values[i]` is the truth value of `RULES[rule].terms[i]`: 0 false, 1 true, 2 unknown,
+      3 stale. The term has this truth value since `since_ns[i]`.
+    - `values[i]` is the value of `RULES[rule].signals[i]` in SI units; NaN is unknown.
+    - `inputs[i]` is the state of `RULES[rule].inputs[i]`: 0 never received, 1 fresh, 2 expired.
     """
 
     rule: int
@@ -32,7 +34,7 @@ class Verdict(NamedTuple):
 
 
 class TimeJump(NamedTuple):
-    """Time went backwards: every duration starts again."""
+    """Time went backwards, so every duration starts again."""
 
     from_ns: int
     to_ns: int
@@ -66,7 +68,7 @@ def square_root(x: float) -> float:
 
 
 class Samples:
-    """The last two samples of a signal or, with a window, the samples in it, at most 64."""
+    """The last two samples of a signal or, with a window, at most 64 samples in the window."""
 
     def __init__(self, window_ns: int = 0) -> None:
         self.window_ns = window_ns
@@ -77,7 +79,7 @@ class Samples:
         self.kept.clear()
 
     def take(self, value: float, at_ns: int) -> None:
-        """Take a sample. At an equal instant it replaces the last sample."""
+        """Take a sample. A sample at the instant of the last sample replaces that sample."""
         kept = self.kept
         if kept and kept[-1][0] == at_ns:
             kept.pop()
@@ -94,19 +96,19 @@ class Samples:
         return self.kept[-2][1] if len(self.kept) > 1 else NAN
 
     def seconds(self) -> float:
-        """The time between these two; NaN if they are missing."""
+        """The time between the last two samples; NaN if one is missing."""
         return (self.kept[-1][0] - self.kept[-2][0]) / 1e9 if len(self.kept) > 1 else NAN
 
     def lower(self) -> float:
-        """The middle sample by size, of two the lower; NaN if any sample is, or there is none."""
+        """The middle sample by size, or the lower of two; NaN without samples, or with a NaN."""
         return self.ranked((len(self.kept) - 1) // 2)
 
     def upper(self) -> float:
-        """The middle sample by size, of two the upper; NaN if any sample is, or there is none."""
+        """The middle sample by size, or the upper of two; NaN without samples, or with a NaN."""
         return self.ranked(len(self.kept) // 2)
 
     def total(self) -> float:
-        """The sum, the oldest sample first; NaN if there is none."""
+        """The sum, from the oldest sample to the newest; NaN without samples."""
         total = NAN
         for place, (_, value) in enumerate(self.kept):
             total = total + value if place else value
@@ -145,7 +147,7 @@ class Recent:
         self.gap_end_ns = at_ns
 
     def look(self, source: int, at_ns: int) -> int:
-        """Say whether enough instants lie in the window, given whether their source is known."""
+        """True if enough instants lie in the window; unknown if a gap may hide instants."""
         if source > 1:
             self.gap = source
             self.gap_end_ns = None
@@ -157,7 +159,7 @@ class Recent:
         return 0 if is_over else self.gap
 
     def is_full(self) -> bool:
-        """Say whether there are as many instants as needed."""
+        """True if the window contains the required number of instants."""
         return len(self.instants) == self.instants.maxlen
 
     def wake_ns(self, proposition: int, never_ns: int) -> int:
@@ -184,7 +186,7 @@ class Recurrence:
         self.recent.forget(at_ns)
 
     def look(self, value: int, at_ns: int) -> int:
-        """Say whether there were enough edges, with `value` as the value of the condition."""
+        """True if there were enough edges. `value` is the present value of the condition."""
         if value == 1 and self.before == 0:
             self.recent.instants.append(at_ns)
         self.before = value
@@ -222,7 +224,7 @@ class Oscillation:
             self.turn(-1, x, at_ns)
 
     def turn(self, direction: int, x: float, at_ns: int) -> None:
-        """Turn: the signal goes in this direction from now on."""
+        """Record a turning point: the signal now goes in this direction."""
         if self.direction != 0:
             self.recent.instants.append(at_ns)
         self.direction = direction
