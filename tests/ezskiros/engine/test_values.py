@@ -241,7 +241,8 @@ def test_wrong_names_and_values_are_reported(skills: Skills, line: str, said: st
     ("skill", "texts", "said"),
     [
         ("Drive", ["Robot=heron", "Goal=nut"], "`Goal`: skiros:Product-4 has the class "
-         "skiros:Product, but must be a skiros.Location; choose from skiros:Location-2 (bench), skiros:Location-3 (shelf)"),
+         "skiros:Product, but must be a skiros.Location; choose from skiros:Location-2 (bench), "
+         "skiros:Location-3 (shelf)"),
         ("Drive", ["Robot=hero", "Goal=shelf"],
          "`Robot`: there is no 'hero' in the world; choose from cora:Robot-1 (heron)"),
         ("Drive", ["Robot=heron"], "`Goal`, a skiros.Location, is not given: Goal=...; choose from "
