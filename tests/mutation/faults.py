@@ -104,8 +104,8 @@ _TIME = (
     ),
     Fault(
         "time stands still where nothing arrives",
-        "    tick(m, t_ns);\n    if (is_pending(m))",
-        "    if (is_pending(m))",
+        "    tick(m, t_ns);\n#if GUARDS && BESIDE",
+        "#if GUARDS && BESIDE",
     ),
     Fault(
         "what was before a duration survives a jump back",

@@ -248,8 +248,8 @@ NODE: Sequence[Damage] = (
     Damage("limits say nothing", " && (is_within(skill, limits) && ...)", ""),
     Damage(
         "no skill is not known",
-        "    return 0.0;\n}\n\n// True if the argument",
-        "    return NAN;\n}\n\n// True if the argument",
+        "    return 0.0;\n}\n\n// Returns true if a skill",
+        "    return NAN;\n}\n\n// Returns true if a skill",
     ),
     Damage(
         "of several skills the first is asked",
