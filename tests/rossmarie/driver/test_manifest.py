@@ -144,5 +144,5 @@ def test_the_generated_package_says_it_in_xml(target: str) -> None:
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
 def test_a_package_of_which_nothing_is_known_says_so(target: str) -> None:
     root = ET.fromstring(generate(vehicle(target), target)["package.xml"])
-    assert [each.text for each in root.iter("license")] == ["TODO: choose a license"]
+    assert [each.text for each in root.iter("license")] == ["to be chosen"]
     assert [each.text for each in root.iter("maintainer")] == ["Maintainer of rules.ross"]

@@ -8,7 +8,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.manifest import Maintainer, Manifest, Placement
 
 _VERSION = "0.1.0"
-_LICENSE = "TODO: choose a license"
+_LICENSE = "to be chosen"
 _MAIL = "nobody@example.org"
 
 

@@ -107,6 +107,7 @@ RARE int settle(monitor *m, const bool arrived[], int64_t t_ns, int before)
             look(m, channel, t_ns);
 #endif
 #if GUARDS && BESIDE
+    /* expire_due has not checked the guards of the values that it forgot. */
     if (before != CALM)
         review(m, t_ns);
 #endif
