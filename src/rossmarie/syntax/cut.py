@@ -27,7 +27,7 @@ _CONTINUATIONS = frozenset(
     | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
 _CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
-_JOINING = frozenset({"of", "within"})  # a line break may precede or follow these
+_JOINING = frozenset({"of", "within", "over"})  # a line break may precede or follow these
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 _BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in")}

@@ -1,8 +1,10 @@
 """Lays out the words of one statement in lines of at most 100 columns.
 
 A statement stays on one line if it fits. Otherwise it is broken before its parts (`then`, a resume
-contract, `publishes`). A part that still does not fit is broken before each `and`, `or` and action.
-Values of an import share lines. A comment inside a statement ends its line.
+contract, `publishes`). A part that still does not fit is broken before each `and`, `or` and action,
+a condition that still does not fit before the `and`s and `or`s in its parentheses. Values of an
+import share lines, and so do the operands of a long sum and the names of a long list. A comment
+inside a statement ends its line.
 """
 
 from __future__ import annotations
@@ -12,16 +14,21 @@ from dataclasses import dataclass
 
 MAXIMUM_COLUMNS = 100
 INDENTATION = "    "
+_ACTIONS = 2
+"""The level of actions and of outermost conditions. A comment breaks a statement up to this
+level.
+"""
 
 
 @dataclass(frozen=True)
 class Break:
-    """A place where a line may be broken, at `level` 1 first, then 2, with the indentation there.
-    With `fills`, the line is broken only if the next piece does not fit.
+    """A place where a line may be broken, at `level` 1 first, then 2, and so on, with the
+    indentation there. Without an indentation, the rest is deeper than the broken line. With
+    `fills`, the line is broken only if the next piece does not fit.
     """
 
     level: int
-    indent: int
+    indent: int | None
     fills: bool = False
 
 
@@ -49,16 +56,20 @@ _Piece = tuple[Sequence[Atom], int]
 
 def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
     """The lines of a statement at the level `indent`."""
-    if _fits(atoms, indent):
-        return [_line(atoms, indent)]
-    lines = []
-    for segment, extra in _split(atoms, 1, 0):
-        if _fits(segment, indent + extra):
-            lines.append(_line(segment, indent + extra))
-            continue
-        for piece, deeper in _filled(_split(segment, 2, extra), indent):
-            lines += _commented(piece, indent + deeper, indent + 2)
-    return lines
+    breaks = (atom.break_before for atom in atoms[1:])
+    levels = sorted({each.level for each in breaks if each is not None})
+    return _laid(atoms, indent, 0, levels)
+
+
+def _laid(atoms: Sequence[Atom], indent: int, extra: int, levels: Sequence[int]) -> list[str]:
+    """The lines of a part of a statement, broken at the first levels that are enough."""
+    lines = _commented(atoms, indent + extra, indent + max(extra, _ACTIONS))
+    is_short = max(map(len, lines)) <= MAXIMUM_COLUMNS
+    if _fits(atoms, indent + extra) or not levels or (levels[0] > _ACTIONS and is_short):
+        return lines
+    level, *finer = levels
+    pieces = _filled(_split(atoms, level, extra), indent)
+    return [line for piece, depth in pieces for line in _laid(piece, indent, depth, finer)]
 
 
 def _filled(pieces: Sequence[_Piece], indent: int) -> list[_Piece]:
@@ -89,7 +100,8 @@ def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[_Piece]:
     for index, atom in enumerate(atoms):
         if index and atom.break_before is not None and atom.break_before.level == level:
             starts.append(index)
-            indents.append(atom.break_before.indent)
+            its_indent = atom.break_before.indent
+            indents.append(max(indent + 1, _ACTIONS) if its_indent is None else its_indent)
     ends = [*starts[1:], len(atoms)]
     pieces = zip(starts, ends, indents, strict=True)
     return [(atoms[start:end], depth) for start, end, depth in pieces]

@@ -6,9 +6,11 @@ line may be broken, all as offsets into the text.
 
 from __future__ import annotations
 
+import sys
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from rossmarie.syntax import ast
 from rossmarie.syntax.layout import Break
@@ -19,6 +21,13 @@ _PART = Break(1, 1)
 _OPERATOR = Break(2, 2)
 _ACTION = Break(2, 2)
 _VALUE = Break(2, 2, fills=True)
+_REST = Break(1, 2, fills=True)
+_JUNCTION = Break(sys.maxsize - 2, None)
+_OPERAND = Break(sys.maxsize - 1, None, fills=True)
+_LISTED = Break(sys.maxsize, None, fills=True)
+"""Before an `and` or `or` of an argument, before another operator, and after a comma: if all other
+breaks are not enough.
+"""
 
 
 @dataclass
@@ -38,7 +47,10 @@ class Style:
     """The starts of tokens before which a line may be broken."""
 
     def __post_init__(self) -> None:
-        self._starts = [token.start for token in self.source.tokens]
+        tokens = self.source.tokens
+        self._starts = [token.start for token in tokens]
+        after_commas = (after.start for each, after in pairwise(tokens) if each.text == ",")
+        self.breaks.update(dict.fromkeys(after_commas, _LISTED))
 
     def index(self, offset: int) -> int:
         """The index of the first token that does not begin before an offset."""
@@ -65,7 +77,9 @@ class Style:
                 self._rule(item)
             case ast.Import() | ast.Parameter():
                 self._parameters(item)
-            case ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard():
+            case ast.Priority(rules=rules):
+                self.breaks.update((self._start(each.span.end), _LISTED) for each in rules[:-1])
+            case ast.Skills() | ast.Constant() | ast.Hazard():
                 pass
 
     def _inside(self, item: ast.System | ast.Action | ast.Test) -> None:
@@ -115,19 +129,32 @@ class Style:
         match member:
             case ast.TopicDeclaration(topic=topic, message_type=message_type, unit=unit):
                 self._word(topic, message_type, unit)
+                self._continued(topic.span.end, member.source, member.rate)
             case ast.UnitDeclaration(message_type=message_type, unit=unit):
                 self._word(message_type, unit)
-            case ast.ServiceDeclaration(name=name, service_type=kind):
+            case (
+                ast.ServiceDeclaration(name=name, service_type=kind)
+                | ast.ServerDeclaration(name=name, action_type=kind)
+            ):
                 self._word(name, kind)
-            case ast.ServerDeclaration(name=name, action_type=kind):
-                self._word(name, kind)
+                self._continued(name.span.end)
             case ast.ResourceDeclaration(targets=targets):
                 self._word(*targets)
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case ast.MessagesDeclaration() | ast.FrameDeclaration():
+            case ast.FrameDeclaration(parent=parent):
+                self._continued(parent.span.end, member.turned, member.timeout)
+            case ast.MessagesDeclaration():
                 pass
+
+    def _continued(self, end: int, *parts: ast.Name | ast.Expression | None) -> None:
+        """Break a declaration at an offset, and before the word before each part."""
+        self.breaks[self._start(end)] = _REST
+        for part in parts:
+            if part is not None:
+                word = self.index(part.span.start) - 1
+                self.breaks[self.source.tokens[word].start] = _REST
 
     def _effects(self, effects: Sequence[ast.Effect]) -> None:
         for effect in effects:
@@ -243,21 +270,25 @@ class Style:
 
     def _operators(self, root: ast.Expression) -> None:
         """Break before the outermost `and`s and `or`s, also inside `(...) for 2 sec`, before `and`s
-        and `or`s between conditions on the elements of a list, and before the answer of an `after`.
+        and `or`s between conditions on the elements of a list, and before the answer of an `after`;
+        then before the `and`s and `or`s in parentheses, from the outermost to the innermost.
         """
-        pending = [_peeled(root)]
+        pending = [(_peeled(root), _OPERATOR.level)]
         while pending:
-            node = pending.pop()
+            node, level = pending.pop()
             if isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
-                self.breaks[self._start(node.left.span.end)] = _OPERATOR
-                pending += (node.left, node.right)
+                self.breaks[self._start(node.left.span.end)] = Break(level, level)
+                for side in (node.left, node.right):
+                    inner = _peeled(side)
+                    pending.append((inner, level + (inner is not side)))
             elif isinstance(node, ast.Response):
                 self.breaks[node.answer.span.start] = _OPERATOR
             elif isinstance(node, ast.ListFold):
-                pending.append(_peeled(node.body))
+                pending.append((_peeled(node.body), level))
 
     def _expression(self, root: ast.Expression) -> None:
         for node in walk(root):
+            self._operand(node)
             match node:
                 case ast.Number(unit=unit, span=span):
                     self._word(unit)
@@ -286,6 +317,16 @@ class Style:
                     | ast.Once() | ast.Response() | ast.Parenthesized() | ast.Broken()
                 ):  # fmt: skip
                     pass
+
+    def _operand(self, node: ast.Expression) -> None:
+        """Allow a break before an operator."""
+        if isinstance(node, ast.Binary):
+            found = _JUNCTION if node.operator in ast.JUNCTIONS else _OPERAND
+            self.breaks.setdefault(self._start(node.left.span.end), found)
+        elif isinstance(node, ast.Membership):
+            self.breaks.setdefault(self._start(node.value.span.end), _OPERAND)
+        elif isinstance(node, ast.Held):
+            self.breaks.setdefault(self._start(node.condition.span.end), _OPERAND)
 
     def _doing(self, node: ast.Doing) -> None:
         if node.arguments:

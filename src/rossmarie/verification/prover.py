@@ -71,13 +71,17 @@ class _Step(NamedTuple):
 
 _ALL = _UNTIL_THE_END = sys.maxsize
 _FIRST = ((*_SAT, "--stop-on-fail"),)
-_WHOLE = _Step(_ALL, _UNTIL_THE_END, _FIRST)
+_WHOLE = _Step(_ALL, 40, _FIRST)
 _LAST = (
     _Step(5, 15, (_ANY_ARITHMETIC, _SAT, _ENDING)),
     _Step(1, _UNTIL_THE_END, (_ANY_ARITHMETIC, _SAT, _ENDING)),
 )
-_STATES = (_Step(100, _UNTIL_THE_END, _FIRST), *_LAST)
-_FORBIDDEN = (_Step(_ALL, _UNTIL_THE_END, (_SAT,)), *_LAST)
+_FORBIDDEN = (
+    _Step(_ALL, 60, (_ANY_ARITHMETIC, _SAT)),
+    _Step(100, 60, (_ANY_ARITHMETIC, _SAT)),
+    *_LAST,
+)
+_STATES = (_Step(20, 15, (_ANY_ARITHMETIC, *_FIRST)), *_LAST)
 _SENTENCES = (_Step(40, 15, (_ANY_ARITHMETIC,)), _Step(40, 15, (_ENDING,)), *_LAST)
 
 
@@ -174,22 +178,20 @@ class Prover:
     def _answers(
         self, query: _Query, names: Sequence[str], *, is_arithmetic: bool
     ) -> Sequence[_Answer]:
-        """Query all obligations at once. If this is too hard, query smaller and smaller groups, and
-        once the ends of loops.
+        """Query all obligations at once, if they are not about arithmetic. If this is too hard,
+        query all forbidden operations, groups of sentences, and once the ends of loops.
         """
-        forbidden = [name for name in names if not _is_ours(name)]
-        ours = [name for name in names if _is_ours(name)]
         found: list[_Answer] = []
-        if is_arithmetic:
-            found += self._narrowed(query, forbidden, _FORBIDDEN) if forbidden else ()
-            found += self._narrowed(query, ours, _SENTENCES) if ours else ()
-        else:
+        if not is_arithmetic:
             found += self._narrowed(query, names, [_WHOLE])
             if found[-1][0] is not ProofVerdict.UNDECIDED:
                 return found
             found.pop()
-            steps = _STATES if len(names) > _STATES[0].size else _LAST
-            found += self._narrowed(query, names, steps)
+        forbidden = [name for name in names if not _is_ours(name)]
+        ours = [name for name in names if _is_ours(name)]
+        sentences = _SENTENCES if is_arithmetic else _STATES
+        found += self._narrowed(query, forbidden, _FORBIDDEN) if forbidden else ()
+        found += self._narrowed(query, ours, sentences) if ours else ()
         return [*found, self._ask(query, (forbidden or names)[:1], [_SAT, _SMT])]
 
     def _narrowed(

@@ -7,8 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.strategies import SearchStrategy
 
 from rossmarie.syntax import ast, format_module
+from support.depth import examples
 
 Accepted = Callable[[str], ast.Module]
 WithoutSpans = Callable[[ast.Module], Any]
@@ -190,6 +194,39 @@ if first_entity.first_condition
     clear when first_entity.last_condition;
 """,
     ),
+    "a long condition": (
+        "entity e{a:(first_entity.first_condition and second_entity.second_condition)or("
+        "third_entity.third_condition and not(fourth_entity.fourth_condition or fifth_entity"
+        ".condition))"
+        "for 2 sec;b:norm(first_imu.angular_velocity)+norm(second_imu.angular_velocity)*gain_of_the"
+        "_second-offset_of_the_second>limit;c:any(ranges_of_the_front_laser<first_limit_of_laser"
+        " and ranges_of_the_front_laser>second_limit_of_the_laser);}",
+        """\
+entity e {
+    a : (first_entity.first_condition and second_entity.second_condition)
+            or (third_entity.third_condition
+                and not (fourth_entity.fourth_condition or fifth_entity.condition)) for 2 sec;
+    b : norm(first_imu.angular_velocity) + norm(second_imu.angular_velocity) * gain_of_the_second
+            - offset_of_the_second > limit;
+    c : any(ranges_of_the_front_laser < first_limit_of_laser
+            and ranges_of_the_front_laser > second_limit_of_the_laser);
+}
+""",
+    ),
+    "long lists": (
+        "priority first_rule_with_a_long_name over second_rule_with_a_long_name over "
+        "third_rule_with_a_long_name;system s{resource base:/first_topic_of_the_base,"
+        "/second_topic_of_the_base,/third_topic_of_base,/fourth;}",
+        """\
+priority first_rule_with_a_long_name over second_rule_with_a_long_name
+        over third_rule_with_a_long_name;
+
+system s {
+    resource base : /first_topic_of_the_base, /second_topic_of_the_base, /third_topic_of_base,
+            /fourth;
+}
+""",
+    ),
     "comments stay beside what they belong to": (
         """\
 // the file
@@ -310,6 +347,34 @@ def test_examples_keep_their_meaning(
     assert format_module(again) == text
     lines = [line for line in text.split("\n") if not line.startswith('test "')]
     assert max(map(len, lines)) <= 100
+
+
+def longer(inner: SearchStrategy[str]) -> SearchStrategy[str]:
+    """Larger expressions of smaller ones."""
+    signs = st.sampled_from(("and", "or", "+", "*", ">", "in"))
+    return st.one_of(
+        st.builds("({} {} {})".format, inner, signs, inner),
+        st.builds("function_of_three({}, {}, {})".format, inner, inner, inner),
+        st.builds("(not ({}))".format, inner),
+        st.builds("any({} < {})".format, inner, inner),
+    )
+
+
+NAMES = st.integers(5, 30).map(lambda size: "n" * size)
+
+
+@settings(max_examples=examples(1))
+@given(expression=st.recursive(NAMES, longer, max_leaves=20))
+def test_no_line_is_too_long(
+    accepted: Accepted, without_spans: WithoutSpans, expression: str
+) -> None:
+    text = f"entity e {{ a : {expression} for 2 sec; }} rule r: if {expression} then {{ b; }};"
+    module = accepted(text)
+    formatted = format_module(module)
+    widths = [len(line) for line in formatted.split("\n") if len(line.split()) > 2]
+    assert max(widths) <= 100
+    assert without_spans(accepted(formatted)) == without_spans(module)
+    assert format_module(accepted(formatted)) == formatted
 
 
 def test_windows_line_ends_become_plain(accepted: Accepted) -> None:
