@@ -36,7 +36,7 @@ ROUNDING = 1 / 32
 """A step of the coarsest numbers: another C library may round a number the other way."""
 MOST_DIFFERENT = 0.01
 BEYOND_MC_DC = (Aspect.UNDER, Aspect.AT, Aspect.OVER, Aspect.STALE)
-DECLARED = re.compile(r"^    topic (?:\w+ = )?(/\S+) :\s+([\w/]+)", re.MULTILINE)
+DECLARED = re.compile(r"^    topic (?:\w+ = )?(/\S+)\s+:\s+([\w/]+)", re.MULTILINE)
 
 of_each_robot = pytest.mark.parametrize("robot", robots(), ids=lambda each: each.name)
 
