@@ -21,7 +21,7 @@ from machine import processor
 from proved_examples import EXAMPLES, LIBRARY
 
 from rossmarie.driver.verifying import prove, queries_of
-from rossmarie.verification.prover import PROGRAMS, ProofVerdict, Prover
+from rossmarie.verification.prover import ProofVerdict, Prover
 
 ROOT = Path(__file__).parents[1]
 SECONDS = 120
@@ -113,7 +113,7 @@ def page(prover: Prover, known: Iterable[Proved], name: str) -> str:
     preface = PREFACE.format(
         name=name,
         subject=SUBJECTS[name],
-        tools=", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS),
+        tools=", ".join(f"{tool} {version}" for tool, version in prover.tools().items()),
         processor=processor(),
         seconds=SECONDS,
     )

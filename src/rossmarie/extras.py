@@ -9,6 +9,7 @@ EXTRAS = Extras(
     {
         "run": ("apsw", "cffi", "lz4", "numpy", "rosbags"),
         "solver": ("z3",),
+        "prover": ("bitwuzla",),
         "gym": ("gymnasium",),
         "skills": ("crosscheck",),
     },

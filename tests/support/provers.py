@@ -90,7 +90,7 @@ class StandIn(Prover):
     refuses: str = ""
 
     def version(self, program: str = "cbmc") -> str:
-        return {"cbmc": "6.6.0", "cadical": "1.7.3", "z3": "4.13.3"}[program]
+        return {"cbmc": "6.6.0", "cadical": "1.7.3", "z3": "4.13.3", "bitwuzla": "0.10.0"}[program]
 
     def compile(self, folder: Path, harness: Harness) -> None:
         del folder, harness

@@ -21,7 +21,7 @@ from rossmarie.report.safety.proved import bound_of, verification_results
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, covered, harness
-from rossmarie.verification.prover import PROGRAMS, ProofOutcome, ProofVerdict, Prover, ProverError
+from rossmarie.verification.prover import ProofOutcome, ProofVerdict, Prover, ProverError
 from rossmarie.verification.reactor_harness import reactor_harness
 
 
@@ -99,7 +99,7 @@ def prove(
         machine=queries.compiled.machine,
         outcomes=tuple(outcome or _ended(check) for (_, check), outcome in pairs),
         unasked=tuple(_unasked(queries)),
-        tools={tool: its for tool in PROGRAMS if (its := prover.version(tool))},
+        tools=prover.tools(),
     )
 
 

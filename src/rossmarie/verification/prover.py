@@ -1,6 +1,6 @@
 """CBMC, as a separate program: its path, and its answer to one check.
 
-The PATH must contain CBMC 6 and its solvers, which are packages of Debian 13. A z3 from the Python
+The PATH must contain CBMC 6, CaDiCaL and z3, which are packages of Debian 13. A z3 from the Python
 package `z3-solver` takes precedence: it also answers the queries about rules, and is often newer,
 which halves the time of some proofs.
 """
@@ -20,15 +20,21 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
+from importlib import metadata
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from rossmarie.extras import EXTRAS
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
 
 PROGRAMS = ("cbmc", "cadical", "z3")
 """The required programs: CBMC and the solvers that it calls."""
+
+_PACKAGE = "bitwuzla"
+"""The solver that is a Python package."""
 
 _SCRIPTS = sysconfig.get_path("scripts")
 """The folder of the programs that Python packages install."""
@@ -49,8 +55,10 @@ _ENDING = (*_SMT, "--no-unwinding-assertions")
 separate queries cover them.
 """
 
-_ANY_ARITHMETIC = ("--smt2", "--no-unwinding-assertions")
-"""The same, with sums, products and quotients as uninterpreted functions of their operands."""
+_ANY_ARITHMETIC = ("--boolector",)
+"""Bitwuzla, with sums, products and quotients as uninterpreted functions of their operands. It is
+the fastest solver by far, but it cannot refute.
+"""
 
 _LISTING = 10
 """The time limit in seconds of the search for all failing obligations, after the first failing one
@@ -71,7 +79,8 @@ class _Step(NamedTuple):
 
 _ALL = _UNTIL_THE_END = sys.maxsize
 _FIRST = ((*_SAT, "--stop-on-fail"),)
-_WHOLE = _Step(_ALL, 40, _FIRST)
+_WHOLE = _Step(_ALL, 60, (_ANY_ARITHMETIC,))
+_WHOLE_STATES = _Step(_ALL, 40, _FIRST)
 _LAST = (
     _Step(5, 15, (_ANY_ARITHMETIC, _SAT, _ENDING)),
     _Step(1, _UNTIL_THE_END, (_ANY_ARITHMETIC, _SAT, _ENDING)),
@@ -114,8 +123,15 @@ class ProverError(Exception):
 class Prover:
     """CBMC and its solvers."""
 
+    def tools(self) -> dict[str, str]:
+        """The versions of CBMC and of its solvers."""
+        tools = (*PROGRAMS, _PACKAGE)
+        return {tool: version for tool in tools if (version := self.version(tool))}
+
     def version(self, program: str = "cbmc") -> str:
         """The version of CBMC, or of a solver, as `6.6.0`; empty if it does not run."""
+        if program == _PACKAGE:
+            return metadata.version(program) if find_spec(program) else ""
         try:
             done = self._must([program, "--version"], Path("/"))
         except (OSError, ProverError):
@@ -124,13 +140,17 @@ class Prover:
         return found[0] if found else ""
 
     def lacking(self) -> str | None:
-        """The reason why nothing can be proved; None if CBMC 6 and its solvers run."""
+        """The reason why nothing can be proved; None if there are CBMC 6 and its solvers."""
         for program in PROGRAMS:
             if not self.version(program):
                 is_there = shutil.which(program, path=_path()) is not None
                 return f"{program} does not run" if is_there else f"{program} is not on the PATH"
         found = self.version()
-        return None if found.startswith("6.") else f"cbmc is version {found}, not 6"
+        if not found.startswith("6."):
+            return f"cbmc is version {found}, not 6"
+        if not self.version(_PACKAGE):
+            return f"{_PACKAGE} is not installed: {EXTRAS.advice('prover')}"
+        return None
 
     @contextmanager
     def workshop(self) -> Iterator[Path]:
@@ -178,15 +198,14 @@ class Prover:
     def _answers(
         self, query: _Query, names: Sequence[str], *, is_arithmetic: bool
     ) -> Sequence[_Answer]:
-        """Query all obligations at once, if they are not about arithmetic. If this is too hard,
-        query all forbidden operations, groups of sentences, and once the ends of loops.
+        """Query all obligations at once. If this is too hard, query all forbidden operations,
+        groups of sentences, and once the ends of loops.
         """
-        found: list[_Answer] = []
-        if not is_arithmetic:
-            found += self._narrowed(query, names, [_WHOLE])
+        for whole in [_WHOLE] if is_arithmetic else [_WHOLE, _WHOLE_STATES]:
+            found = list(self._narrowed(query, names, [whole]))
             if found[-1][0] is not ProofVerdict.UNDECIDED:
                 return found
-            found.pop()
+        found = []
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
         sentences = _SENTENCES if is_arithmetic else _STATES

@@ -199,6 +199,17 @@ def test_without_a_prover_it_says_how_to_get_one(
     assert "install these packages" in printed
 
 
+def test_without_bitwuzla_it_names_the_extra(
+    rules: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    programs(tmp_path / "bin", {"cbmc": "6.6.0", "cadical": "1.7.3", "z3": "4.13.3"})
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    monkeypatch.setattr("rossmarie.verification.prover.find_spec", lambda _: None)
+    code, printed = verify(rules)
+    assert code == 1
+    assert "| bitwuzla is not installed: pip install 'rossmarie[prover]'\n" in printed
+
+
 @pytest.mark.parametrize("read", ["fast.ross", "other.ross"])
 def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str) -> None:
     Path("other.ross").write_text("const most = 3;\n")
@@ -232,7 +243,7 @@ def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) ->
 def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> None:
     assert verify(rules, "--out", "v.json", "--keep", "kept")[0] == 0
     whole = json.loads(Path("v.json").read_text())
-    assert whole["tools"].keys() == {"rossmarie", "cbmc", "cadical", "z3"}
+    assert whole["tools"].keys() == {"rossmarie", "cbmc", "cadical", "z3", "bitwuzla"}
     assert whole["sources"][0]["path"] == "fast.ross"
     kept = {
         path.relative_to("kept").as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()

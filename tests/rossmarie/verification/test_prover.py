@@ -29,6 +29,7 @@ CBMC = """\
 #!/bin/sh
 case "$*" in
 *--show-properties*) echo '{listed}' ;;
+*--boolector*) echo '{bits}' ;;
 *--stop-on-fail*) echo '{whole}' ;;
 *--no-unwinding-assertions*) echo '{smt}' ;;
 *--external-sat-solver* | *--smt2*) echo '{single}' ;;
@@ -64,6 +65,26 @@ def test_only_a_plain_success_is_a_proof(
     assert outcome.verdict is expected
 
 
+@pytest.mark.parametrize(
+    ("bits", "expected"),
+    [
+        (SUCCESS, ProofVerdict.PROVED),
+        (ERROR, ProofVerdict.UNDECIDED),
+        (UNKNOWN, ProofVerdict.UNDECIDED),
+        ([], ProofVerdict.UNDECIDED),
+    ],
+)
+def test_a_proof_about_any_arithmetic_is_enough(
+    bits: Sequence[object],
+    expected: ProofVerdict,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    others = {"whole": ERROR, "own": ERROR, "single": ERROR, "smt": ERROR}
+    outcome = answered(tmp_path, monkeypatch, bits=bits, **others)
+    assert outcome.verdict is expected
+
+
 def test_that_loops_end_is_shown_as_well(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     outcome = answered(tmp_path, monkeypatch, whole=ERROR, own=ERROR, single=ERROR, smt=SUCCESS)
     assert outcome.verdict is ProofVerdict.UNDECIDED
@@ -84,9 +105,11 @@ def answered(
     folder: Path,
     monkeypatch: pytest.MonkeyPatch,
     obligations: Sequence[str] = OBLIGATIONS,
+    bits: Sequence[object] = ERROR,
     **answers: Sequence[object],
 ) -> ProofOutcome:
     """The outcome of one check if CBMC gives these answers."""
+    answers["bits"] = bits
     programs = folder / "bin"
     programs.mkdir()
     texts = {name: json.dumps(answer) for name, answer in answers.items()}
