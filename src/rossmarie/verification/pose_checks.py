@@ -17,7 +17,12 @@ from rossmarie.verification.check import Check, Parts, Passes, WrittenCheck
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.places import name_of
-from rossmarie.verification.pose_contracts import CONTRACTS, PARTS
+from rossmarie.verification.pose_contracts import (
+    COMPARISON,
+    COMPARISON_WITH_POSES,
+    CONTRACTS,
+    PARTS,
+)
 from rossmarie.verification.program import assertions, assumptions, obligation
 
 _IS_NEW: Parts = (("is_new_pose", "any_new_pose"),)
@@ -80,6 +85,10 @@ class PoseChecks:
     def parts(self) -> Parts:
         """The contracts that replace the memories in checks of other functions."""
         return PARTS if self._memories else ()
+
+    def comparison(self) -> str:
+        """The comparison of two reactors at an arbitrary place."""
+        return COMPARISON_WITH_POSES if self._memories else COMPARISON
 
     def text(self) -> str:
         """The contracts, and the invariants of memories."""

@@ -43,13 +43,14 @@ class _Writer:
         parts = [
             PRELUDE,
             f'#include "{self._name}_reactor.c"\n',
+            SAME,
             self._memory(),
+            self._poses.comparison(),
             overruler(self._found),
             f"static void suppose_fit(const reactor *r)\n{{\n{assumptions(fit)}\n}}\n",
             f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
             self._contracts(),
             self._task_commands.text(),
-            SAME,
             CONTRACTS if self._found.commands else "",
             self._poses.text(),
             *(each.text() for each in written),
@@ -192,7 +193,7 @@ static reactor any_reactor(void)
 }}
 
 /* Compare two reactors at an arbitrary byte. So the result holds for each byte. */
-static bool is_same(const reactor *a, const reactor *b)
+static bool is_same_byte(const reactor *a, const reactor *b)
 {{
     const unsigned byte = nondet_number();
     __CPROVER_assume(byte < sizeof *a);
