@@ -79,3 +79,13 @@ def test_a_mutant_is_refuted(
 ) -> None:
     found = proofs_of_reactor(prover, queries, old, new, f"reactor_poses_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes
+
+
+@pytest.mark.parametrize("member", ["poses[5]", "poses_sent[0][2]"])
+def test_a_clock_that_changes_a_pose_is_refuted(
+    prover: Prover, queries: VerificationQueries, member: str
+) -> None:
+    old = "    r->now_ns = t_ns;\n    return true;"
+    new = f"    r->now_ns = t_ns;\n    r->{member} = 0.5;\n    return true;"
+    found = proofs_of_reactor(prover, queries, old, new, "reactor_set_clock")
+    assert "nothing else changes" in refuted(found)
