@@ -5,8 +5,8 @@ this program replaces sums, products and quotients by arbitrary functions. An ob
 for arbitrary functions holds for the operations. An obligation that fails for them may still hold,
 so the answer is "unsat" or "unknown", never "sat".
 
-`python -m rossmarie.verification.any_arithmetic FILE` prints the answer about an SMT-LIB 2 file of
-CBMC. Its caller limits the CPU time of the program.
+`python any_arithmetic.py FILE` prints the answer about an SMT-LIB 2 file of CBMC. Its caller limits
+the CPU time of the program.
 """
 
 from __future__ import annotations

@@ -4,6 +4,12 @@ system's.
 
 import shlex
 import sys
+from pathlib import Path
+
+_ANY_ARITHMETIC = Path(__file__).with_name("any_arithmetic.py").absolute()
+"""A path, because the solver runs in another folder than ROSSMARie, which may have been imported
+from a relative path.
+"""
 
 _CADICAL = """\
 #!/bin/sh
@@ -23,7 +29,7 @@ exec z3 tactic.default_tactic=smt "$@"
 _BOOLECTOR = f"""\
 #!/bin/sh
 # CBMC writes numbers and structures as bits for this solver. Bitwuzla is its successor.
-exec {shlex.quote(sys.executable)} -m rossmarie.verification.any_arithmetic "$@"
+exec {shlex.quote(sys.executable)} {shlex.quote(str(_ANY_ARITHMETIC))} "$@"
 """
 
 SCRIPTS = {"cadical": _CADICAL, "z3": _Z3, "boolector": _BOOLECTOR}

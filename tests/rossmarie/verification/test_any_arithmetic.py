@@ -70,7 +70,7 @@ def test_an_unknown_operand_gives_an_unknown_difference() -> None:
 def test_the_program_prints_its_answer(tmp_path: Path, denied: str, answer: str) -> None:
     file = tmp_path / "problem"
     file.write_text(formula("plus", denied))
-    command = [sys.executable, "-m", any_arithmetic.__name__, "--smt2", str(file), "-m"]
+    command = [sys.executable, any_arithmetic.__file__, "--smt2", str(file), "-m"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout == answer
 
@@ -78,7 +78,7 @@ def test_the_program_prints_its_answer(tmp_path: Path, denied: str, answer: str)
 def test_a_broken_formula_has_no_answer(tmp_path: Path) -> None:
     file = tmp_path / "problem"
     file.write_text(formula("plus", "(= x nobody)"))
-    command = [sys.executable, "-m", any_arithmetic.__name__, str(file)]
+    command = [sys.executable, any_arithmetic.__file__, str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode != 0
     assert "sat" not in done.stdout

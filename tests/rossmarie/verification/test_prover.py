@@ -80,8 +80,9 @@ def test_a_proof_about_any_arithmetic_is_enough(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    others = {"whole": ERROR, "own": ERROR, "single": ERROR, "smt": ERROR}
-    outcome = answered(tmp_path, monkeypatch, bits=bits, **others)
+    outcome = answered(
+        tmp_path, monkeypatch, bits=bits, whole=ERROR, own=ERROR, single=ERROR, smt=ERROR
+    )
     assert outcome.verdict is expected
 
 
@@ -105,11 +106,10 @@ def answered(
     folder: Path,
     monkeypatch: pytest.MonkeyPatch,
     obligations: Sequence[str] = OBLIGATIONS,
-    bits: Sequence[object] = ERROR,
     **answers: Sequence[object],
 ) -> ProofOutcome:
-    """The outcome of one check if CBMC gives these answers."""
-    answers["bits"] = bits
+    """The outcome of one check if CBMC gives these answers; by default, none of Bitwuzla (`bits`)."""
+    answers.setdefault("bits", ERROR)
     programs = folder / "bin"
     programs.mkdir()
     texts = {name: json.dumps(answer) for name, answer in answers.items()}

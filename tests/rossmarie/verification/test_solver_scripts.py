@@ -1,5 +1,5 @@
-"""The arithmetic axioms for z3 are true, and a model beyond any arithmetic does not count as an
-answer.
+"""CBMC with its solvers: the facts about arbitrary differences are true, and a model of another
+arithmetic does not count as an answer.
 """
 
 from __future__ import annotations
