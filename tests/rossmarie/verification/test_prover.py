@@ -108,7 +108,7 @@ def answered(
     obligations: Sequence[str] = OBLIGATIONS,
     **answers: Sequence[object],
 ) -> ProofOutcome:
-    """The outcome of one check if CBMC gives these answers; by default, none of Bitwuzla (`bits`)."""
+    """The outcome of one check if CBMC gives these answers; `bits` are those of Bitwuzla."""
     answers.setdefault("bits", ERROR)
     programs = folder / "bin"
     programs.mkdir()
