@@ -95,6 +95,7 @@ def _proofs(queries: VerificationQueries, timeout_s: int) -> Proofs:
 
 def prover() -> Prover:
     """The prover. The run ends if there is no prover."""
+    output.require("prover")
     found = Prover()
     reason = found.lacking()
     if reason is not None:

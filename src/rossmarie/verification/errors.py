@@ -29,7 +29,7 @@ class NoProver(Error, code="ROSS791", name="no-prover"):
 
     title = "cannot prove anything: CBMC 6 or one of its solvers is missing"
     label = "{reason}"
-    note = "Debian 13 has the packages cbmc, cadical and z3; Bitwuzla is a Python package"
+    note = "Debian 13 has the packages cbmc, cadical and z3"
     help = (
         "install these packages, use the Docker image debian:trixie, or on another Linux run "
         "`tools/setup_prover_debian.sh` of ROSSMARie's sources as root"

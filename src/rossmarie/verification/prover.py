@@ -21,11 +21,9 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from importlib import metadata
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rossmarie.extras import EXTRAS
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
@@ -34,7 +32,7 @@ PROGRAMS = ("cbmc", "cadical", "z3")
 """The required programs: CBMC and the solvers that it calls."""
 
 _PACKAGE = "bitwuzla"
-"""The solver that is a Python package."""
+"""The solver that is a Python package, of the extra `prover`."""
 
 _SCRIPTS = sysconfig.get_path("scripts")
 """The folder of the programs that Python packages install."""
@@ -131,7 +129,7 @@ class Prover:
     def version(self, program: str = "cbmc") -> str:
         """The version of CBMC, or of a solver, as `6.6.0`; empty if it does not run."""
         if program == _PACKAGE:
-            return metadata.version(program) if find_spec(program) else ""
+            return metadata.version(program)
         try:
             done = self._must([program, "--version"], Path("/"))
         except (OSError, ProverError):
@@ -140,17 +138,13 @@ class Prover:
         return found[0] if found else ""
 
     def lacking(self) -> str | None:
-        """The reason why nothing can be proved; None if there are CBMC 6 and its solvers."""
+        """The reason why nothing can be proved; None if CBMC 6 and its solvers run."""
         for program in PROGRAMS:
             if not self.version(program):
                 is_there = shutil.which(program, path=_path()) is not None
                 return f"{program} does not run" if is_there else f"{program} is not on the PATH"
         found = self.version()
-        if not found.startswith("6."):
-            return f"cbmc is version {found}, not 6"
-        if not self.version(_PACKAGE):
-            return f"{_PACKAGE} is not installed: {EXTRAS.advice('prover')}"
-        return None
+        return None if found.startswith("6.") else f"cbmc is version {found}, not 6"
 
     @contextmanager
     def workshop(self) -> Iterator[Path]:
