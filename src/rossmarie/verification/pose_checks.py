@@ -9,10 +9,8 @@ has space for the one task command that each retracing task gets.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
-from rossmarie.ir import reactions
 from rossmarie.verification.check import Check, Parts, Passes, WrittenCheck
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import Sentence
@@ -23,6 +21,7 @@ from rossmarie.verification.pose_contracts import (
     CONTRACTS,
     PARTS,
 )
+from rossmarie.verification.pose_memories import Memory, memories_of, retraces_of
 from rossmarie.verification.program import assertions, assumptions, obligation
 
 _IS_NEW: Parts = (("is_new_pose", "any_new_pose"),)
@@ -34,31 +33,6 @@ _SENT = ("poses_sent", "pose_sent_ns", "poses_kept")
 _TIMES = ("pose_sent_ns", "pose_recorded_ns")
 
 
-@dataclass(frozen=True)
-class _Memory:
-    """A memory of poses, the index at which its numbers begin, and the rules that retrace it."""
-
-    index: int
-    first: int
-    memory: reactions.Memory
-    rules: tuple[int, ...]
-
-    @property
-    def numbers(self) -> range:
-        """The numbers of each pose."""
-        return range(len(self.memory.readings))
-
-    @property
-    def end(self) -> int:
-        """The end of its numbers."""
-        return self.first + self.memory.most * len(self.memory.readings)
-
-    def pose(self, reactor: str, place: str) -> str:
-        """The index of the first number of the pose at a place. The oldest pose has place 0."""
-        turned = f"({reactor}poses_oldest[{self.index}] + {place}) % {self.memory.most}u"
-        return f"{self.first}u + {turned} * {len(self.numbers)}u"
-
-
 class PoseChecks:
     """Writes these checks for one reactor."""
 
@@ -66,21 +40,8 @@ class PoseChecks:
         found = machine.reactions
         self._name = name_of(machine)
         self._readings = len(machine.readings)
-        self._retraces = tuple(
-            (task, each.effect)
-            for task, each in enumerate(found.tasks)
-            if isinstance(each.effect, reactions.Retrace)
-        )
-        self._memories = tuple(self._placed(found))
-
-    def _placed(self, found: reactions.Reactions) -> Iterator[_Memory]:
-        first = 0
-        for index, memory in enumerate(found.memories):
-            tasks = {task for task, effect in self._retraces if effect.memory == index}
-            rules = tuple(r for r, plan in enumerate(found.plans) if tasks & set(plan.tasks))
-            placed = _Memory(index, first, memory, rules)
-            yield placed
-            first = placed.end
+        self._retraces = retraces_of(found)
+        self._memories = tuple(memories_of(found))
 
     def parts(self) -> Parts:
         """The contracts that replace the memories in checks of other functions."""
@@ -182,7 +143,7 @@ class PoseChecks:
             (f"{self._name}_retraced.0", tasks + 1),
         )
 
-    def _apart(self, each: _Memory) -> str:
+    def _apart(self, each: Memory) -> str:
         """R16: the required distance of a pose from the pose before it."""
         any_pose = ", ".join("nondet_double()" for _ in each.numbers)
         differs = " || ".join(f"pose[{n}] != last[{n}]" for n in each.numbers)
@@ -200,7 +161,7 @@ class PoseChecks:
             ]
         )
 
-    def _new(self, each: _Memory) -> str:
+    def _new(self, each: Memory) -> str:
         """R16: a pose is compared with the newest stored pose."""
         index = each.index
         newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
@@ -219,7 +180,7 @@ class PoseChecks:
         lines.append(obligation(f"compared_ns == {age}", "the age of the newest pose counts (R16)"))
         return "\n".join(lines)
 
-    def _record(self, each: _Memory) -> str:
+    def _record(self, each: Memory) -> str:
         """R16: the stored poses, if a pose is new."""
         index, most = each.index, each.memory.most
         reading = [f"read[{place}]" for place in each.memory.readings]
