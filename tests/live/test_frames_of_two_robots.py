@@ -43,7 +43,15 @@ class Fleet:
 
     def stands(self, space: str, x: float) -> Process:
         """Say all the time where a robot stands, and what it sees; gives what says the first."""
+        self.mounts(space)
+        return self.moves(space, x)
+
+    def mounts(self, space: str) -> None:
+        """Say once where the camera is mounted."""
         self._say(space, "tf_static", "tf2_msgs/TFMessage", _frames(("head", "camera", 0.0)), True)
+
+    def moves(self, space: str, x: float) -> Process:
+        """Say all the time what changes: where a robot stands, and what it sees."""
         hand = {"header": {"frame_id": "camera"}, "pose": _pose(1.0)}
         self._say(space, "hand", "geometry_msgs/PoseStamped", hand)
         moving = _frames(("odom", "base_link", x), ("base_link", "head", 0.0))
@@ -70,7 +78,12 @@ class Fleet:
 
     def becomes(self, space: str, rules: set[str]) -> None:
         """Wait until these rules are active, and no others."""
-        until(lambda: self.active(space) == rules, f"{space} has {rules}, not {self.active(space)}")
+        try:
+            until(lambda: self.active(space) == rules, f"{space} has {rules}")
+        except AssertionError as error:
+            said = "\n".join(process.said() for process in self._processes)
+            state = self._ears.last(f"{space}/{self._package}/state")
+            raise AssertionError(f"{error}, not {state}\n{said}") from error
 
     def _say(
         self, space: str, topic: str, kind: str, message: object, is_kept: bool = False
@@ -108,6 +121,14 @@ def test_a_node_that_starts_again_hears_frames_that_were_said_before(fleet: Flee
     node.end()
     fleet.forget("")
     fleet.begin("")
+    fleet.becomes("", {"beside", "turned"})
+
+
+def test_a_frame_counts_that_was_said_once_long_before_the_others(fleet: Fleet) -> None:
+    fleet.mounts("")
+    fleet.begin("")
+    fleet.becomes("", ALL)  # the node has waited for its inputs as long as it does
+    fleet.moves("", 0.5)
     fleet.becomes("", {"beside", "turned"})
 
 

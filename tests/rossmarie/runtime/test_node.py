@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
 from pathlib import Path
+from typing import TypeAlias
 
 import pytest
 
@@ -23,14 +25,16 @@ RUNTIME = Path(rossmarie.__file__).parent / "runtime" / "ros"
 GENERATIONS = ("ros1", "ros2")
 SANITIZED = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined")
 STRICT = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow=local", "-Werror")
+NODE = ("runtime/guard.cpp", "runtime/operators.cpp", "runtime/reporting.cpp",
+        "runtime/settings.cpp", "src/rules.cpp")  # fmt: skip
 SOURCES = {
     "clock": (),
-    "guard": ("runtime/guard.cpp", "runtime/operators.cpp", "runtime/reporting.cpp",
-              "runtime/settings.cpp", "src/rules.cpp"),
+    "guard": NODE,
     "latched_rules": (),
     "messages": (),
     "settings": ("runtime/settings.cpp",),
-}  # fmt: skip
+    "start": NODE,
+}
 """The files of a package that each program tests, besides headers."""
 
 
@@ -39,36 +43,45 @@ def sanitized() -> Sequence[str]:
     return SANITIZED if is_deep() else ()
 
 
+Package: TypeAlias = Callable[[Path], Path]
+"""A package of rules, with its C compiled. Its messages, and ROS, are the stand-ins."""
+
+
 @pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A package, with its C compiled. Its messages, and ROS, are the stand-ins."""
-    folder = tmp_path_factory.mktemp("alarm_safety")
-    write(generate(compile_file(HERE / "alarm.ross").machine, "ros1"), folder)
-    sources = [folder / "src" / f"alarm_{part}.c" for part in ("monitor", "reactor")]
-    for source in sources:
-        options = ["-std=c99", "-ffp-contract=off", *sanitized()]
-        run(["gcc", *options, "-c", source, "-o", source.with_suffix(".o")])
-    return folder
+def package(tmp_path_factory: pytest.TempPathFactory) -> Package:
+    @cache
+    def made(rules: Path) -> Path:
+        folder = tmp_path_factory.mktemp("alarm_safety")
+        write(generate(compile_file(rules).machine, "ros1"), folder)
+        sources = [folder / "src" / f"alarm_{part}.c" for part in ("monitor", "reactor")]
+        for source in sources:
+            options = ["-std=c99", "-ffp-contract=off", *sanitized()]
+            run(["gcc", *options, "-c", source, "-o", source.with_suffix(".o")])
+        return folder
+
+    return made
 
 
 @needs(GXX)
 @pytest.mark.parametrize("name", SOURCES)
-def test_a_program_of_checks_passes(name: str, package: Path) -> None:
+def test_a_program_of_checks_passes(name: str, package: Package) -> None:
     """All files are compiled as one, which takes a third of the time; with sanitizers only by
     `make deep`.
     """
-    texts = [HERE / "programs" / f"{name}.cpp", *(package / each for each in SOURCES[name])]
-    whole = package / f"all_of_{name}.cpp"
+    own = HERE / name / "alarm.ross"
+    folder = package(own if own.exists() else HERE / "alarm.ross")
+    texts = [HERE / "programs" / f"{name}.cpp", *(folder / each for each in SOURCES[name])]
+    whole = folder / f"all_of_{name}.cpp"
     whole.write_text("".join(f'#include "{each}"\n' for each in texts), encoding="utf-8")
-    rules = package / "src" if name == "guard" else HERE / "few_rules"
-    folders = [HERE / "programs", HERE / "stand_ins", rules, package]
-    folders += [package / "runtime", package / "runtime" / "ros1"]
-    includes = [f"-I{folder}" for folder in folders]
-    objects = sorted((package / "src").glob("*.o")) if name == "guard" else []
-    program = package / name
+    is_node = SOURCES[name] == NODE
+    rules = folder / "src" if is_node else HERE / "few_rules"
+    folders = [HERE / "programs", HERE / "stand_ins", rules, folder]
+    folders += [folder / "runtime", folder / "runtime" / "ros1"]
+    includes = [f"-I{each}" for each in folders]
+    objects = sorted((folder / "src").glob("*.o")) if is_node else []
+    program = folder / name
     run(["g++", *STRICT, *sanitized(), *includes, whole, *objects, "-lm", "-o", program])
-    done = run([program])
-    assert done.stdout == b""
+    run([program])
 
 
 def test_a_package_has_the_files_unchanged(generation: str) -> None:

@@ -46,7 +46,12 @@ struct InputText {
 };
 extern const std::vector<InputText> INPUTS;
 
-// A topic that the node subscribes to. A message expires at the age `timeout_ns`. 0 means never.
+// The timeout of a transform on /tf_static. It is published once, and counts as long as the node
+// runs.
+constexpr int64_t FOREVER_NS = 1'000'000'000'000'000'000;
+
+// A topic that the node subscribes to. A message expires at the age `timeout_ns`. 0 means that the
+// node also runs without a message.
 struct ChannelText {
     const char *topic;
     int64_t timeout_ns;

@@ -118,11 +118,10 @@ void Guard::catch_up(int64_t at_ns)
 
 void Guard::pass_time(int64_t at_ns)
 {
-    if (is_given_ || RULE_PARAMETERS.empty())
+    if (has_stepped_)
         core::advance(&monitor_, at_ns);
-    else
-        core::step(&monitor_, at_ns, &given_);
-    is_given_ = true;
+    else // the messages and the parameters from before the start
+        step_monitor(at_ns);
     for (const auto &task : performers_.tasks)
         task->tick(at_ns);
     follow(at_ns);
@@ -133,15 +132,22 @@ void Guard::take(int64_t at_ns)
 {
     if (!begin_when_ready(at_ns))
         return;
-    core::step(&monitor_, at_ns, &values_);
-    is_given_ = true;
-    values_ = given_;
+    step_monitor(at_ns);
     follow(at_ns);
 }
 
+// Passes the collected values to the monitor.
+void Guard::step_monitor(int64_t at_ns)
+{
+    core::step(&monitor_, at_ns, &values_);
+    has_stepped_ = true;
+    values_ = given_;
+}
+
 // Starts the monitor when each input with a timeout has a fresh message, so that a starting input
-// does not count as stale. After the time `patience` the monitor starts in any case. No command
-// passes before the start.
+// does not count as stale. After the time `patience` the monitor starts in any case, without the
+// expired messages. The other messages count: they may never arrive again. No command passes before
+// the start.
 bool Guard::begin_when_ready(int64_t at_ns)
 {
     if (has_begun_)
@@ -149,16 +155,25 @@ bool Guard::begin_when_ready(int64_t at_ns)
     if (started_ns_ == 0)
         started_ns_ = at_ns;
     bool is_ready = at_ns != 0;
-    for (int channel = 0; channel < count(CHANNELS); channel++) {
-        const int64_t timeout_ns = CHANNELS[channel].timeout_ns;
-        const int64_t arrived_ns = arrived_ns_[channel];
-        const bool is_here = arrived_ns != 0 && at_ns - arrived_ns < timeout_ns;
-        is_ready = is_ready && (timeout_ns == 0 || is_here);
-    }
+    for (int channel = 0; channel < count(CHANNELS); channel++)
+        is_ready = is_ready && !is_missing(channel, at_ns);
     const bool is_over = at_ns != 0 && at_ns - started_ns_ >= settings_.patience_ns;
-    if (!is_ready && is_over)
-        values_ = given_;
-    return has_begun_ = is_ready || is_over;
+    has_begun_ = is_ready || is_over;
+    for (int channel = 0; channel < count(CHANNELS); channel++)
+        if (has_begun_ && is_missing(channel, at_ns))
+            forget(values_, channel);
+    return has_begun_;
+}
+
+// Returns true if a channel with a timeout has no message, or an expired message. The age of a
+// message that arrived before simulated time began, at 0, is unknown.
+bool Guard::is_missing(int channel, int64_t at_ns) const
+{
+    const int64_t timeout_ns = CHANNELS[channel].timeout_ns;
+    const std::optional<int64_t> arrived_ns = arrived_ns_[channel];
+    if (timeout_ns == 0 || timeout_ns == FOREVER_NS)
+        return timeout_ns != 0 && !arrived_ns;
+    return !arrived_ns || *arrived_ns == 0 || at_ns - *arrived_ns >= timeout_ns;
 }
 
 // Processes the passage of time.

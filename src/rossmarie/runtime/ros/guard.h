@@ -13,6 +13,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,9 @@ private:
     void subscribe();
     void serve();
     void take(int64_t at_ns);
+    void step_monitor(int64_t at_ns);
     bool begin_when_ready(int64_t at_ns);
+    bool is_missing(int channel, int64_t at_ns) const;
     void follow(int64_t at_ns);
     void open_when_ready(int64_t at_ns);
     void end_exemptions(int64_t at_ns);
@@ -125,9 +128,10 @@ private:
     std::vector<unsigned char> exempted_ = std::vector<unsigned char>(RULES.size(), false);
     std::vector<Exemption> exemptions_ = std::vector<Exemption>(RULES.size()); // by rule
     int64_t started_ns_ = 0;
-    std::vector<int64_t> arrived_ns_ = std::vector<int64_t>(CHANNELS.size(), 0);
+    std::vector<std::optional<int64_t>> arrived_ns_ = // by channel: the instant of the last message
+        std::vector<std::optional<int64_t>>(CHANNELS.size());
     bool has_begun_ = false;
-    bool is_given_ = false; // true: the monitor has the parameters of the rules
+    bool has_stepped_ = false; // true: the monitor has the parameters of the rules
     bool is_open_ = false;
     bool is_in_grace_ = false;
     bool is_reset_wanted_ = false;

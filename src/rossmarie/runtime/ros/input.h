@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clock.h"
+#include "descriptions.h"
 #include "middleware.h"
 #include "stamps.h"
 #include "throttle.h"
@@ -69,7 +70,8 @@ private:
     void receive(const Message &message, int64_t received_ns)
     {
         clock_.now();
-        if (clock_.stands_still()) { // the instant of the measurement is unknown
+        // The instant of a measurement is unknown while ROS time stands still.
+        if (clock_.stands_still() && timeout_ns_ != FOREVER_NS) {
             refuse("ROS time stands still");
             return;
         }

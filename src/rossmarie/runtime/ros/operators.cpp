@@ -67,7 +67,7 @@ void Guard::why(Why::Response &response) const
             "no command passes on " + topic + ": " + by + " also publishes this topic\n";
     if (!is_open_)
         for (int channel = 0; channel < count(CHANNELS); channel++)
-            if (CHANNELS[channel].timeout_ns != 0 && arrived_ns_[channel] == 0)
+            if (CHANNELS[channel].timeout_ns != 0 && !arrived_ns_[channel])
                 response.text += "no command passes: no message has arrived on " +
                                  inputs_[channel]->topic() + "\n";
     if (response.text.empty())

@@ -38,6 +38,9 @@ struct Listener {
 // Makes an input for each channel.
 Inputs make_inputs(const Listener &listener);
 
+// Removes the message of a channel from the values for the next step of the monitor.
+void forget(core::Values &values, int channel);
+
 // Copies the parameters of the rules into the values for the monitor.
 void give(core::Values &values, const std::vector<double> &given);
 
@@ -57,8 +60,9 @@ struct Performers {
 Performers make_performers(Host &host, const Filtering &filtering);
 
 // A list of structs. Each struct describes a topic that the node subscribes to: its `Message` type,
-// `topic`, `timeout_ns`, and `fill(values, arrays, message)`. A struct with `has(message)` shares
-// its topic with other structs: it receives the messages for which `has` returns true.
+// `topic`, `timeout_ns`, `fill(values, arrays, message)`, and `forget(values)`. A struct with
+// `has(message)` shares its topic with other structs: it receives the messages for which `has`
+// returns true.
 template <class... Each> struct Channels {};
 
 template <class Channel> auto shares(int) -> decltype(&Channel::has, std::true_type());
@@ -116,6 +120,14 @@ template <class... Each> Inputs inputs_of(Channels<Each...>, const Listener &lis
     std::vector<std::string> heard; // the topics that several channels share
     (add_input<Each, Each...>(inputs, listener, heard), ...);
     return inputs;
+}
+
+template <class... Each>
+void forget_in(Channels<Each...>, [[maybe_unused]] core::Values &values,
+               [[maybe_unused]] int channel)
+{
+    [[maybe_unused]] int each = 0;
+    ((each++ == channel ? Each::forget(values) : void()), ...);
 }
 
 template <class... Each> std::vector<ChannelText> channel_texts(Channels<Each...>)

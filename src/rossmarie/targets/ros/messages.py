@@ -80,7 +80,8 @@ def _channel(layout: CLayout, dialect: Dialect, channel: int, word: str) -> str:
         f"    static constexpr const char *topic = {names.heard(topic)};\n"
         f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
         f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
-        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n"
+        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n\n"
+        f"    static void forget({layout.name}_values &values) {{ values.has_{name} = false; }}\n"
         f"{_has(edge)}}};\n\n"
     )
 

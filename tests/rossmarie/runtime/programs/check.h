@@ -11,7 +11,7 @@ inline void check(bool is_so, const char *what, const char *file, int line)
     if (is_so)
         return;
     failures += 1;
-    std::printf("%s:%d: %s\n", file, line, what);
+    std::fprintf(stderr, "%s:%d: %s\n", file, line, what);
 }
 
 inline int result() { return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
