@@ -50,6 +50,9 @@ extern const std::vector<InputText> INPUTS;
 // runs.
 constexpr int64_t FOREVER_NS = 1'000'000'000'000'000'000;
 
+// Returns true if a message expires. A message that does not expire may arrive only once.
+inline bool expires(int64_t timeout_ns) { return timeout_ns != 0 && timeout_ns != FOREVER_NS; }
+
 // A topic that the node subscribes to. A message expires at the age `timeout_ns`. 0 means that the
 // node also runs without a message.
 struct ChannelText {

@@ -171,8 +171,8 @@ bool Guard::is_missing(int channel, int64_t at_ns) const
 {
     const int64_t timeout_ns = CHANNELS[channel].timeout_ns;
     const std::optional<int64_t> arrived_ns = arrived_ns_[channel];
-    if (timeout_ns == 0 || timeout_ns == FOREVER_NS)
-        return timeout_ns != 0 && !arrived_ns;
+    if (!expires(timeout_ns))
+        return timeout_ns == FOREVER_NS && !arrived_ns;
     return !arrived_ns || *arrived_ns == 0 || at_ns - *arrived_ns >= timeout_ns;
 }
 

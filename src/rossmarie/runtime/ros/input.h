@@ -70,8 +70,8 @@ private:
     void receive(const Message &message, int64_t received_ns)
     {
         clock_.now();
-        // The instant of a measurement is unknown while ROS time stands still.
-        if (clock_.stands_still() && timeout_ns_ != FOREVER_NS) {
+        // The age of a message is unknown while ROS time stands still.
+        if (clock_.stands_still() && expires(timeout_ns_)) {
             refuse("ROS time stands still");
             return;
         }

@@ -126,6 +126,7 @@ static void check_what_arrives_once()
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         guard.step();
         transform();
+        mode("back");
         number("level", 0.0);
         CHECK(say::lines.back().find("ROS time stands still") != std::string::npos);
         wait(guard, 10);
@@ -133,6 +134,8 @@ static void check_what_arrives_once()
         CHECK(passed() == 0.0);
         number("level", 0.0);
         obstacle(2.0);
+        CHECK(passed() == 0.2);
+        mode("onwards");
         CHECK(passed() == 1.0);
     };
     start(BEGIN_NS, while_time_stands_still, 10 * MILLISECOND_NS);
