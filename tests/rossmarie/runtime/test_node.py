@@ -49,6 +49,8 @@ Package: TypeAlias = Callable[[Path], Path]
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Package:
+    """Makes a package of rules; the tests share it."""
+
     @cache
     def made(rules: Path) -> Path:
         folder = tmp_path_factory.mktemp("alarm_safety")
@@ -64,7 +66,9 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Package:
 
 @needs(GXX)
 @pytest.mark.parametrize("name", SOURCES)
-def test_a_program_of_checks_passes(name: str, package: Package) -> None:
+def test_a_program_of_checks_passes(
+    name: str, package: Package, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """All files are compiled as one, which takes a third of the time; with sanitizers only by
     `make deep`.
     """
@@ -81,6 +85,7 @@ def test_a_program_of_checks_passes(name: str, package: Package) -> None:
     objects = sorted((folder / "src").glob("*.o")) if is_node else []
     program = folder / name
     run(["g++", *STRICT, *sanitized(), *includes, whole, *objects, "-lm", "-o", program])
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))  # for the files of latched rules
     run([program])
 
 

@@ -46,8 +46,8 @@ struct InputText {
 };
 extern const std::vector<InputText> INPUTS;
 
-// The longest timeout (1e9 s): of a transform on /tf_static, and of another input that a node needs
-// but that is published once.
+// The longest timeout, 1e9 s. A transform on /tf_static has this timeout. Rules give it to an input
+// that is necessary but published only once.
 constexpr int64_t FOREVER_NS = 1'000'000'000'000'000'000;
 
 // Returns true if a message expires. A message that does not expire may arrive only once.

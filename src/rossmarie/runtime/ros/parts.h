@@ -122,6 +122,7 @@ template <class... Each> Inputs inputs_of(Channels<Each...>, const Listener &lis
     return inputs;
 }
 
+// Removes the message of the channel with an index.
 template <class... Each>
 void forget_in(Channels<Each...>, [[maybe_unused]] core::Values &values,
                [[maybe_unused]] int channel)

@@ -252,8 +252,6 @@ int main()
     CHECK(refusal("/robot/level").find("have no header") != std::string::npos);
     CHECK(refusal("/lever").find("no rule reads /lever") != std::string::npos);
     CHECK(Guard::topics() == std::vector<std::string>({"level", "mode", "place", "unfil_cmd_vel"}));
-    char name[] = "/tmp/guard_XXXXXX";
-    setenv("ROS_HOME", mkdtemp(name), 1);
     Middleware middleware;
     Guard guard(middleware, quick());
     check_opening(guard);

@@ -99,8 +99,7 @@ static void check_usual_file(const std::filesystem::path &folder)
 
 int main()
 {
-    char name[] = "/tmp/latched_rules_XXXXXX";
-    const std::filesystem::path folder = mkdtemp(name);
+    const std::filesystem::path folder = std::getenv("ROS_HOME");
     check_file(folder);
     check_disk_that_is_gone(folder);
     check_usual_file(folder);

@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -191,8 +190,6 @@ static void check_what_expires()
 
 int main()
 {
-    char name[] = "/tmp/start_XXXXXX";
-    setenv("ROS_HOME", mkdtemp(name), 1);
     check_what_arrives_once();
     check_a_transform_is_needed();
     check_what_expires();
