@@ -58,7 +58,7 @@ private:
             return is_still_ ? now + waited_ns : now;
         }
         const int64_t ahead_ns = now - seen_ns_ - waited_ns;
-        if (seen_ns_ != 0 && ahead_ns > LEAP_NS && ahead_ns > FASTER * ahead_ns_)
+        if (seen_ns_ != 0 && ahead_ns > LEAP_NS && ahead_ns / FASTER > ahead_ns_)
             leap_ns_ = ahead_ns;
         if (now < given_ns_ && (is_still_ || now < seen_ns_)) {
             jumps_ += 1;
